@@ -133,6 +133,9 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     kaya::report_crashes();
     kaya::limit_memory_to_available();
+    std::string words = "kaya";
+    for (int k = 1; k < argc; ++k) words += std::string(" ") + argv[k];
+    const kaya::AtCommand at_command(words);
     try {
         return kaya::start(argc, argv);
     } catch (const std::bad_alloc&) {

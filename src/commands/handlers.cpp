@@ -1,12 +1,25 @@
 #include "commands/handlers.hpp"
 
 #include "commands/remedies.hpp"
+#include "model/bounded.hpp"
 
 #include <utility>
 
 namespace kaya {
 
 namespace {
+
+/// Commands that compute with shapes, or keep the model for later: not of a model of which a run has diverged.
+using NeedBoundedModel =
+    lang::CommandList<lang::Save, lang::VtkWrite, lang::PolyTunnel, lang::JointSetCommand, lang::TunnelCommand,
+                      lang::CutGround, lang::Densify, lang::Join, lang::JoinContact, lang::Import, lang::Export,
+                      lang::Excavate, lang::Fill, lang::Copy, lang::GenerateEdge, lang::GenerateQuad, lang::InSitu,
+                      lang::LimitEquilibrium, lang::StructureCable, lang::StructureBeam, lang::StructureLiner,
+                      lang::Plot>;
+
+template <class... Command> bool is_one_of(std::size_t index, lang::CommandList<Command...>) {
+    return ((lang::index_of<Command> == index) || ...);
+}
 
 template <class... List> HandlerTable all_handlers(lang::CommandLists<List...>) {
     HandlerTable table{};
@@ -23,12 +36,17 @@ const HandlerTable& handlers() {
 
 void run_command(Session& session, const lang::BoundCommand& command) {
     try {
+        if (is_one_of(command.spec->index, NeedBoundedModel{})) require_bounded(session.model);
         handlers()[command.spec->index](session, command.command);
     } catch (const Advised& mistake) { throw worded(mistake); }
 }
 
 void put_off(Session& session, std::function<void()> change) {
-    session.deferred.emplace_back(session.interpreter.current_place(), std::move(change));
+    const auto carry_out = [&session, change = std::move(change)] {
+        require_bounded(session.model); // the cycle has gone on since
+        change();
+    };
+    session.deferred.emplace_back(session.interpreter.current_place(), carry_out);
 }
 
 void refuse_in_cycle() {

@@ -4,6 +4,7 @@
 #include "commands/handlers.hpp"
 #include "lang/script/value_text.hpp"
 #include "laws/arithmetic.hpp"
+#include "laws/crash_report.hpp"
 #include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
@@ -55,7 +56,12 @@ lang::Ended Session::run_deck(const std::string& file) {
     return ended;
 }
 
-void Session::run(const lang::BoundCommand& command) { run_command(*this, command); }
+void Session::run(const lang::BoundCommand& command) {
+    const std::string text = command.text(), place = here();
+    const std::string line = text.substr(0, text.find('\n'));
+    const AtCommand at_command(place.empty() ? line : fmt::format("{} ({})", line, place));
+    run_command(*this, command);
+}
 
 lang::Value Session::value(const std::string& expression, const Place& place) {
     return command_value(scripts->value(expression, place), expression, place);

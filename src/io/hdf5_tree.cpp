@@ -57,8 +57,10 @@ std::size_t size_of(Scalar type) {
 
 /// HDF5 prints its own stack of errors on the terminal unless it is told not to.
 /// Nor does it tidy up when the program ends: files are in memory and closed by us, and after a failure for want of memory it crashes there.
+/// And it loads no plugins, whatever the environment says.
 void silence() {
     H5dont_atexit(); // the first time before all else, later without effect
+    H5PLset_loading_state(0);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -66,6 +68,7 @@ Handle file_access_in_memory() {
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     constexpr std::size_t growth = std::size_t{4} << 20;
     H5Pset_fapl_core(access, growth, 0);
+    H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST); // the layout that hdf5_format.hpp reads
     return access;
 }
 
@@ -193,113 +196,6 @@ std::string TreeWriter::image() {
     if (H5Fget_file_image(files_->file, bytes.data(), bytes.size()) != size)
         throw TreeError("the file in memory cannot be read");
     return bytes;
-}
-
-struct TreeReader::Files {
-    Handle file;
-    Groups groups;
-    std::size_t size; ///< bytes of the whole file
-
-    Handle open_data(const std::string& name, hid_t type, std::array<hsize_t, 2>& extent);
-};
-
-TreeReader::TreeReader(std::string_view image) {
-    silence();
-    const Handle access = file_access_in_memory();
-    // The buffer is copied by the call.
-    H5Pset_file_image(access, const_cast<char*>(image.data()), image.size());
-    Handle file(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-    if (!file.ok()) throw TreeError("it is no HDF5 file");
-    files_ = std::make_unique<Files>(Files{std::move(file), {}, image.size()});
-    Handle root(H5Gopen2(files_->file, "/", H5P_DEFAULT), H5Gclose);
-    if (!root.ok()) throw TreeError("it has no root group");
-    files_->groups.push(std::move(root), "");
-}
-
-TreeReader::~TreeReader() = default;
-
-void TreeReader::open_group(const std::string& name) {
-    Handle group(H5Gopen2(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Gclose);
-    if (!group.ok()) throw TreeError("group " + files_->groups.path_of(name) + " is missing");
-    files_->groups.push(std::move(group), name);
-}
-
-void TreeReader::close_group() { files_->groups.pop(); }
-
-std::set<std::string> TreeReader::names() const {
-    std::set<std::string> names;
-    const auto add = [](hid_t, const char* name, const auto*, void* to) -> herr_t {
-        static_cast<std::set<std::string>*>(to)->insert(name);
-        return 0;
-    };
-    hsize_t first = 0;
-    if (H5Literate(files_->groups.top(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0 ||
-        H5Aiterate(files_->groups.top(), H5_INDEX_NAME, H5_ITER_INC, &first, add, &names) < 0)
-        throw TreeError("the names in " + files_->groups.path_of("") + " cannot be read");
-    return names;
-}
-
-void TreeReader::read_attribute(const std::string& name, Scalar type, void* numbers, std::size_t count) {
-    const Handle attribute(H5Aopen(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Aclose);
-    if (!attribute.ok()) throw TreeError(files_->groups.path_of(name) + " is missing");
-    const Handle space(H5Aget_space(attribute), H5Sclose);
-    const Handle found(H5Aget_type(attribute), H5Tclose);
-    const bool right = H5Tequal(found, type_of(type)) > 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
-                       H5Sget_simple_extent_npoints(space) == static_cast<hssize_t>(count);
-    if (!right || H5Aread(attribute, type_of(type), numbers) < 0)
-        throw TreeError(files_->groups.path_of(name) + " is of another type or size");
-}
-
-Handle TreeReader::Files::open_data(const std::string& name, hid_t type, std::array<hsize_t, 2>& extent) {
-    Handle data(H5Dopen2(groups.top(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!data.ok()) throw TreeError(groups.path_of(name) + " is missing");
-    const Handle space(H5Dget_space(data), H5Sclose);
-    const Handle found(H5Dget_type(data), H5Tclose);
-    const bool right = H5Tequal(found, type) > 0 && H5Sget_simple_extent_ndims(space) == 2 &&
-                       H5Sget_simple_extent_dims(space, extent.data(), nullptr) == 2;
-    if (!right) throw TreeError(groups.path_of(name) + " is of another type");
-    return data;
-}
-
-std::size_t TreeReader::find_rows(const std::string& name, Scalar type, std::size_t per_row) {
-    std::array<hsize_t, 2> extent{};
-    const Handle data = files_->open_data(name, type_of(type), extent);
-    // Deflate shrinks to a thousandth at best: what claims to be larger is not in the file, and asking
-    // for that much memory could end the program.
-    constexpr double most = 1100;
-    const double bytes =
-        static_cast<double>(extent[0]) * static_cast<double>(per_row) * static_cast<double>(size_of(type));
-    const auto stored = static_cast<double>(std::min<hsize_t>(H5Dget_storage_size(data), files_->size));
-    if (extent[1] != per_row || bytes > most * stored + 1)
-        throw TreeError(files_->groups.path_of(name) + " is of another size");
-    return static_cast<std::size_t>(extent[0]);
-}
-
-void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row) {
-    std::array<hsize_t, 2> extent{};
-    const Handle data = files_->open_data(name, type_of(type), extent);
-    if (extent != std::array<hsize_t, 2>{rows, per_row})
-        throw TreeError(files_->groups.path_of(name) + " is of another size");
-    if (rows > 0 && H5Dread(data, type_of(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0)
-        throw TreeError(files_->groups.path_of(name) + " cannot be read");
-}
-
-std::string TreeReader::text(const std::string& name) {
-    const Handle data(H5Dopen2(files_->groups.top(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!data.ok()) throw TreeError(files_->groups.path_of(name) + " is missing");
-    const Handle type(H5Dget_type(data), H5Tclose);
-    const Handle space(H5Dget_space(data), H5Sclose);
-    const bool right = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
-                       H5Sget_simple_extent_npoints(space) == 1 && H5Tget_size(type) <= files_->size;
-    if (!right) throw TreeError(files_->groups.path_of(name) + " is no text");
-    std::string text(H5Tget_size(type), '\0');
-    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(memory, text.size());
-    H5Tset_strpad(memory, H5T_STR_NULLPAD);
-    if (H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
-        throw TreeError(files_->groups.path_of(name) + " cannot be read");
-    text.resize(std::strlen(text.c_str()));
-    return text;
 }
 
 } // namespace kaya

@@ -1,5 +1,6 @@
-// A tree of named values as an HDF5 file in memory. HDF5 itself never touches the disk: writing and
-// checking the file is ours (io/whole_file.hpp), so that a full disk is our error and not HDF5's.
+// A tree of named values as an HDF5 file in memory. The HDF5 library writes it, and never touches the disk: writing and
+// checking the file is ours (io/whole_file.hpp), so that a full disk is our error and not HDF5's. Reading is ours as well
+// (io/hdf5_format.hpp): the library follows links to other files, and trusts what it reads.
 #pragma once
 
 #include <cstddef>
@@ -59,8 +60,8 @@ private:
 
 class TreeReader {
 public:
-    /// Throws TreeError when the bytes are no HDF5 file, as do all functions below for what is not there
-    /// or is of another type or size.
+    /// Throws TreeError when the bytes are no HDF5 file, as do all functions below for what is not there, is of another type or
+    /// size, or is nothing that a TreeWriter writes. The bytes must outlive the reader.
     explicit TreeReader(std::string_view image);
     ~TreeReader();
 
@@ -87,8 +88,8 @@ private:
     std::size_t find_rows(const std::string& name, Scalar type, std::size_t per_row);
     void read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row);
 
-    struct Files;
-    std::unique_ptr<Files> files_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace kaya

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -29,7 +30,9 @@ namespace {
 thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal comes to the thread that has caused it
 std::atomic<bool> reporting = false;
 
-/// The call that began last, in any thread.
+std::atomic<const AtCommand*> at_command = nullptr;
+
+/// The call of a foreign model that began last, in any thread.
 std::atomic<const Called*> called_last = nullptr;
 std::atomic<const char*> last_work = nullptr;
 
@@ -79,6 +82,24 @@ struct SpareStack {
         sigaltstack(&none, nullptr);
     }
 };
+
+/// Once for each thread.
+void keep_spare_stack() {
+    thread_local const SpareStack spare;
+    static_cast<void>(spare);
+}
+
+/// Whether a library lies where the program's own do, next to it or where it is installed.
+bool ships(const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path(),
+                   folder = fs::weakly_canonical(file, ignored).parent_path();
+    for (const fs::path& own : {program, program.parent_path() / "lib/kaya"})
+        for (const char* kind : {"joints", "zones"})
+            if (folder == own / kind) return true;
+    return false;
+}
 
 /// A sentence in a fixed buffer: a signal handler may neither allocate nor print.
 class Sentence {
@@ -138,6 +159,10 @@ void add_place(Sentence& sentence, const AtRows& at) {
     else sentence << ", between " << noun << " " << number(0) << " and " << number(at.rows - 1);
 }
 
+void add_command(Sentence& sentence) {
+    if (const AtCommand* command = at_command.load()) sentence << "\n  the command: " << command->text();
+}
+
 constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
 
 void report(int signal, siginfo_t* info, void*) {
@@ -148,16 +173,21 @@ void report(int signal, siginfo_t* info, void*) {
     if (const CrashReport::Call* call = at_work) {
         sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' crashed in " << call->what;
         add_place(sentence, call->rows);
-        sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str() << what_is_left;
-        sentence.write();
+        sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str();
+        add_command(sentence);
     } else if (const Called* last = called_last.load()) {
+        sentence << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str()
+                 << "', in " << last_work.load() << "\n  its library: " << last->file.c_str();
+        add_command(sentence);
         sentence
-            << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str()
-            << "', in " << last_work.load() << "\n  its library: " << last->file.c_str()
-            << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that"
-            << what_is_left;
-        sentence.write();
+            << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that";
+    } else {
+        sentence << "\nerror: the program" << deed;
+        add_command(sentence);
+        sentence << "\n  this is an error of kaya: please report it with the input";
     }
+    sentence << what_is_left;
+    sentence.write();
     raise(signal);
 }
 
@@ -207,7 +237,9 @@ const Called* called(const std::string& name, const std::string& file, const cha
     static auto* const all =
         new std::map<std::tuple<std::string, std::string, std::string>, Called>; // outlives all exits
     const std::lock_guard guard(lock);
-    return &all->try_emplace({name, file, noun}, Called{name, file, noun}).first->second;
+    const auto known = all->find({name, file, noun});
+    if (known != all->end()) return &known->second;
+    return &all->try_emplace({name, file, noun}, Called{name, file, noun, !ships(file)}).first->second;
 }
 
 void end_at_once(int signal) {
@@ -240,16 +272,28 @@ void report_crashes() {
     }
     if (std::signal(SIGINT, end_at_once) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
     std::atexit(refuse_exit);
+    keep_spare_stack();
 }
 
-AtWork::AtWork(const Called* who, const char* what, const AtRows& rows) : call_{who, what, rows}, before_(at_work) {
-    if (reporting.load(std::memory_order_relaxed)) {
-        thread_local SpareStack spare;
-        static_cast<void>(spare);
+AtCommand::AtCommand(std::string_view text) : before_(at_command) {
+    std::size_t length = 0;
+    for (; length < text.size() && length + 1 < sizeof text_; ++length) {
+        const auto letter = static_cast<unsigned char>(text[length]);
+        text_[length] = letter < ' ' || letter == 0x7f ? '?' : text[length];
     }
+    text_[length] = '\0';
+    at_command = this;
+}
+
+AtCommand::~AtCommand() { at_command = before_; }
+
+AtWork::AtWork(const Called* who, const char* what, const AtRows& rows) : call_{who, what, rows}, before_(at_work) {
+    if (reporting.load(std::memory_order_relaxed)) keep_spare_stack();
     at_work = &call_;
-    called_last.store(who, std::memory_order_relaxed);
-    last_work.store(what, std::memory_order_relaxed);
+    if (who->foreign) {
+        called_last.store(who, std::memory_order_relaxed);
+        last_work.store(what, std::memory_order_relaxed);
+    }
     if (Desk* desk = own_desk()) {
         desk->what.store(what, std::memory_order_relaxed);
         desk->who.store(who, std::memory_order_release);

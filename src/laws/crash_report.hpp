@@ -1,9 +1,10 @@
-// Says which joint model or zone model was at work when the program crashes, ends or does not come back.
+// Says which command, and which joint model or zone model, was at work when the program crashes, ends or does not come back.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace kaya {
 
@@ -11,16 +12,17 @@ namespace kaya {
 struct Called {
     std::string name, file;
     const char* noun; ///< "joint model"
+    bool foreign;     ///< it does not ship with the program
 };
 
 /// The same one for the same three texts. Not for signal handlers.
 const Called* called(const std::string& name, const std::string& file, const char* noun);
 
 /// From now on a crash (a bad address, a division by zero, abort(), a stack that is full) is reported on the
-/// standard error before it ends the program: the model that is at work in the thread that crashed, with its file, what it
-/// was doing and the sub-contact; or else the model that was called last, which may have spoilt memory that is used later.
-/// A model that calls exit(), or _exit(), ends the program with status 2 and a message. Ctrl-C names the models that are at work.
-/// Where no model has been called yet nothing is said and nothing changes.
+/// standard error before it ends the program: the command; the model that is at work in the thread that crashed, with its file,
+/// what it was doing and the sub-contact; or else the foreign model that was called last, if there was one: it may have spoilt
+/// memory that is used later. A model that calls exit(), or _exit(), ends the program with status 2 and a message. Ctrl-C names
+/// the models that are at work.
 void report_crashes();
 
 /// What _exit() and _Exit() do here: `caller` is where they were called from.
@@ -39,6 +41,22 @@ struct AtRows {
     const std::int32_t* numbers = nullptr; ///< of the rows that users see; NULL: they follow `first`
     std::int32_t first = 0;                ///< number of the first row; 0: the report gives rows
     const char* noun = "sub-contact";      ///< of what has a number
+};
+
+/// While it lives, the program carries out a command; one inside of it is told in its place. Not for other threads than the first.
+class AtCommand {
+public:
+    /// The text is copied as far as there is room, without control characters.
+    explicit AtCommand(std::string_view text);
+    ~AtCommand();
+    AtCommand(const AtCommand&) = delete;
+    AtCommand& operator=(const AtCommand&) = delete;
+
+    const char* text() const { return text_; }
+
+private:
+    char text_[200];
+    const AtCommand* before_;
 };
 
 /// While it lives, a law is at work in this thread. Costs a few stores; nothing is allocated.

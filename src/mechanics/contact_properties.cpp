@@ -7,6 +7,7 @@
 #include "mechanics/property_sets.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
+#include "model/bounded.hpp"
 
 #include <algorithm>
 #include <array>
@@ -128,6 +129,7 @@ Row property_set(Model& model, JointRegistry& joints, const std::string& name, s
 
 void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.stale.contacts()) return;
+    require_bounded(model);
     make_ties(model); // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);

@@ -5,6 +5,7 @@
 #include "mechanics/contact_geometry.hpp"
 #include "mechanics/corner_joints.hpp"
 #include "mechanics/overlap_contact.hpp"
+#include "model/bounded.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
 #include "model/ties.hpp"
@@ -377,6 +378,8 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
             boxes_[b] = box_of(model, row, blocks.margin[b] + beyond_[b]);
         }
     });
+    if (!std::ranges::all_of(boxes_, [](const Box& box) { return is_bounded(box.low) && is_bounded(box.high); }))
+        throw diverged(model);
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
     surfaces_.update(model, blocks_due(model, pairs));

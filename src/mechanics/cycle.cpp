@@ -31,6 +31,7 @@
 #include "mechanics/water.hpp"
 #include "mechanics/zone_frequencies.hpp"
 #include "mechanics/zone_laws.hpp"
+#include "model/bounded.hpp"
 #include "model/sampling.hpp"
 
 #include <algorithm>
@@ -42,14 +43,6 @@ namespace {
 
 /// Cycles between two checks of all bodies while stiffnesses change slowly.
 constexpr std::int64_t follow_interval = 10;
-
-Diagnostic motion_lost() {
-    Diagnostic d("the motion of the model is no longer a number",
-                 "a velocity or a force has grown without limit: look at the time step, stiffnesses and loads",
-                 Fault::run);
-    d.code = "motion-lost";
-    return d;
-}
 
 } // namespace
 
@@ -158,6 +151,7 @@ void Cycle::advance() {
     lists_->zones.cells.wanted = unwatched_ > 0;
     begin();
     move(sums);
+    if (!std::isfinite(sums.motion.kinetic)) throw diverged(model_); // before a joint model is blamed for it
     strain(sums);
     const bool may_grow = step_may_grow(model_.clock);
     model_.clock.time += model_.clock.time_step;
@@ -246,7 +240,7 @@ void Cycle::gather(StepSums& sums) {
 }
 
 void Cycle::close_account(const StepSums& sums) {
-    if (!std::isfinite(sums.motion.kinetic) || !std::isfinite(model_.clock.unbalanced_force)) throw motion_lost();
+    if (!std::isfinite(model_.clock.unbalanced_force)) throw diverged(model_);
     adapt_viscosity(model_, sums.motion);
     keep_account(model_, sums);
     lists_->step.audit(model_);

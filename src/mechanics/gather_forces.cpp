@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kaya {
 
@@ -338,7 +339,9 @@ double gather_forces(Model& model, const PointForces& forces, const MemberLists&
     if (members.any()) combine(balance, balance_of_members(model, members));
 
     Clock& clock = model.clock;
-    clock.unbalanced_force = balance.largest;
+    // Maxima leave out what is not a number, and sums keep it: equilibrium is not made of it.
+    const bool finite = std::isfinite(balance.unbalanced) && std::isfinite(balance.applied);
+    clock.unbalanced_force = finite ? balance.largest : std::numeric_limits<double>::quiet_NaN();
     clock.average_ratio = balance.applied > 0 ? balance.unbalanced / balance.applied : 0;
     clock.maximum_ratio =
         balance.applied > 0 ? balance.largest * static_cast<double>(balance.bodies) / balance.applied : 0;

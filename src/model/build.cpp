@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "geometry/mesh_plan.hpp"
+#include "model/bounded.hpp"
 #include "model/joined.hpp"
 #include "model/links.hpp"
 
@@ -191,8 +192,9 @@ Row add_block_row(Model& model) {
 
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
     const MassProperties mass = mass_properties(polyhedron);
-    if (!std::isfinite(mass.volume))
-        throw Diagnostic("the block is so large, or so far away, that its volume is no number",
+    const bool bounded = std::ranges::all_of(polyhedron.vertices, [](const Vec3& x) { return is_bounded(x); });
+    if (!bounded || !std::isfinite(mass.volume))
+        throw Diagnostic(fmt::format("a coordinate of the block is beyond {:g}, or no number", largest_coordinate),
                          "look at the exponents of its coordinates");
     if (!(mass.volume > 0))
         throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),

@@ -1,5 +1,6 @@
 #include "model/consistency.hpp"
 
+#include "model/bounded.hpp"
 #include "model/excavation.hpp"
 #include "model/kinds.hpp"
 
@@ -438,6 +439,8 @@ std::string inconsistency(Model& model) {
         check(findings, model);
         if (!findings.clean()) break;
     }
+    findings.require(model.clock.time_step != 0 || model.stale.properties(), "there is no time step");
+    if (findings.clean()) return unbounded_number(model);
     return findings.text();
 }
 
