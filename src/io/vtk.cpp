@@ -4,69 +4,42 @@
 #include "base/markup_text.hpp"
 #include "io/whole_file.hpp"
 #include "io/vtk_arrays.hpp"
+#include "io/vtu_grid.hpp"
 #include "model/joint_polygons.hpp"
 
 #include <fmt/format.h>
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkTypeInt64Array.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-
-#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <numeric>
-#include <optional>
+#include <vector>
 
 namespace kaya {
 
 namespace {
 
-/// An array of one number per row; the type of array follows from the type of number.
-template <class Array, class Value>
-void add_numbers(vtkFieldData* target, const char* name, std::size_t rows, Value&& value) {
-    vtkNew<Array> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(rows));
-    for (std::size_t row = 0; row < rows; ++row) array->SetValue(static_cast<vtkIdType>(row), value(row));
-    target->AddArray(array);
-}
-
-void add_time(vtkUnstructuredGrid* grid, const Clock& clock) {
-    add_numbers<vtkDoubleArray>(grid->GetFieldData(), "time", 1, [&](std::size_t) { return clock.time; });
-    add_numbers<vtkTypeInt64Array>(grid->GetFieldData(), "cycle", 1, [&](std::size_t) { return clock.cycle; });
+void add_time(VtuGrid& grid, const Clock& clock) {
+    grid.whole_data.push_back(vtu_array<double>("time", std::array{clock.time}));
+    grid.whole_data.push_back(vtu_array<std::int64_t>("cycle", std::array<std::int64_t, 1>{clock.cycle}));
 }
 
 /// One polyhedron: its faces as polygons where they are, else as triangles.
-void insert_rigid_block(vtkUnstructuredGrid* grid, const Model& model, Row block) {
-    vtkNew<vtkIdList> stream; // number of faces, then for each face its number of points and the points
-    vtkIdType faces = 0;
-    stream->InsertNextId(0);
-    const auto add_face = [&](const auto& corners) {
-        stream->InsertNextId(static_cast<vtkIdType>(corners.size()));
-        for (const auto corner : corners) stream->InsertNextId(corner);
-        ++faces;
-    };
+void add_rigid_block(VtuGrid& grid, const Model& model, Row block) {
+    std::vector<std::vector<Row>> faces;
     const Span span = model.blocks.faces[block];
     for (Row face = span.first; face < span.end(); ++face) {
         if (const auto polygon = face_outline(model, face)) {
-            add_face(*polygon);
+            faces.push_back(*polygon);
             continue;
         }
         const Span triangles = model.faces.triangles[face];
-        for (Row t = triangles.first; t < triangles.end(); ++t) add_face(model.triangles.gridpoints[t]);
+        for (Row t = triangles.first; t < triangles.end(); ++t) {
+            const auto& corners = model.triangles.gridpoints[t];
+            faces.emplace_back(corners.begin(), corners.end());
+        }
     }
-    stream->SetId(0, faces);
-    grid->InsertNextCell(VTK_POLYHEDRON, stream);
+    grid.add_polyhedron(faces);
 }
 
 std::vector<Row> all_rows(std::size_t count) {
@@ -75,41 +48,27 @@ std::vector<Row> all_rows(std::size_t count) {
     return rows;
 }
 
-void add_sub_contacts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::vector<Row>& rows,
+void add_sub_contacts(VtuArrays& target, VtuLists& lists, const Model& model, const std::vector<Row>& rows,
                       const OwnValues& own) {
-    add_fields(target, whole, model, ObjectKind::sub_contact, rows);
+    add_fields(target, lists, model, ObjectKind::sub_contact, rows);
     add_own_values(target, model, own, rows);
 }
 
 /// VTK's order of a symmetric tensor is xx yy zz xy yz xz, ours xx yy zz xy xz yz.
-void add_stress(vtkUnstructuredGrid* grid, const Model& model, const std::vector<Row>& zone_of_cell) {
+void add_stress(VtuGrid& grid, const Model& model, const std::vector<Row>& zone_of_cell) {
     static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
     static constexpr std::array<int, 6> component{0, 1, 2, 3, 5, 4};
-    vtkNew<vtkDoubleArray> array;
-    array->SetName("stress");
-    array->SetNumberOfComponents(6);
-    for (int k = 0; k < 6; ++k) array->SetComponentName(k, names[static_cast<std::size_t>(k)]);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(zone_of_cell.size()));
-    for (std::size_t cell = 0; cell < zone_of_cell.size(); ++cell)
-        for (int k = 0; k < 6; ++k) {
-            const Row zone = zone_of_cell[cell];
-            const double value = zone == no_row ? std::numeric_limits<double>::quiet_NaN()
-                                                : model.zones.stress[zone][component[static_cast<std::size_t>(k)]];
-            array->SetComponent(static_cast<vtkIdType>(cell), k, value);
-        }
-    set_unit(array, "stress");
-    grid->GetCellData()->AddArray(array);
+    std::vector<double> values;
+    values.reserve(6 * zone_of_cell.size());
+    for (const Row zone : zone_of_cell)
+        for (const int k : component)
+            values.push_back(zone == no_row ? std::numeric_limits<double>::quiet_NaN() : model.zones.stress[zone][k]);
+    grid.cell_data.push_back(
+        vtu_array<double>("stress", values, {.unit = "stress", .components = 6, .component_names = names}));
 }
 
-std::string bytes_of(vtkUnstructuredGrid* grid) {
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    writer->SetInputData(grid);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToZLib();
-    writer->WriteToOutputStringOn();
-    if (!writer->Write()) throw Diagnostic("the VTK file cannot be made", {}, Fault::own);
-    return writer->GetOutputString();
+template <class Table> std::vector<Vec3> places(const Table& table) {
+    return {table.position.begin(), table.position.end()};
 }
 
 /// `stem` is the name of the files before _N.vtu, without a folder: they stand next to the series, from number `first` on.
@@ -169,165 +128,127 @@ std::string paraview_script(const std::string& stem) {
 } // namespace
 
 std::string vtk_blocks(const Model& model) {
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    const auto& gridpoints = model.gridpoints;
-    for (const auto& position : gridpoints.position) points->InsertNextPoint(position.data());
-    grid->SetPoints(points);
-    grid->Allocate(static_cast<vtkIdType>(model.zones.size() + model.blocks.size()));
-
+    VtuGrid grid;
+    grid.points = places(model.gridpoints);
     std::vector<Row> block_of_cell, zone_of_cell;
     for (Row block = 0; block < static_cast<Row>(model.blocks.size()); ++block) {
         const Span zones = model.blocks.zones[block];
         for (Row zone = zones.first; zone < zones.end(); ++zone) {
-            const auto& corner = model.zones.gridpoints[zone];
-            const std::array<vtkIdType, 4> ids{corner[0], corner[1], corner[2], corner[3]};
-            grid->InsertNextCell(VTK_TETRA, 4, ids.data());
+            grid.add_cell(VtuCell::tetrahedron, model.zones.gridpoints[zone]);
             block_of_cell.push_back(block);
             zone_of_cell.push_back(zone);
         }
         if (zones.count > 0) continue;
-        insert_rigid_block(grid, model, block);
+        add_rigid_block(grid, model, block);
         block_of_cell.push_back(block);
         zone_of_cell.push_back(no_row);
     }
-
-    vtkFieldData* whole = grid->GetFieldData();
-    add_fields(grid->GetPointData(), whole, model, ObjectKind::gridpoint, all_rows(gridpoints.size()));
+    add_fields(grid.point_data, grid.lists, model, ObjectKind::gridpoint, all_rows(grid.points.size()));
     add_stress(grid, model, zone_of_cell);
-    add_fields(grid->GetCellData(), whole, model, ObjectKind::zone, zone_of_cell);
-    add_fields(grid->GetCellData(), whole, model, ObjectKind::block, block_of_cell, "block_");
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::zone, zone_of_cell);
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::block, block_of_cell, "block_");
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 std::string vtk_faces(const Model& model) {
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const auto& position : model.gridpoints.position) points->InsertNextPoint(position.data());
-    grid->SetPoints(points);
-    grid->Allocate(static_cast<vtkIdType>(model.triangles.size()));
+    VtuGrid grid;
+    grid.points = places(model.gridpoints);
     std::vector<Row> face_of_cell, block_of_cell;
     for (Row face = 0; face < static_cast<Row>(model.faces.size()); ++face) {
         const Span triangles = model.faces.triangles[face];
         for (Row t = triangles.first; t < triangles.end(); ++t) {
-            const auto& corner = model.triangles.gridpoints[t];
-            const std::array<vtkIdType, 3> ids{corner[0], corner[1], corner[2]};
-            grid->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
+            grid.add_cell(VtuCell::triangle, model.triangles.gridpoints[t]);
             face_of_cell.push_back(face);
             block_of_cell.push_back(model.faces.block[face]);
         }
     }
-    vtkFieldData* whole = grid->GetFieldData();
-    add_fields(grid->GetPointData(), whole, model, ObjectKind::gridpoint, all_rows(model.gridpoints.size()));
-    add_fields(grid->GetCellData(), whole, model, ObjectKind::face, face_of_cell);
-    add_fields(grid->GetCellData(), whole, model, ObjectKind::block, block_of_cell, "block_");
+    add_fields(grid.point_data, grid.lists, model, ObjectKind::gridpoint, all_rows(grid.points.size()));
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::face, face_of_cell);
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::block, block_of_cell, "block_");
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 std::string vtk_joints(const Model& model, const OwnValues& own) {
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+    VtuGrid grid;
     std::vector<Row> contact_of_cell, sub_of_cell, sub_of_point;
     for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
         if (model.contacts.sub_contacts[contact].count == 0) continue;
         for (const auto& polygon : joint_polygons(model, contact)) {
-            vtkNew<vtkIdList> corners;
+            std::vector<Row> corners;
             Vec3 middle = Vec3::Zero();
             for (const Vec3& place : polygon) {
-                corners->InsertNextId(points->InsertNextPoint(place.data()));
+                corners.push_back(static_cast<Row>(grid.points.size()));
+                grid.points.push_back(place);
                 sub_of_point.push_back(nearest_sub_contact(model, contact, place));
                 middle += place / static_cast<double>(polygon.size());
             }
-            grid->InsertNextCell(VTK_POLYGON, corners);
+            grid.add_cell(VtuCell::polygon, corners);
             contact_of_cell.push_back(contact);
             sub_of_cell.push_back(nearest_sub_contact(model, contact, middle));
         }
     }
-    grid->SetPoints(points);
-    add_sub_contacts(grid->GetPointData(), grid->GetFieldData(), model, sub_of_point, own);
-    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, sub_of_cell, own);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::contact, contact_of_cell, "contact_");
+    add_sub_contacts(grid.point_data, grid.lists, model, sub_of_point, own);
+    add_sub_contacts(grid.cell_data, grid.lists, model, sub_of_cell, own);
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::contact, contact_of_cell, "contact_");
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 std::string vtk_sub_contacts(const Model& model, const OwnValues& own) {
+    VtuGrid grid;
     const auto rows = all_rows(model.sub_contacts.size());
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    grid->Allocate(static_cast<vtkIdType>(rows.size()));
     std::vector<Row> contacts;
     for (const Row row : rows) {
-        const Vec3 position = model.sub_contacts.position[row];
-        const vtkIdType point = points->InsertNextPoint(position.data());
-        grid->InsertNextCell(VTK_VERTEX, 1, &point);
+        grid.points.push_back(model.sub_contacts.position[row]);
+        grid.add_cell(VtuCell::vertex, std::array{row});
         contacts.push_back(model.sub_contacts.contact[row]);
     }
-    grid->SetPoints(points);
-    add_sub_contacts(grid->GetCellData(), grid->GetFieldData(), model, rows, own);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::contact, contacts, "contact_");
+    add_sub_contacts(grid.cell_data, grid.lists, model, rows, own);
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::contact, contacts, "contact_");
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 std::string vtk_cables(const Model& model) {
     const auto& nodes = model.structures.cable_nodes;
+    VtuGrid grid;
+    grid.points = places(nodes);
     const auto rows = all_rows(nodes.size());
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const auto& position : nodes.position) points->InsertNextPoint(position.data());
-    grid->SetPoints(points);
-    grid->Allocate(static_cast<vtkIdType>(nodes.size()));
     std::vector<Row> first_of_bar;
     for (const Row row : rows) {
         if (!has_bar(nodes, row)) continue;
-        const std::array<vtkIdType, 2> ids{row, row + 1};
-        grid->InsertNextCell(VTK_LINE, 2, ids.data());
+        grid.add_cell(VtuCell::line, std::array{row, row + 1});
         first_of_bar.push_back(row);
     }
-    add_fields(grid->GetPointData(), grid->GetFieldData(), model, ObjectKind::cable_node, rows);
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, ObjectKind::cable_node, first_of_bar);
+    add_fields(grid.point_data, grid.lists, model, ObjectKind::cable_node, rows);
+    add_fields(grid.cell_data, grid.lists, model, ObjectKind::cable_node, first_of_bar);
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 namespace {
 
 template <class Elements>
-std::string vtk_members(const Model& model, const Elements& elements, int cell, ObjectKind kind) {
-    const auto& nodes = model.structures.member_nodes;
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const auto& position : nodes.position) points->InsertNextPoint(position.data());
-    grid->SetPoints(points);
-    grid->Allocate(static_cast<vtkIdType>(elements.size()));
-    for (const auto& corners : elements.nodes) {
-        std::array<vtkIdType, 3> ids{};
-        std::copy(corners.begin(), corners.end(), ids.begin());
-        grid->InsertNextCell(cell, static_cast<vtkIdType>(corners.size()), ids.data());
-    }
-    add_fields(grid->GetPointData(), grid->GetFieldData(), model, ObjectKind::structure_node, all_rows(nodes.size()));
-    add_fields(grid->GetCellData(), grid->GetFieldData(), model, kind, all_rows(elements.size()));
+std::string vtk_members(const Model& model, const Elements& elements, VtuCell shape, ObjectKind kind) {
+    VtuGrid grid;
+    grid.points = places(model.structures.member_nodes);
+    for (const auto& corners : elements.nodes) grid.add_cell(shape, corners);
+    add_fields(grid.point_data, grid.lists, model, ObjectKind::structure_node, all_rows(grid.points.size()));
+    add_fields(grid.cell_data, grid.lists, model, kind, all_rows(elements.size()));
     add_time(grid, model.clock);
-    return bytes_of(grid);
+    return grid.bytes();
 }
 
 } // namespace
 
 std::string vtk_beams(const Model& model) {
-    return vtk_members(model, model.structures.beams, VTK_LINE, ObjectKind::beam_element);
+    return vtk_members(model, model.structures.beams, VtuCell::line, ObjectKind::beam_element);
 }
 
 std::string vtk_liners(const Model& model) {
-    return vtk_members(model, model.structures.liners, VTK_TRIANGLE, ObjectKind::liner_element);
+    return vtk_members(model, model.structures.liners, VtuCell::triangle, ObjectKind::liner_element);
 }
 
 std::vector<std::string> VtkSeries::write(const Model& model, const std::string& given_name, const OwnValues& own) {

@@ -1,19 +1,11 @@
 #include "io/vtk_arrays.hpp"
 
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkTypeInt64Array.h>
-
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace kaya {
 
@@ -49,90 +41,77 @@ double real_of(const FieldValue& value) {
     return none;
 }
 
-/// One array of any type, filled row by row.
-template <class Array, class Put> void add_array(vtkFieldData* target, const std::string& name, const Field& field,
-                                                 int components, std::span<const Row> rows, Put&& put) {
-    vtkNew<Array> array;
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) put(array.Get(), static_cast<vtkIdType>(i), rows[i]);
-    set_unit(array, field.unit);
-    target->AddArray(array);
+/// The value of each row, or `missing` where there is no row.
+template <class Value, class Get>
+std::vector<Value> column(std::span<const Row> rows, const Value& missing, Get&& get) {
+    std::vector<Value> values;
+    values.reserve(rows.size());
+    for (const Row row : rows) values.push_back(row == no_row ? missing : get(row));
+    return values;
 }
 
-void add_texts(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name,
-               const Field& field, std::span<const Row> rows) {
-    std::vector<std::string> names;
-    std::map<std::string, int> places;
-    add_array<vtkIntArray>(target, name, field, 1, rows, [&](vtkIntArray* array, vtkIdType i, Row row) {
-        if (row == no_row) return array->SetValue(i, -1);
+void add_texts(VtuArrays& target, VtuLists& lists, const Model& model, const std::string& name, const Field& field,
+               std::span<const Row> rows) {
+    auto& texts = lists[name + "_names"];
+    std::map<std::string, std::int32_t> places;
+    for (const auto& text : texts) places.emplace(text, static_cast<std::int32_t>(places.size()));
+    const auto numbers = column<std::int32_t>(rows, -1, [&](Row row) {
         const auto [place, is_new] =
-            places.try_emplace(std::get<std::string>(field.get(model, row)), static_cast<int>(names.size()));
-        if (is_new) names.push_back(place->first);
-        array->SetValue(i, place->second);
+            places.try_emplace(std::get<std::string>(field.get(model, row)), static_cast<std::int32_t>(texts.size()));
+        if (is_new) texts.push_back(place->first);
+        return place->second;
     });
-    vtkNew<vtkStringArray> list;
-    list->SetName((name + "_names").c_str());
-    for (const auto& text : names) list->InsertNextValue(text);
-    whole->AddArray(list);
+    target.push_back(vtu_array<std::int32_t>(name, numbers, {.unit = field.unit}));
 }
 
-void add_field(vtkFieldData* target, vtkFieldData* whole, const Model& model, const std::string& name,
-               const Field& field, std::span<const Row> rows, const FieldValue& sample) {
-    if (std::holds_alternative<std::string>(sample)) return add_texts(target, whole, model, name, field, rows);
-    if (std::holds_alternative<Vec3>(sample))
-        return add_array<vtkDoubleArray>(
-            target, name, field, 3, rows, [&](vtkDoubleArray* array, vtkIdType i, Row row) {
-                const Vec3 vector = row == no_row ? Vec3::Constant(none) : std::get<Vec3>(field.get(model, row));
-                array->SetTuple(i, vector.data());
-            });
-    if (std::holds_alternative<double>(sample))
-        return add_array<vtkDoubleArray>(target, name, field, 1, rows,
-                                         [&](vtkDoubleArray* array, vtkIdType i, Row row) {
-                                             array->SetValue(i, row == no_row ? none : real_of(field.get(model, row)));
-                                         });
-    add_array<vtkTypeInt64Array>(target, name, field, 1, rows, [&](vtkTypeInt64Array* array, vtkIdType i, Row row) {
-        array->SetValue(i, row == no_row ? -1 : whole_of(model, field.get(model, row)));
-    });
+void add_field(VtuArrays& target, VtuLists& lists, const Model& model, const std::string& name, const Field& field,
+               std::span<const Row> rows, const FieldValue& sample) {
+    const auto value = [&](Row row) { return field.get(model, row); };
+    if (std::holds_alternative<std::string>(sample)) return add_texts(target, lists, model, name, field, rows);
+    if (std::holds_alternative<Vec3>(sample)) {
+        const Vec3 missing = Vec3::Constant(none);
+        const auto vectors = column<Vec3>(rows, missing, [&](Row row) { return std::get<Vec3>(value(row)); });
+        return target.push_back(vtu_vectors(name, vectors, field.unit));
+    }
+    if (std::holds_alternative<double>(sample)) {
+        const auto reals = column<double>(rows, none, [&](Row row) { return real_of(value(row)); });
+        return target.push_back(vtu_array<double>(name, reals, {.unit = field.unit}));
+    }
+    const auto wholes = column<std::int64_t>(rows, -1, [&](Row row) { return whole_of(model, value(row)); });
+    target.push_back(vtu_array<std::int64_t>(name, wholes, {.unit = field.unit}));
 }
 
 } // namespace
 
-void set_unit(vtkDataArray* array, std::string_view unit) {
-    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), std::string(unit).c_str());
-}
-
-void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, ObjectKind table,
-                std::span<const Row> rows, std::string_view prefix) {
+void add_fields(VtuArrays& target, VtuLists& lists, const Model& model, ObjectKind table, std::span<const Row> rows,
+                std::string_view prefix) {
     const auto first = std::ranges::find_if(rows, [](Row row) { return row != no_row; });
     if (first == rows.end()) return; // nothing tells what its values would be
     for (const Field& field : fields()) {
         if (field.kind != table || is_component(field)) continue;
         const std::string name = fmt::format("{}{}", prefix, field.name);
-        if (target->HasArray(name.c_str())) continue;
-        add_field(target, whole, model, name, field, rows, field.get(model, *first));
+        if (target.has(name)) continue;
+        add_field(target, lists, model, name, field, rows, field.get(model, *first));
     }
 }
 
-void add_own_values(vtkFieldData* target, const Model& model, const OwnValues& own, std::span<const Row> rows) {
+void add_own_values(VtuArrays& target, const Model& model, const OwnValues& own, std::span<const Row> rows) {
     std::set<std::string> names;
     for (const auto& properties : model.joint_properties)
         if (const auto found = own.find(properties.model); found != own.end())
             for (const auto& [name, value] : found->second) names.insert(name);
+    const auto& contacts = model.contacts;
+    const auto& sub_contacts = model.sub_contacts;
+    const auto& properties = model.joint_properties;
     for (const auto& name : names) {
-        vtkNew<vtkDoubleArray> array;
-        array->SetName(("jmodel_" + name).c_str());
-        for (const Row row : rows) {
-            const Row set = row == no_row ? no_row
-                                          : model.contacts.properties[static_cast<std::size_t>(
-                                                model.sub_contacts.contact[static_cast<std::size_t>(row)])];
-            const auto joint =
-                set == no_row ? own.end() : own.find(model.joint_properties[static_cast<std::size_t>(set)].model);
+        const auto values = column<double>(rows, none, [&](Row row) {
+            const Row set =
+                contacts.properties[static_cast<std::size_t>(sub_contacts.contact[static_cast<std::size_t>(row)])];
+            const auto joint = set == no_row ? own.end() : own.find(properties[static_cast<std::size_t>(set)].model);
             const bool known = joint != own.end() && joint->second.contains(name);
-            array->InsertNextValue(known ? joint->second.at(name)(model, row) : none);
-        }
-        target->AddArray(array);
+            return known ? joint->second.at(name)(model, row) : none;
+        });
+        target.push_back(vtu_array<double>("jmodel_" + name, values));
     }
 }
 

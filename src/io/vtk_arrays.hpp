@@ -1,29 +1,23 @@
-// Arrays of VTK's data sets from the table of fields. Seen by the .cpp files of this folder only.
+// Arrays of .vtu files from the table of fields. Seen by the .cpp files of this folder only.
 #pragma once
 
 #include "io/vtk.hpp"
+#include "io/vtu_grid.hpp"
 #include "model/field.hpp"
 #include "model/model.hpp"
 
 #include <span>
-#include <string>
-#include <vector>
-
-class vtkFieldData;
-class vtkDataArray;
+#include <string_view>
 
 namespace kaya {
 
-/// The quantity that an array holds, where VTK keeps units: "length", "stress".
-void set_unit(vtkDataArray* array, std::string_view unit);
-
 /// An array for each field of a table, with the prefix and the name of the field, one tuple for each row. Components of vectors and of
-/// stress have no arrays of their own. Objects are given by their number, texts by their place in a list that `whole` gets as NAME_names.
+/// stress have no arrays of their own. Objects are given by their number, texts by their place in the list NAME_names.
 /// Of a row that is `no_row`: NaN, or -1 in arrays of whole numbers. A name that the target has is left as it is.
-void add_fields(vtkFieldData* target, vtkFieldData* whole, const Model& model, ObjectKind table,
-                std::span<const Row> rows, std::string_view prefix = "");
+void add_fields(VtuArrays& target, VtuLists& lists, const Model& model, ObjectKind table, std::span<const Row> rows,
+                std::string_view prefix = "");
 
 /// jmodel_NAME for each variable that a joint model remembers of sub-contacts; NaN where a model has none of that name.
-void add_own_values(vtkFieldData* target, const Model& model, const OwnValues& own, std::span<const Row> rows);
+void add_own_values(VtuArrays& target, const Model& model, const OwnValues& own, std::span<const Row> rows);
 
 } // namespace kaya

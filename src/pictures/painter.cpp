@@ -77,7 +77,10 @@ void Painter::stand_by() {
 std::string Painter::png(const Drawing& drawing) {
     stand_by();
     if (process_ <= 0)
-        no_picture("the program '" + program_.string() + "' is not there", "build or install kaya as a whole");
+        no_picture(
+            "the program '" + program_.string() + "' is not there",
+            "it needs VTK and Xvfb: scripts/install --pictures installs them, scripts/run builds again; curves as "
+            ".svg, 'vtk write' and 'kaya report' need neither");
     const std::string bytes = to_bytes(drawing);
     const std::uint64_t size = bytes.size();
     send(std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes);

@@ -1,21 +1,16 @@
 #include "report/packed.hpp"
 
+#include "io/deflate.hpp"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
-#include <new>
-#include <zlib.h>
 
 namespace kaya {
 
 std::string packed_bytes(std::string_view bytes) {
-    uLongf size = ::compressBound(bytes.size());
-    std::string small(size, '\0');
-    if (::compress2(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                    bytes.size(), 6) != Z_OK)
-        throw std::bad_alloc();
-    small.resize(size);
+    const std::string small = deflated(bytes);
     static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     text.reserve((small.size() + 2) / 3 * 4);

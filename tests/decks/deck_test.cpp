@@ -217,6 +217,8 @@ public:
     }
     bool failed() const { return failed_; }
 
+    std::string untried; ///< what could not be compared because a tool is missing
+
 private:
     bool failed_ = false;
 };
@@ -297,6 +299,10 @@ void compare_messages(Comparison& comparison, const Expected& expected, const Li
         const bool starts_message = at != std::string::npos && (at == 0 || line.compare(at - 2, 2, ": ") == 0) &&
                                     line.find('|') == std::string::npos && !line.starts_with(' ');
         if (!starts_message) continue;
+        if (line.find("kaya-painter' is not there") != std::string::npos) {
+            comparison.untried = "its pictures need kaya-painter (scripts/install --pictures); all else agrees";
+            continue;
+        }
         if (found >= expected.messages.size()) {
             comparison.fail("not expected: " + line);
             continue;
@@ -385,6 +391,10 @@ int test(const fs::path& program, const fs::path& deck_file, bool blessing) {
     if (!blessing) compare_printed(comparison, expected, printed);
     compare_messages(comparison, expected, outcome.messages, name);
     compare_files(comparison, expected, folder.path);
+    if (!comparison.failed() && !comparison.untried.empty()) {
+        std::cout << "skipped: " << comparison.untried << '\n';
+        return 77; // ctest knows it
+    }
     if (!comparison.failed()) return 0;
     std::cout << "--- all messages of " << name << '\n';
     for (const auto& line : outcome.messages) std::cout << line << '\n';

@@ -1,66 +1,16 @@
 #include "io/vtk.hpp"
 
-#include "base/diagnostic.hpp"
 #include "model/field.hpp"
-#include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/mechanics/two_bricks.hpp"
 #include "tests/unit/model/hand_made.hpp"
+#include "tests/unit/vtk/read_back.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <vtkCell.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
-
 using namespace kaya;
 using namespace kaya::test;
 using testing::ElementsAre;
-using testing::HasSubstr;
-
-namespace {
-
-vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::string& path) {
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    return reader->GetOutput();
-}
-
-/// What VTK's own reader makes of the bytes.
-vtkSmartPointer<vtkUnstructuredGrid> parsed(const std::string& bytes) {
-    const ScratchFolder folder;
-    put(folder / "a.vtu", bytes);
-    return read_grid(folder / "a.vtu");
-}
-
-std::vector<double> row_of(vtkFieldData* data, const char* name, vtkIdType row) {
-    vtkDataArray* array = data->GetArray(name);
-    if (!array) throw std::runtime_error(std::string("no array ") + name);
-    std::vector<double> values;
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k) values.push_back(array->GetComponent(row, k));
-    return values;
-}
-
-std::vector<std::string> names_in(vtkFieldData* data, const char* name) {
-    auto* array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
-    if (!array) throw std::runtime_error(std::string("no names ") + name);
-    std::vector<std::string> names;
-    for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k) names.push_back(array->GetValue(k));
-    return names;
-}
-
-} // namespace
 
 TEST(VtkBlocks, ZonesAreTetrahedraAndRigidBlocksPolyhedra) {
     const auto grid = parsed(vtk_blocks(hand_made_model()));
@@ -152,13 +102,10 @@ TEST(VtkSubContacts, AContactWithoutModelHasTheEmptyName) {
 }
 
 TEST(VtkArrays, CarryTheKindOfTheirQuantity) {
-    const auto unit = [](vtkDataArray* array) {
-        return std::string(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()));
-    };
     const auto grid = parsed(vtk_blocks(hand_made_model()));
-    EXPECT_EQ(unit(grid->GetPointData()->GetArray("displacement")), "length");
-    EXPECT_EQ(unit(grid->GetCellData()->GetArray("stress")), "stress");
-    EXPECT_EQ(unit(parsed(vtk_sub_contacts(hand_made_model()))->GetCellData()->GetArray("normal_stiffness")),
+    EXPECT_EQ(unit_of(grid->GetPointData()->GetArray("displacement")), "length");
+    EXPECT_EQ(unit_of(grid->GetCellData()->GetArray("stress")), "stress");
+    EXPECT_EQ(unit_of(parsed(vtk_sub_contacts(hand_made_model()))->GetCellData()->GetArray("normal_stiffness")),
               "stress/length");
 }
 
@@ -234,70 +181,4 @@ TEST(Vtk, AnEmptyModelGivesEmptyGrids) {
     EXPECT_EQ(parsed(vtk_joints(empty))->GetNumberOfCells(), 0);
     EXPECT_EQ(parsed(vtk_faces(empty))->GetNumberOfCells(), 0);
     EXPECT_EQ(parsed(vtk_sub_contacts(empty))->GetNumberOfCells(), 0);
-}
-
-TEST(VtkSeries, EveryWriteGetsANumberAndTheSeriesListsItsTime) {
-    const ScratchFolder folder;
-    Model model = hand_made_model();
-    VtkSeries series;
-    EXPECT_THAT(series.write(model, folder / "a&b"),
-                ElementsAre(folder / "a&b_blocks_0.vtu", folder / "a&b_faces_0.vtu", folder / "a&b_joints_0.vtu",
-                            folder / "a&b_subcontacts_0.vtu", folder / "a&b.pvd", folder / "a&b_faces.pvd",
-                            folder / "a&b_joints.pvd", folder / "a&b_subcontacts.pvd", folder / "a&b_paraview.py"));
-    model.clock.time = 0.30000000000000004;
-    series.write(model, folder / "a&b.pvd"); // the ending is left out: the same series
-    series.write(model, folder / "other");
-    EXPECT_EQ(folder.file_count(), 22u);
-    EXPECT_EQ(content_of(folder / "a&b_joints.pvd"),
-              "<?xml version=\"1.0\"?>\n"
-              "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-              "  <Collection>\n"
-              "    <DataSet timestep=\"0.1\" group=\"\" part=\"0\" file=\"a&amp;b_joints_0.vtu\"/>\n"
-              "    <DataSet timestep=\"0.30000000000000004\" group=\"\" part=\"0\" file=\"a&amp;b_joints_1.vtu\"/>\n"
-              "  </Collection>\n"
-              "</VTKFile>\n");
-    EXPECT_THAT(content_of(folder / "a&b.pvd"), HasSubstr("file=\"a&amp;b_blocks_1.vtu\""));
-    EXPECT_EQ(read_grid(folder / "a&b_blocks_1.vtu")->GetNumberOfCells(), 2);
-    EXPECT_THAT(content_of(folder / "other.pvd"), testing::Not(HasSubstr("other_blocks_1")));
-}
-
-TEST(VtkSeries, ARunThatUsesTheNameAgainBeginsTheSeriesAnew) {
-    const ScratchFolder folder;
-    const Model model = hand_made_model();
-    VtkSeries first;
-    first.write(model, folder / "a");
-    first.write(model, folder / "a");
-    VtkSeries second;
-    second.write(model, folder / "a");
-    EXPECT_THAT(content_of(folder / "a.pvd"), testing::Not(HasSubstr("a_blocks_1")));
-}
-
-TEST(VtkSeries, AFullDiskLeavesTheSeriesFromBefore) {
-    const ScratchFolder folder;
-    Model model = hand_made_model();
-    VtkSeries series;
-    series.write(model, folder / "a");
-    const std::string before = content_of(folder / "a.pvd");
-    {
-        const SmallDisk disk(1000);
-        EXPECT_THROW(series.write(model, folder / "a"), Diagnostic);
-    }
-    EXPECT_EQ(content_of(folder / "a.pvd"), before);
-    EXPECT_EQ(folder.file_count(), 9u);
-    series.write(model, folder / "a");
-    EXPECT_THAT(content_of(folder / "a.pvd"), HasSubstr("a_blocks_1.vtu"));
-}
-
-TEST(VtkSeries, NamesThatAreNone) {
-    VtkSeries series;
-    for (const auto* name : {"", ".", "folder/", ".."})
-        EXPECT_THROW(series.write(hand_made_model(), name), Diagnostic) << name;
-    const ScratchFolder folder;
-    try {
-        series.write(hand_made_model(), folder / "no/a");
-        FAIL();
-    } catch (const Diagnostic& d) {
-        EXPECT_EQ(d.hint, "make the folder first");
-        EXPECT_EQ(d.fault, Fault::run);
-    }
 }

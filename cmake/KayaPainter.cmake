@@ -1,0 +1,26 @@
+# VTK, for kaya-painter: the program that draws pictures. Without VTK all else is built, and `plot` says what is missing.
+
+set(KAYA_PAINTER AUTO CACHE STRING "build kaya-painter, which draws pictures with VTK: AUTO (where VTK is installed), ON or OFF")
+set_property(CACHE KAYA_PAINTER PROPERTY STRINGS AUTO ON OFF)
+if(NOT KAYA_PAINTER MATCHES "^(AUTO|ON|OFF)$")
+  message(FATAL_ERROR "KAYA_PAINTER is '${KAYA_PAINTER}'; it is AUTO, ON or OFF")
+endif()
+
+set(KAYA_PAINTER_BUILT FALSE)
+if(NOT KAYA_PAINTER STREQUAL "OFF")
+  # All components at once, and at the top: targets of VTK refer to those of other packages, which are known in this folder
+  # and below only. IOXML is what tests read .vtu files with.
+  set(how QUIET)
+  if(KAYA_PAINTER STREQUAL "ON")
+    set(how REQUIRED)
+  endif()
+  find_package(VTK 9 ${how} COMPONENTS CommonCore CommonDataModel IOXML FiltersSources RenderingCore RenderingOpenGL2
+    RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 ChartsCore ViewsContext2D IOImage)
+  set(KAYA_PAINTER_BUILT ${VTK_FOUND})
+endif()
+
+# Said at the end of the configuration, where it is read.
+if(NOT KAYA_PAINTER_BUILT AND KAYA_PAINTER STREQUAL "AUTO")
+  cmake_language(DEFER CALL message STATUS
+    "kaya: built without kaya-painter, so 'plot' makes no pictures: VTK is missing (scripts/install --pictures)")
+endif()
