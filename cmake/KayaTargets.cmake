@@ -45,6 +45,9 @@ function(kaya_read_once name)
   else()
     target_precompile_headers(${name} REUSE_FROM kaya_base)
   endif()
+  if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    target_compile_options(${name} PRIVATE -fpch-preprocess)
+  endif()
   # gcc 12 forgets that headers in a precompiled one are the system's: it warns of std::string (its bug 105329) and of intrinsics. The
   # other presets read headers one by one, and warn.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)

@@ -59,9 +59,9 @@ struct Held {
     }
 };
 
-class Bodies {
+class StandingBodies {
 public:
-    Bodies(Model& model, JointRegistry& laws) : model_(model) {
+    StandingBodies(Model& model, JointRegistry& laws) : model_(model) {
         find_contacts(model, laws);
         gather();
         const WaterPressure water(model);
@@ -240,7 +240,7 @@ private:
 
 } // namespace
 
-std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws) { return Bodies(model, laws).all(); }
+std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws) { return StandingBodies(model, laws).all(); }
 
 std::string list_stability(Session& session, const lang::List& command) {
     Model& model = session.model;

@@ -18,7 +18,7 @@ constexpr double worth_a_level = 0.5;
 
 using Polygon = std::vector<Vec3>;
 
-double cross(const Vec3& o, const Vec3& a, const Vec3& b) {
+double plan_cross(const Vec3& o, const Vec3& a, const Vec3& b) {
     return (a.x() - o.x()) * (b.y() - o.y()) - (b.x() - o.x()) * (a.y() - o.y());
 }
 
@@ -30,7 +30,7 @@ Polygon outline_of(const Polyhedron& body) {
     const auto chain = [&](auto first, auto last) {
         const std::size_t kept = hull.size();
         for (auto p = first; p != last; ++p) {
-            while (hull.size() >= kept + 2 && cross(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+            while (hull.size() >= kept + 2 && plan_cross(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
             hull.push_back(*p);
         }
         hull.pop_back();
@@ -47,7 +47,7 @@ Polygon clipped(Polygon polygon, const Polygon& outline) {
         Polygon kept;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-            const double at = cross(a, b, p), next = cross(a, b, q);
+            const double at = plan_cross(a, b, p), next = plan_cross(a, b, q);
             if (at >= 0) kept.push_back(p);
             if ((at > 0 && next < 0) || (at < 0 && next > 0)) kept.push_back(p + at / (at - next) * (q - p));
         }
@@ -58,7 +58,7 @@ Polygon clipped(Polygon polygon, const Polygon& outline) {
 
 double plan_area(const Polygon& polygon) {
     double sum = 0;
-    for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross(polygon[0], polygon[i - 1], polygon[i]);
+    for (std::size_t i = 2; i < polygon.size(); ++i) sum += plan_cross(polygon[0], polygon[i - 1], polygon[i]);
     return 0.5 * sum;
 }
 
@@ -231,8 +231,8 @@ private:
                 if (flat) continue;
                 double low = 0, high = 1; // of the edge over the outline
                 for (std::size_t i = 0; i < outline.size(); ++i) {
-                    const double at = cross(outline[i], outline[(i + 1) % outline.size()], a),
-                                 end = cross(outline[i], outline[(i + 1) % outline.size()], b);
+                    const double at = plan_cross(outline[i], outline[(i + 1) % outline.size()], a),
+                                 end = plan_cross(outline[i], outline[(i + 1) % outline.size()], b);
                     if (at < 0 && end < 0) high = -1;
                     else if (at < 0) low = std::max(low, at / (at - end));
                     else if (end < 0) high = std::min(high, at / (at - end));

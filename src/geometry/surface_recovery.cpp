@@ -18,9 +18,9 @@ using Edge = std::array<int, 2>;
 constexpr std::array<std::array<int, 3>, 4> outer_triangle{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// The triangles of one face, by their directed edges: the point opposite of each.
-class FaceTriangles {
+class WantedTriangles {
 public:
-    FaceTriangles(const Polyhedron& polyhedron, int face, const MeshPoints& points) : points_(points) {
+    WantedTriangles(const Polyhedron& polyhedron, int face, const MeshPoints& points) : points_(points) {
         const Vec3 normal = face_normal(polyhedron, polyhedron.faces[face]);
         origin_ = polyhedron.vertices[polyhedron.faces[face].vertices[0]];
         u_ = normal.unitOrthogonal();
@@ -112,7 +112,7 @@ bool recover_surface(const Polyhedron& polyhedron, const BlockSurface& surface, 
         wrong[faces.front()].push_back(triangle);
     }
     for (const auto& [face, triangles] : wrong) {
-        FaceTriangles now(polyhedron, face, points);
+        WantedTriangles now(polyhedron, face, points);
         for (const Triangle& t : triangles) now.add(t);
         for (const auto& t : surface.triangles) {
             if (t.face != face) continue;

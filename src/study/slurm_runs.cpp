@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_lost_batches = 5;            ///< batches after which nothing more is there than before
+constexpr int most_lost_batches = 5;      ///< batches after which nothing more is there than before
 constexpr double poll_interval = 0.5;     ///< seconds between two looks at the outcomes
 constexpr int polls_per_question = 4;     ///< and so many of them to one question to the queue
-constexpr double queue_patience = 300;          ///< seconds for which sbatch may find nobody
+constexpr double queue_patience = 300;    ///< seconds for which sbatch may find nobody
 constexpr std::size_t usual_tasks = 1000; ///< of an array, where Slurm does not say
 
 /// In quotes for sh.
