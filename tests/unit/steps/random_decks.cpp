@@ -43,8 +43,8 @@ std::string joint_law(Chance& c) {
     case 0: return fmt::format("jmodel model elastic jkn {:.4g} jks {:.4g}", kn, ks);
     case 1:
         return fmt::format(
-            "jmodel model barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2", kn,
-            ks);
+            "jmodel model barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2",
+            kn, ks);
     case 2:
         return fmt::format("jmodel model nonlinear jkn {:.4g} jks {:.4g} jen {:.2g} jes 0.3 fric 30", c.scale(1e5, 1e8),
                            c.scale(1e5, 1e8), c.between(0.1, 0.9));
