@@ -5,11 +5,11 @@
 
 #include "base/diagnostic.hpp"
 #include "mechanics/step_bounds.hpp"
+#include "tests/chance.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -23,23 +23,7 @@
 namespace kaya {
 namespace {
 
-/// The same numbers everywhere for a seed.
-class Chance {
-public:
-    explicit Chance(std::uint64_t seed) : bits_(seed * 2654435769u + 12345) {}
-
-    double between(double low, double high) {
-        bits_ = bits_ * 6364136223846793005u + 1442695040888963407u;
-        return low + (high - low) * static_cast<double>(bits_ >> 11) * 0x1p-53;
-    }
-    /// Over decades.
-    double scale(double low, double high) { return std::pow(10, between(std::log10(low), std::log10(high))); }
-    int below(int n) { return static_cast<int>(between(0, n)); }
-    bool heads(double part = 0.5) { return between(0, 1) < part; }
-
-private:
-    std::uint64_t bits_;
-};
+using test::Chance;
 
 /// Lines that are run one after another, and cycles between them.
 struct Part {
@@ -59,8 +43,8 @@ std::string joint_law(Chance& c) {
     case 0: return fmt::format("jmodel model elastic jkn {:.4g} jks {:.4g}", kn, ks);
     case 1:
         return fmt::format(
-            "jmodel barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2", kn,
-            ks);
+            "jmodel model barton-bandis jkn {:.4g} jks {:.4g} resfriction 20 jrco 8 jcso 100 sigmac 150 lo 0.1 ln 0.2",
+            kn, ks);
     case 2:
         return fmt::format("jmodel model nonlinear jkn {:.4g} jks {:.4g} jen {:.2g} jes 0.3 fric 30", c.scale(1e5, 1e8),
                            c.scale(1e5, 1e8), c.between(0.1, 0.9));
