@@ -1,5 +1,5 @@
 // A tree of named values as an HDF5 file in memory. HDF5 itself never touches the disk: writing and
-// checking the file is ours (io/whole_file.hpp), so that a full disk is our error and not HDF5's.
+// checking the file is ours (base/whole_file.hpp), so that a full disk is our error and not HDF5's.
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "io/hdf5_tree.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "model/state.hpp"
 
 #include <fmt/format.h>
