@@ -1,10 +1,12 @@
 #include "lang/interp/source.hpp"
 
+#include "base/door.hpp"
+
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
 
 namespace kaya::lang {
@@ -95,19 +97,16 @@ Source read_source(const fs::path& path, std::string name) {
         throw Diagnostic(fmt::format("'{}' has {} MB: too large for a command file (at most {} MB)", name,
                                      fs::file_size(path, error) >> 20, largest_deck >> 20));
 
-    std::ifstream in(path, std::ios::binary);
+    const Descriptor in = door::open(path, Use::read, O_RDONLY);
     if (!in)
         throw Diagnostic(fmt::format("'{}' cannot be read: {}", name, std::strerror(errno)),
                          "check the permissions of the file");
     std::string text;
-    std::array<char, 1 << 16> piece;
-    while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
-        text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-        if (text.size() > largest_deck) // a pipe or device has no size to ask for
-            throw Diagnostic(
-                fmt::format("'{}' is too large for a command file (more than {} MB)", name, largest_deck >> 20));
-    }
-    if (in.bad()) throw Diagnostic(fmt::format("reading '{}' failed: {}", name, std::strerror(errno)));
+    const bool read = read_all(in.number(), text, largest_deck);
+    if (text.size() > largest_deck) // a pipe or device has no size to ask for
+        throw Diagnostic(
+            fmt::format("'{}' is too large for a command file (more than {} MB)", name, largest_deck >> 20));
+    if (!read) throw Diagnostic(fmt::format("reading '{}' failed: {}", name, std::strerror(errno)));
     SourceText source = *source_from_text(std::move(name), text);
     source.is_file = true;
     return std::make_shared<const SourceText>(std::move(source));

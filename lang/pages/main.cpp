@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
+#include <sstream>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -125,7 +125,7 @@ using Sections = std::map<std::string, std::string>;
 /// Texts below the `## ` headings of a page that is there.
 Sections sections_of(const fs::path& file) {
     Sections sections;
-    std::ifstream stream(file);
+    std::istringstream stream(text_of_file(file));
     std::string heading;
     for (std::string line; std::getline(stream, line);) {
         if (line.starts_with("## ")) heading = line.substr(3);

@@ -1,5 +1,6 @@
 #include "lang/script/chunks.hpp"
 
+#include "base/whole_file.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/modules.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -21,12 +21,9 @@ bool read_file(const Machine& machine, const fs::path& file, std::string& text) 
     std::error_code problem;
     if (!fs::exists(file, problem) || fs::is_directory(file, problem)) return false;
     machine.options.gate->may_read_code(file);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return false;
-    std::ostringstream whole;
-    whole << stream.rdbuf();
-    text = whole.str();
-    return true;
+    const auto whole = file_text(file);
+    if (whole) text = *whole;
+    return whole.has_value();
 }
 
 /// A file becomes a text that messages can point into.

@@ -1,11 +1,11 @@
 // What a library of functions sees of the machine: each takes the part that it needs from the Lua state that calls it.
 #pragma once
 
+#include "base/door.hpp"
 #include "lang/script/lua_headers.hpp"
 #include "lang/script/tables.hpp"
 #include "lang/script/world.hpp"
 
-#include <fstream>
 #include <string>
 
 namespace kaya::script {
@@ -14,8 +14,7 @@ class Random;
 
 /// FISH's `open`, `read`, `write`, `close`: one file at a time.
 struct OpenFile {
-    std::ifstream reading;
-    std::ofstream writing;
+    door::Stream reading, writing;
 };
 
 struct Machine;

@@ -13,15 +13,23 @@
 
 namespace kaya::script {
 
-std::filesystem::path allowed_path(lua_State* L, const std::string& name, Access access) {
-    if (options_of(L).trusted) return name;
+namespace {
+
+bool writes(const std::string& mode) { return mode.find_first_of("wa+") != mode.npos; }
+
+/// Throws Diagnostic when the script may not open the file with a mode of fopen.
+void require_allowed(lua_State* L, const std::string& name, const std::string& mode) {
+    if (options_of(L).trusted) return;
     Gate& gate = *options_of(L).gate;
-    if (access == Access::writing) gate.may_write(name);
+    if (writes(mode)) gate.may_write(name);
     else gate.may_read(name);
-    return resolved(name);
 }
 
-namespace {
+/// The same, and opens it. Null: errno says why.
+door::Stream open_allowed(lua_State* L, const std::string& name, const std::string& mode) {
+    require_allowed(L, name, mode);
+    return door::open_stream(name, writes(mode) ? Use::write : Use::read, mode);
+}
 
 enum Mode { reading = 0, writing = 1, appending = 2 };
 
@@ -36,14 +44,17 @@ int open(lua_State* L) {
     if (format != 1)
         throw Diagnostic("FISH's own binary files cannot be read or written", "use 1 as third argument: plain text",
                          Fault::run);
-    if (file.reading.is_open() || file.writing.is_open())
+    if (file.reading || file.writing)
         throw Diagnostic("a file is open already", "call 'close' before the next 'open'", Fault::run);
-    const auto path = allowed_path(L, name, mode == reading ? Access::reading : Access::writing);
+    const char* const words[] = {"r", "w", "a"};
+    const std::string word = words[mode];
     bool done = true;
-    if (!is_restoring(L)) {
-        if (mode == reading) file.reading.open(path);
-        else file.writing.open(path, mode == writing ? std::ios::trunc : std::ios::app);
-        done = file.reading.is_open() || file.writing.is_open();
+    if (is_restoring(L)) {
+        require_allowed(L, name, word);
+    } else {
+        door::Stream& stream = mode == reading ? file.reading : file.writing;
+        stream = open_allowed(L, name, word);
+        done = static_cast<bool>(stream);
     }
     lua_pushinteger(L, done ? 0 : 1);
     return 1;
@@ -51,16 +62,11 @@ int open(lua_State* L) {
 
 int close(lua_State* L) {
     OpenFile& file = file_of(L);
-    bool done = true;
-    if (file.writing.is_open()) {
-        file.writing.flush();
-        done = file.writing.good();
-        file.writing.close();
-    }
-    file.writing.clear();
-    if (file.reading.is_open()) file.reading.close();
-    file.reading.clear();
-    if (!done) throw Diagnostic("the file could not be written to its end", "is the disk full?", Fault::run);
+    const bool failed = file.writing && std::ferror(file.writing.get()) != 0;
+    const bool closed = !file.writing || std::fclose(file.writing.release()) == 0;
+    file.reading.reset();
+    if (failed || !closed)
+        throw Diagnostic("the file could not be written to its end", "is the disk full?", Fault::run);
     lua_pushinteger(L, 0);
     return 1;
 }
@@ -76,18 +82,27 @@ lua_Integer element_count(lua_State* L, const char* function) {
     return wanted;
 }
 
+/// A line without its end; false at the end of the file.
+bool read_line(std::FILE* file, std::string& line) {
+    line.clear();
+    int c = std::getc(file);
+    if (c == EOF) return false;
+    for (; c != EOF && c != '\n'; c = std::getc(file)) line += static_cast<char>(c);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    return true;
+}
+
 /// 0: all lines were read; -1: no file is open; else the number of lines before the file ended.
 int read(lua_State* L) {
-    std::ifstream& file = file_of(L).reading;
+    std::FILE* file = file_of(L).reading.get();
     const lua_Integer wanted = element_count(L, "read");
-    if (!file.is_open()) {
+    if (file == nullptr) {
         lua_pushinteger(L, -1);
         return 1;
     }
     std::string line;
     lua_Integer i = 0;
-    for (; i < wanted && std::getline(file, line); ++i) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
+    for (; i < wanted && read_line(file, line); ++i) {
         lua_pushlstring(L, line.data(), line.size());
         lua_rawseti(L, 1, i + 1);
     }
@@ -97,18 +112,19 @@ int read(lua_State* L) {
 
 /// One line for each element. A number gets a blank in front, as the classic program writes it.
 int write(lua_State* L) {
-    std::ofstream& file = file_of(L).writing;
+    std::FILE* file = file_of(L).writing.get();
     const lua_Integer wanted = element_count(L, "write");
-    if (!file.is_open() && !is_restoring(L)) {
+    if (file == nullptr && !is_restoring(L)) {
         lua_pushinteger(L, -1);
         return 1;
     }
     for (lua_Integer i = 1; i <= wanted; ++i) {
         lua_rawgeti(L, 1, i);
-        if (!is_restoring(L)) file << (lua_type(L, -1) == LUA_TSTRING ? "" : " ") << text_at(L, -1) << '\n';
+        const std::string line = (lua_type(L, -1) == LUA_TSTRING ? "" : " ") + text_at(L, -1) + "\n";
+        if (!is_restoring(L)) std::fwrite(line.data(), 1, line.size(), file);
         lua_pop(L, 1);
     }
-    if (!is_restoring(L) && !file.good())
+    if (!is_restoring(L) && std::ferror(file) != 0)
         throw Diagnostic("the file could not be written", "is the disk full?", Fault::run);
     lua_pushinteger(L, 0);
     return 1;
@@ -121,7 +137,28 @@ constexpr std::array functions{
     BuiltInFunction{"write", 2, 2, guarded<write>},
 };
 
+int close_file(lua_State* L) {
+    auto* file = static_cast<luaL_Stream*>(luaL_checkudata(L, 1, LUA_FILEHANDLE));
+    return luaL_fileresult(L, std::fclose(file->f) == 0, nullptr);
+}
+
 } // namespace
+
+int require_file(lua_State* L) {
+    require_allowed(L, text_argument(L, 1, "io.open"), text_argument(L, 2, "io.open"));
+    return 0;
+}
+
+int open_file(lua_State* L) {
+    const std::string name = text_argument(L, 1, "io.open");
+    auto* file = static_cast<luaL_Stream*>(lua_newuserdatauv(L, sizeof(luaL_Stream), 0));
+    file->closef = nullptr; // not open yet
+    luaL_setmetatable(L, LUA_FILEHANDLE);
+    file->f = open_allowed(L, name, text_argument(L, 2, "io.open")).release();
+    if (file->f == nullptr) return luaL_fileresult(L, 0, name.c_str());
+    file->closef = close_file;
+    return 1;
+}
 
 void add_files(Machine& machine) { add_built_ins(machine, functions); }
 

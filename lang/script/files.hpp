@@ -1,17 +1,13 @@
-// Which files a script may touch.
+// Files of Lua: its own io.open knows no gate.
 #pragma once
 
 #include "lang/script/lua_headers.hpp"
 
-#include <filesystem>
-#include <string>
-
 namespace kaya::script {
 
-/// What a file is opened for.
-enum class Access { reading, writing };
-
-/// The path with all its links followed, when the script may open it so. Else throws.
-std::filesystem::path allowed_path(lua_State* L, const std::string& name, Access access);
+/// (name, mode of fopen): fails when the script may not open that file.
+int require_file(lua_State* L);
+/// (name, mode of fopen): a file as Lua's own io.open gives it.
+int open_file(lua_State* L);
 
 } // namespace kaya::script

@@ -1,12 +1,11 @@
 #include "lang/script/joint_script.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "lang/script/joint_script_state.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 #include <stdexcept>
 
 namespace kaya::script {
@@ -40,13 +39,11 @@ struct JointScript::Lease {
 namespace {
 
 std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file))
+    auto text = file_text(file);
+    if (!text)
         throw Diagnostic(fmt::format("the joint model {} cannot be read", file.string()),
                          "look at the name of the file");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    return *std::move(text);
 }
 
 } // namespace

@@ -254,14 +254,6 @@ int environment(lua_State* L) {
     return 1;
 }
 
-/// (name, true to write)
-int path(lua_State* L) {
-    const Access access = lua_toboolean(L, 2) ? Access::writing : Access::reading;
-    const std::string allowed = allowed_path(L, text_argument(L, 1, "io.open"), access).string();
-    lua_pushlstring(L, allowed.data(), allowed.size());
-    return 1;
-}
-
 int restoring(lua_State* L) {
     lua_pushboolean(L, machine_of(L).restoring);
     return 1;
@@ -418,7 +410,7 @@ int new_global(lua_State* L) {
 /// (message, hint)
 int fail(lua_State* L) { throw Diagnostic(text_argument(L, 1, "fail"), text_argument(L, 2, "fail"), Fault::run); }
 
-constexpr std::array<luaL_Reg, 35> natives{{
+constexpr std::array<luaL_Reg, 36> natives{{
     {"fail", guarded<fail>},
     {"tables", guarded<tables>},
     {"list", guarded<list>},
@@ -441,7 +433,8 @@ constexpr std::array<luaL_Reg, 35> natives{{
     {"uniform", guarded<uniform>},
     {"seed", guarded<seed>},
     {"environment", guarded<environment>},
-    {"allowed_path", guarded<path>},
+    {"require_file", guarded<require_file>},
+    {"open_file", guarded<open_file>},
     {"restoring", guarded<restoring>},
     {"stopping", guarded<stopping>},
     {"command", guarded<command>},

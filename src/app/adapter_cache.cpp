@@ -1,11 +1,12 @@
 #include "app/adapter_cache.hpp"
 
+#include "base/door.hpp"
 #include "base/sha256.hpp"
+#include "base/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <unistd.h>
@@ -17,21 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_objects = 8; ///< of other compilers, options and versions
-
-/// kaya below XDG_CACHE_HOME, or .cache of the home folder; empty when there is neither.
-fs::path cache_folder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "kaya";
-    const char* home = std::getenv("HOME");
-    return home && fs::path(home).is_absolute() ? fs::path(home) / ".cache" / "kaya" : fs::path();
-}
-
-std::string content_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
-    return bytes.str();
-}
 
 /// The program that a word of the line starts: where it is, how large and how old.
 std::string program_of(const std::string& word) {
@@ -51,7 +37,7 @@ std::string program_of(const std::string& word) {
 
 /// What -march=native goes by: a home folder may be seen from machines that differ.
 std::string processor() {
-    std::istringstream lines(content_of("/proc/cpuinfo"));
+    std::istringstream lines(door::system_text("/proc/cpuinfo"));
     std::set<std::string> said;
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with("model name") || line.starts_with("flags") || line.starts_with("Features") ||
@@ -70,10 +56,17 @@ void remove_oldest(const fs::path& folder) {
             objects.emplace_back(fs::last_write_time(entry.path(), ignored), entry.path());
     if (objects.size() <= most_objects) return;
     std::sort(objects.begin(), objects.end());
-    for (std::size_t k = 0; k + most_objects < objects.size(); ++k) fs::remove(objects[k].second, ignored);
+    for (std::size_t k = 0; k + most_objects < objects.size(); ++k) door::remove(objects[k].second);
 }
 
 } // namespace
+
+fs::path cache_folder() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "kaya";
+    const char* home = std::getenv("HOME");
+    return home && fs::path(home).is_absolute() ? fs::path(home) / ".cache" / "kaya" : fs::path();
+}
 
 AdapterCache::AdapterCache(const std::vector<std::string>& line, const fs::path& include) {
     const fs::path folder = cache_folder();
@@ -86,24 +79,17 @@ AdapterCache::AdapterCache(const std::vector<std::string>& line, const fs::path&
     std::set<fs::path> headers;
     for (const auto& entry : fs::recursive_directory_iterator(include / "kaya", ignored))
         if (entry.is_regular_file(ignored)) headers.insert(entry.path());
-    for (const auto& header : headers) all += fmt::format("{}\n{}", header.string(), content_of(header));
-    fs::create_directories(folder, ignored);
-    if (access(folder.c_str(), W_OK) == 0) file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
+    for (const auto& header : headers) all += fmt::format("{}\n{}", header.string(), file_text(header).value_or(""));
+    if (!door::make_folders(folder, Use::own) && access(folder.c_str(), W_OK) == 0)
+        file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
 }
 
-fs::path AdapterCache::object(const fs::path& otherwise, const std::function<bool(const fs::path&)>& compile) const {
-    if (file_.empty()) return compile(otherwise) ? otherwise : fs::path();
+fs::path AdapterCache::object(const fs::path& draft, const std::function<bool()>& compile) const {
     std::error_code failed;
-    if (fs::is_regular_file(file_, failed)) return file_;
-    // Under a name of its own first: another build may look at this moment.
-    fs::path draft = file_;
-    draft += fmt::format(".{}", getpid());
-    if (!compile(draft)) {
-        fs::remove(draft, failed);
-        return {};
-    }
-    fs::rename(draft, file_, failed);
-    if (failed) return {};
+    if (!file_.empty() && fs::is_regular_file(file_, failed)) return file_;
+    if (!compile()) return {};
+    if (file_.empty()) return draft;
+    write_whole_file(file_.string(), read_whole_file(draft.string()), Use::own);
     remove_oldest(file_.parent_path());
     return file_;
 }

@@ -8,16 +8,18 @@
 
 namespace kaya {
 
+/// kaya below XDG_CACHE_HOME, or .cache of the home folder; empty when there is neither.
+std::filesystem::path cache_folder();
+
 class AdapterCache {
 public:
     /// `line` is the compiler's line without the name of the object, `include` the folder of headers. What is kept belongs
     /// to this line, to what the compiler and the headers are now, and to this machine's processor.
     AdapterCache(const std::vector<std::string>& line, const std::filesystem::path& include);
 
-    /// The object, made by `compile`, which gets the file to write and says whether it could, unless it is there.
-    /// Empty when it could not. Without a place for a cache the object is made at `otherwise`.
-    std::filesystem::path object(const std::filesystem::path& otherwise,
-                                 const std::function<bool(const std::filesystem::path&)>& compile) const;
+    /// The object. What is not kept yet is made by `compile`, which says whether it could, at `draft`, and kept if there is a place
+    /// for it. Empty when it could not be made.
+    std::filesystem::path object(const std::filesystem::path& draft, const std::function<bool()>& compile) const;
 
 private:
     std::filesystem::path file_; ///< empty: there is no place

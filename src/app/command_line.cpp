@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "base/door.hpp"
 #include "commands/save_session.hpp"
 #include "io/difference.hpp"
 #include "lang/interp/source.hpp"
@@ -109,8 +110,7 @@ void require_deck(const CLI::App& app, const std::string& deck) {
 }
 
 void go_into(const std::string& folder, std::vector<std::string>& decks, std::string& journal) {
-    std::error_code problem;
-    fs::create_directories(folder, problem);
+    std::error_code problem = door::make_folders(folder, Use::write);
     const fs::path from = fs::current_path(), whole = fs::weakly_canonical(folder);
     if (!problem) fs::current_path(whole, problem);
     if (problem)

@@ -1,7 +1,7 @@
 #include "app/deck_parameters.hpp"
 
 #include "base/lower_case.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "study/study.hpp"
 
 #include <algorithm>

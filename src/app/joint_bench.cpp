@@ -1,13 +1,14 @@
 #include "app/joint_bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "jointtest/bench.hpp"
+#include "study/command_output.hpp"
 #include "zonetest/zone_bench.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
 
@@ -45,15 +46,15 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// gnuplot may be missing: the script is there for another day.
+/// gnuplot may be missing: the script is there for another day. It names no file that it writes: its own would go through links.
 std::string draw(const fs::path& script) {
     fs::path picture = script;
     picture.replace_extension(".png");
-    if (script.string().find('\'') != std::string::npos) return {};
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) return {};
-    const auto command = fmt::format("gnuplot -e \"set terminal png size 900,900; set output '{}'\" '{}' 2>/dev/null",
-                                     picture.string(), script.string());
-    return std::system(command.c_str()) == 0 ? fmt::format(", {}", picture.string()) : "";
+    const auto drawn =
+        output_of({"gnuplot", "-e", "set terminal png size 900,900", fs::absolute(script).string()}, false);
+    if (drawn.status != 0) return {};
+    write_whole_file(picture.string(), drawn.output);
+    return fmt::format(", {}", picture.string());
 }
 
 int carry_out(Order& order, const std::vector<fs::path>& folders) {

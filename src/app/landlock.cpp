@@ -1,12 +1,12 @@
 #include "app/landlock.hpp"
 
+#include "base/descriptor.hpp"
+
 #include <cstdint>
-#include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 namespace kaya {
 
@@ -17,6 +17,16 @@ constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 
 // Rights that headers of older systems do not know.
 constexpr std::uint64_t right_to_refer = 1ULL << 13, right_to_truncate = 1ULL << 14;
+
+// What headers of older systems do not have, either.
+constexpr std::uint64_t to_bind = 1ULL << 0, to_connect = 1ULL << 1; // TCP
+constexpr auto rule_of_port = static_cast<landlock_rule_type>(2);
+struct Ruleset {
+    std::uint64_t files, connections;
+};
+struct PortRule {
+    std::uint64_t rights, port;
+};
 
 constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t rights_of_files =
@@ -31,14 +41,14 @@ std::uint64_t all_rights(int version) {
 
 /// What is not there cannot be used either, and needs no rule.
 void allow_below(int rules, const std::filesystem::path& path, std::uint64_t rights) {
+    const Descriptor opened = handle_of(path);
+    if (!opened) return;
     landlock_path_beneath_attr beneath{};
-    beneath.parent_fd = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (beneath.parent_fd < 0) return;
+    beneath.parent_fd = opened.number();
     struct stat info {};
-    const bool is_folder = ::fstat(beneath.parent_fd, &info) == 0 && S_ISDIR(info.st_mode);
+    const bool is_folder = ::fstat(opened.number(), &info) == 0 && S_ISDIR(info.st_mode);
     beneath.allowed_access = is_folder ? rights : rights & rights_of_files;
     ::syscall(add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &beneath, 0);
-    ::close(beneath.parent_fd);
 }
 
 } // namespace
@@ -48,20 +58,23 @@ int landlock_version() {
     return version > 0 ? static_cast<int>(version) : 0;
 }
 
-bool lock_file_system(const std::vector<std::filesystem::path>& writable,
-                      const std::vector<std::filesystem::path>& readable) {
+bool lock_by_kernel(const KernelLock& lock) {
     const int version = landlock_version();
     if (version == 0) return false;
-    landlock_ruleset_attr handled{};
-    handled.handled_access_fs = all_rights(version);
-    const auto rules = static_cast<int>(::syscall(create_ruleset, &handled, sizeof handled.handled_access_fs, 0));
-    if (rules < 0) return false;
-    const std::uint64_t writing = handled.handled_access_fs & ~std::uint64_t{LANDLOCK_ACCESS_FS_EXECUTE};
-    for (const auto& path : writable) allow_below(rules, path, writing);
-    for (const auto& path : readable) allow_below(rules, path, reading);
-    const bool held = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::syscall(restrict_self, rules, 0) == 0;
-    ::close(rules);
-    return held;
+    const bool with_connections = version >= landlock_with_connections && !lock.connects;
+    const Ruleset handled{all_rights(version), with_connections ? to_bind | to_connect : 0};
+    const std::size_t known = version >= landlock_with_connections ? sizeof handled : sizeof handled.files;
+    const Descriptor rules(static_cast<int>(::syscall(create_ruleset, &handled, known, 0)));
+    if (!rules) return false;
+    const std::uint64_t writing = handled.files & ~std::uint64_t{LANDLOCK_ACCESS_FS_EXECUTE};
+    for (const auto& path : lock.writable) allow_below(rules.number(), path, writing);
+    for (const auto& path : lock.readable) allow_below(rules.number(), path, reading);
+    for (const auto& path : lock.programs) allow_below(rules.number(), path, reading | LANDLOCK_ACCESS_FS_EXECUTE);
+    if (with_connections && lock.listens) {
+        const PortRule port{to_bind, static_cast<std::uint64_t>(*lock.listens)};
+        ::syscall(add_rule, rules.number(), rule_of_port, &port, 0);
+    }
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::syscall(restrict_self, rules.number(), 0) == 0;
 }
 
 } // namespace kaya

@@ -1,18 +1,28 @@
-// Linux' own lock on the file system: it holds whatever code runs in the program, native joint models included.
+// Linux' own lock on files and connections: it holds whatever code runs in the program, native joint models included.
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace kaya {
 
 /// Version of Landlock that the kernel offers; 0: none.
 int landlock_version();
+/// The first version that knows connections.
+inline constexpr int landlock_with_connections = 4;
 
-/// From here on this thread, and all that it starts, opens files for writing in `writable` alone, reads user's files there
-/// and in `readable`, and starts no program. To be called before other threads are there. False: the kernel cannot.
-bool lock_file_system(const std::vector<std::filesystem::path>& writable,
-                      const std::vector<std::filesystem::path>& readable);
+/// What stays open. Folders hold for all below them.
+struct KernelLock {
+    std::vector<std::filesystem::path> writable; ///< and readable
+    std::vector<std::filesystem::path> readable;
+    std::vector<std::filesystem::path> programs; ///< readable, and programs there may be started
+    bool connects = false;                       ///< TCP as before
+    std::optional<int> listens;                  ///< a port on which the program itself listens; 0: any
+};
+
+/// Holds this thread and all that it starts from now on. To be called before other threads are there; a second lock can only take
+/// more away. False: the kernel cannot.
+bool lock_by_kernel(const KernelLock& lock);
 
 } // namespace kaya

@@ -2,8 +2,10 @@
 #include "app/command_line.hpp"
 #include "app/joint_bench.hpp"
 #include "app/run.hpp"
+#include "app/scope.hpp"
 #include "app/study_commands.hpp"
 #include "app/tool_commands.hpp"
+#include "base/door.hpp"
 #include "base/memory.hpp"
 #include "app/model_commands.hpp"
 #include "laws/crash_report.hpp"
@@ -87,7 +89,10 @@ int start(int argc, char** argv) {
         const auto misspelt = order.decks.empty() ? std::nullopt : misspelt_command(app, order.decks.front());
         throw misspelt ? *misspelt : mistake_of(app, error);
     }
-    if (chosen) return chosen();
+    if (chosen) {
+        enter_scope(app, order, program);
+        return chosen();
+    }
     prepare_run(order, app);
     return run(order, program);
 }
@@ -101,7 +106,7 @@ namespace {
 /// Otherwise the next file that is opened would be taken for the standard output.
 void open_missing_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0)
+        if (::fcntl(stream, F_GETFD) < 0 && kaya::door::null_device().release() < 0)
             std::_Exit(static_cast<int>(kaya::Fault::run));
 }
 

@@ -2,6 +2,8 @@
 
 #include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
+#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <future>
 #include <memory>
 #include <regex>
@@ -28,14 +29,12 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-std::string text_of(const fs::path& source) {
-    std::ifstream stream(source);
-    if (!stream || fs::is_directory(source))
+std::string source_text(const fs::path& source) {
+    const auto text = file_text(source);
+    if (!text)
         throw Diagnostic(fmt::format("the source {} cannot be read", source.string()),
                          "give the .cpp files of the model");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    return *text;
 }
 
 bool is_in_path(const std::string& program) {
@@ -92,10 +91,10 @@ std::string all_text(const std::vector<fs::path>& sources) {
         const fs::path file = waiting.back();
         waiting.pop_back();
         if (!read.insert(file.lexically_normal()).second) continue;
-        const std::string text = text_of(file);
+        const std::string text = source_text(file);
         for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found) {
             const fs::path adjacent = file.parent_path() / (*found)[1].str();
-            if (fs::is_regular_file(adjacent)) waiting.push_back(adjacent);
+            if (fs::is_regular_file(adjacent) && door::peek(adjacent)) waiting.push_back(adjacent);
         }
         all += text + "\n";
     }
@@ -148,22 +147,28 @@ Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path&
     return lines;
 }
 
-/// A file that is being made; it is gone when nobody wants it.
-class Draft {
+/// A new folder for files that are being made; it goes with all in it. The compiler would write through links that lie ready under
+/// names in a folder of the user.
+class DraftFolder {
 public:
-    Draft(const fs::path& folder, const std::string& ending)
-        : file(folder / fmt::format(".kaya-jmodel-{}{}", getpid(), ending)) {}
-    ~Draft() {
+    explicit DraftFolder(const fs::path& parent) : path(parent / fmt::format(".kaya-jmodel-{}", getpid())) {
         std::error_code ignored;
-        fs::remove(file, ignored);
+        if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found)
+            throw Diagnostic(fmt::format("{} is there already", path.string()), "remove it: it is left from a build",
+                             Fault::run);
+        if (const auto failed = door::make_folders(path, Use::own))
+            throw Diagnostic(fmt::format("the folder {} cannot be made: {}", path.string(), failed.message()),
+                             "give another: --into FOLDER", Fault::run);
     }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-    const fs::path file;
+    ~DraftFolder() { door::remove_all(path); }
+    DraftFolder(const DraftFolder&) = delete;
+    DraftFolder& operator=(const DraftFolder&) = delete;
+    const fs::path path;
 };
 
 /// Compiles and links. The adapter, which says nothing, is compiled next to the sources, or taken from an earlier build.
 void compile(const BuildOrder& order, const fs::path& include, const fs::path& library) {
+    const fs::path drafts = library.parent_path();
     const std::string text = all_text(order.sources);
     const Lines lines = lines_of(order, text, include);
     const auto run = [&](const Words& line) {
@@ -176,24 +181,22 @@ void compile(const BuildOrder& order, const fs::path& include, const fs::path& l
             fmt::format("{} does not compile (status {} of {})", what.string(), status, lines.compiler.front()),
             "the messages of the compiler are above");
     };
-    const Draft adapter_draft(order.folder, "-adapter.o");
+    const fs::path adapter_draft = drafts / "adapter.o";
     const fs::path adapter_source = include / "kaya/compat/adapter.cpp";
     int adapter_status = 0;
     std::future<fs::path> adapter;
     if (!is_native(text)) {
         const AdapterCache cache(lines.compile(adapter_source, "", false), include);
         adapter = std::async(std::launch::async, [&, cache] {
-            return cache.object(adapter_draft.file, [&](const fs::path& object) {
-                adapter_status = run(lines.compile(adapter_source, object, false));
+            return cache.object(adapter_draft, [&] {
+                adapter_status = run(lines.compile(adapter_source, adapter_draft, false));
                 return adapter_status == 0;
             });
         });
     }
-    std::vector<std::unique_ptr<Draft>> drafts;
     std::vector<fs::path> objects;
     for (const auto& source : order.sources) {
-        drafts.push_back(std::make_unique<Draft>(order.folder, fmt::format("-{}.o", drafts.size())));
-        objects.push_back(drafts.back()->file);
+        objects.push_back(drafts / fmt::format("{}.o", objects.size()));
         if (const int status = run(lines.compile(source, objects.back())); status != 0) {
             if (adapter.valid()) adapter.wait();
             refuse(source, status);
@@ -241,16 +244,17 @@ fs::path include_folder(const fs::path& program_folder) {
 fs::path build_model(const BuildOrder& order, const fs::path& include) {
     if (!fs::is_directory(order.folder))
         throw Diagnostic(fmt::format("there is no folder {}", order.folder.string()), "make it, or give another one");
-    const Draft draft(order.folder, ".so");
-    compile(order, include, draft.file);
+    const DraftFolder drafts(order.folder);
+    const fs::path draft = drafts.path / "model.so";
+    compile(order, include, draft);
     std::string name;
     {
         JointRegistry registry;
-        const std::string file = fs::absolute(draft.file).string();
+        const std::string file = fs::absolute(draft).string();
         name = order.zone_model ? registry.zones.get(file).name : registry.get(file).name;
     }
     const fs::path library = order.folder / (name + ".so");
-    fs::rename(draft.file, library);
+    write_whole_file(library.string(), read_whole_file(draft.string()), Use::own);
     return library;
 }
 

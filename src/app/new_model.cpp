@@ -2,10 +2,11 @@
 
 #include "app/model_templates.hpp"
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
+#include "base/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace kaya {
 
@@ -40,19 +41,14 @@ std::vector<fs::path> write_new_model(std::span<const std::string_view> kinds, c
     const fs::path folder = model.in / name;
     if (fs::exists(folder))
         throw Diagnostic(fmt::format("{} is there already", folder.string()), "give another name, or remove it");
-    std::error_code failed;
-    fs::create_directory(folder, failed);
-    if (failed)
+    if (const auto failed = door::make_folders(folder, Use::write))
         throw Diagnostic(fmt::format("the folder {} cannot be made: {}", folder.string(), failed.message()), {},
                          Fault::run);
     std::vector<fs::path> files;
     for (const auto& each : model_templates()) {
         if (std::ranges::find(kinds, each.kind) == kinds.end()) continue;
         files.push_back(folder / filled(std::string(each.file), name));
-        std::ofstream stream(files.back());
-        stream << filled(std::string(each.text), name);
-        stream.close();
-        if (!stream) throw Diagnostic(fmt::format("cannot write {}", files.back().string()), {}, Fault::run);
+        write_whole_file(files.back().string(), filled(std::string(each.text), name));
     }
     return files;
 }

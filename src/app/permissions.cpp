@@ -1,9 +1,9 @@
 #include "app/permissions.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/gate.hpp"
+#include "base/door.hpp"
 #include "base/sha256.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,13 +24,12 @@ void write_permissions(const Permissions& permissions) {
     if (file.empty())
         throw Diagnostic("there is no place for your permissions", "set HOME, or XDG_CONFIG_HOME to a whole path",
                          Fault::run);
-    std::error_code problem;
-    fs::create_directories(file.parent_path(), problem);
+    door::make_folders(file.parent_path(), Use::own); // what is wrong there, the file will say
     std::string text;
     for (const auto& folder : permissions.folders) text += fmt::format("{} {}\n", folder_word, folder.string());
     for (const auto& [digest, library] : permissions.libraries)
         text += fmt::format("{} {} {}\n", library_word, digest, library.string());
-    write_whole_file(file.string(), text);
+    write_whole_file(file.string(), text, Use::own);
 }
 
 /// Where it really is; that has to fit on a line of the list.

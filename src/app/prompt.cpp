@@ -4,6 +4,7 @@
 #include "app/explanations.hpp"
 #include "app/interrupt.hpp"
 #include "app/tools.hpp"
+#include "base/door.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <clocale>
 #include <csignal>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <histedit.h>
 #include <iostream>
@@ -79,8 +81,7 @@ public:
         HistEvent event;
         history(history_, &event, H_SETSIZE, kept_lines);
         history(history_, &event, H_SETUNIQUE, 1);
-        const fs::path file = history_file();
-        if (!file.empty()) history(history_, &event, H_LOAD, file.c_str());
+        if (const Descriptor file = door::peek(history_file())) history(history_, &event, H_LOAD, file.name().c_str());
         el_set(editor_, EL_CLIENTDATA, this);
         el_set(editor_, EL_PROMPT, prompt_of);
         el_set(editor_, EL_EDITOR, "emacs");
@@ -89,12 +90,11 @@ public:
         el_set(editor_, EL_BIND, "^I", "kaya-complete", nullptr);
     }
     ~LineEditor() {
-        const fs::path file = history_file();
-        if (!file.empty()) {
-            std::error_code ignored; // without a place for it the history ends with the session
-            fs::create_directories(file.parent_path(), ignored);
+        try {
             HistEvent event;
-            history(history_, &event, H_SAVE, file.c_str());
+            if (const Descriptor file = door::open(history_file(), Use::own, O_WRONLY))
+                history(history_, &event, H_SAVE, file.name().c_str());
+        } catch (const Diagnostic&) { // without a place for it the history ends with the session
         }
         history_end(history_);
         el_end(editor_);

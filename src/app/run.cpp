@@ -7,12 +7,13 @@
 #include "app/run_report.hpp"
 #include "app/sandbox.hpp"
 #include "base/counted.hpp"
+#include "base/door.hpp"
 #include "commands/journal.hpp"
 #include "commands/progress.hpp"
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -181,13 +182,14 @@ int run_session(Session& session, const RunOrder& order) {
 void prepare_history(const RunOrder& order) {
     const fs::path file = history_file();
     if (!order.decks.empty() || !order.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;
-    std::error_code ignored;
-    fs::create_directories(file.parent_path(), ignored);
-    const std::ofstream mentioned(file, std::ios::app);
+    if (!door::make_folders(file.parent_path(), Use::own)) door::open(file, Use::own, O_WRONLY | O_CREAT);
 }
 
 SandboxOrder sandbox_of(const RunOrder& order, const fs::path& program) {
-    SandboxOrder sandbox{order.decks, trusted_folders(order, program), {}};
+    SandboxOrder sandbox;
+    sandbox.inputs = order.decks;
+    sandbox.joint_folders = trusted_folders(order, program);
+    sandbox.listens = order.watch;
     if (!order.journal.empty()) sandbox.inputs.push_back(order.journal);
     if (order.decks.empty() && order.journal.empty()) sandbox.kept.push_back(history_file());
     return sandbox;
@@ -204,20 +206,36 @@ void prepare_run(RunOrder& order, const CLI::App& app) {
     if (!order.into.empty()) go_into(order.into, order.decks, order.journal);
 }
 
+namespace {
+
+/// Where a run starts in the home folder, a deck may write all that the user has and that is not hidden.
+void warn_of_wide_folder(Session& session) {
+    std::error_code ignored;
+    const fs::path here = fs::current_path(ignored);
+    const char* home = std::getenv("HOME");
+    const bool at_home = home != nullptr && *home != '\0' && fs::equivalent(here, home, ignored);
+    if (!at_home && here != here.root_path()) return;
+    Diagnostic warning(
+        fmt::format("the run may write every file below {} that is not hidden", at_home ? "your home folder" : "/"),
+        "start it in a folder of its own, or name one: --into FOLDER");
+    warning.severity = Severity::warning;
+    warning.code = "wide-folder";
+    session.output.message(warning);
+}
+
+} // namespace
+
 int run(RunOrder& order, const fs::path& program) {
-    Gate::Policy policy;
     const auto painter = std::make_shared<Painter>(program / "kaya-painter");
+    prepare_history(order);
     if (!order.options.trust) {
-        painter->stand_by(); // after the lock no program can be started
-        const SandboxOrder sandbox = sandbox_of(order, program);
-        prepare_history(order);
-        policy = policy_of(sandbox);
-        lock(policy, sandbox); // before there are threads: each has its own lock
+        painter->stand_by();                 // after the lock no program can be started
+        shut_in(sandbox_of(order, program)); // before there are threads: each has its own lock
     }
     order.options.joint_folders = joint_folders(order, program);
     Session session(order.options);
     session.painter = painter;
-    if (!order.options.trust) session.gate->shut(std::move(policy));
+    if (!order.options.trust && order.into.empty() && !order.decks.empty()) warn_of_wide_folder(session);
     std::optional<RunReport> report;
     try {
         report.emplace(session, order.watch);

@@ -3,7 +3,7 @@
 #include "app/thinned.hpp"
 
 #include "commands/save_session.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 
 #include <algorithm>

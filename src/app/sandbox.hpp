@@ -1,24 +1,36 @@
-// Puts together what a run may do: of the command line, of the user's permissions, of where the program lies.
+// Puts together what the program may use: of the command line, of the user's permissions, of where the program lies.
 #pragma once
 
 #include "base/gate.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace kaya {
 
+/// Which programs may be started.
+enum class Programs {
+    none,
+    installed, ///< those of the system, of PATH and next to kaya; they may write temporary files
+    compiler   ///< the same, which also read whatever the user may read, and write their caches
+};
+
 struct SandboxOrder {
-    std::vector<std::string> inputs;                  ///< decks or the journal, as given on the command line
+    std::vector<std::string> inputs;                  ///< files that the user named, as on the command line
     std::vector<std::filesystem::path> joint_folders; ///< those that the user or the installation named
+    std::vector<std::filesystem::path> outputs;       ///< folders that the user named; they need not be there
     std::vector<std::filesystem::path> kept;          ///< what the program itself writes, not the deck
+    Programs programs = Programs::none;
+    bool connects = false;      ///< by TCP: the commands of a queue
+    std::optional<int> listens; ///< the port of --watch
 };
 
 Gate::Policy policy_of(const SandboxOrder& order);
 
-/// The kernel's part. False where it has none.
-bool lock(const Gate::Policy& policy, const SandboxOrder& order);
+/// Shuts the gate of the process and the kernel's lock. The gate holds where the kernel has no lock.
+void shut_in(const SandboxOrder& order);
 
 /// `kaya info --sandbox`: what holds for a run in this folder.
 std::string describe_sandbox(const Gate::Policy& policy);

@@ -2,7 +2,8 @@
 
 #include "app/interrupt.hpp"
 #include "app/study_deck.hpp"
-#include "io/whole_file.hpp"
+#include "base/door.hpp"
+#include "base/whole_file.hpp"
 #include "lang/interp/lexer.hpp"
 #include "lang/script/value_text.hpp"
 #include "model/model.hpp"
@@ -24,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct StudyOrder {
-    std::string file, folder, batch;
+    std::string file, folder, batch, from;
     int at_once = 0;
     std::size_t number = 0, task = 0, per_task = 1;
     bool anew = false, again = false, slurm = false, ranks = false, quiet = false;
@@ -135,14 +136,13 @@ int own_rank() {
 
 void forget_runs(const fs::path& folder) {
     std::error_code failed;
-    if (!fs::exists(folder / "about.toml", failed)) {
+    if (!is_study_folder(folder)) {
         if (fs::exists(folder, failed) && !fs::is_empty(folder, failed))
             throw Diagnostic(fmt::format("{} is no folder of a study: --anew does not touch it", folder.string()));
         return;
     }
     for (const char* own : {"runs", "slurm", "about.toml", "study.toml", "results.csv", "results.h5", "report.html"}) {
-        fs::remove_all(folder / own, failed);
-        if (failed)
+        if (failed = door::remove_all(folder / own); failed)
             throw Diagnostic(fmt::format("cannot remove {}: {}", (folder / own).string(), failed.message()), {},
                              Fault::run);
     }
@@ -152,7 +152,7 @@ void forget_runs(const fs::path& folder) {
 void forget_failures(const StudyFolder& folder, const std::vector<Case>& cases) {
     for (const auto& one : cases)
         if (const auto outcome = folder.outcome(one); outcome && outcome->end != Outcome::End::done)
-            fs::remove(folder.outcome_file(one.number));
+            door::remove(folder.outcome_file(one.number));
 }
 
 std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, const Study& study,
@@ -166,6 +166,7 @@ std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, c
     if (order.options.trust) options.program.emplace_back("--trust");
     for (const auto& joints : order.options.joint_folders)
         options.program.insert(options.program.end(), {"--joints", fs::absolute(joints).string()});
+    options.from = fs::absolute(wanted.file).parent_path();
     options.sbatch = wanted.sbatch;
     options.stop = &asked_to_stop;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { asked_to_stop = true; });
@@ -295,6 +296,7 @@ void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& pr
     working->add_option("folder", wanted->folder)->required();
     working->add_option("batch", wanted->batch)->required();
     working->add_option("task", wanted->task)->required();
+    working->add_option("--from", wanted->from, "folder of the study's file");
     working->add_option("--per-task", wanted->per_task)->check(CLI::PositiveNumber);
     study->require_subcommand(0, 1);
     study->callback([=, &order, &program, &action] {

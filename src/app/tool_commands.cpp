@@ -3,7 +3,7 @@
 #include "app/command_line.hpp"
 #include "app/explanations.hpp"
 #include "app/permissions.hpp"
-#include "app/sandbox.hpp"
+#include "app/scope.hpp"
 #include "app/tools.hpp"
 #include "commands/deck_report.hpp"
 #include "io/difference.hpp"
@@ -94,6 +94,10 @@ void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path&
             fmt::print("{}", describe_sandbox(policy_of(order, program)));
             return 0;
         }
+        if (words.second) {
+            fmt::print("{}", scope_table());
+            return 0;
+        }
         if (words.name.empty())
             throw Diagnostic("info needs the name of a file",
                              "such as: kaya info wall.kaya.h5, or kaya info --sandbox");
@@ -108,6 +112,7 @@ void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path&
     });
     tool.command->add_option("file", tool.words->name, "a file that 'save' has written");
     tool.command->add_flag("--sandbox", tool.words->first, "say what a run in this folder may do");
+    tool.command->add_flag("--scopes", tool.words->second, "say which files each subcommand reads and writes");
 }
 
 void add_report(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,

@@ -4,11 +4,12 @@
 #include "app/fish_help.hpp"
 #include "app/run_report.hpp"
 
+#include "base/door.hpp"
 #include "commands/model_world.hpp"
 #include "commands/save_session.hpp"
 #include "io/field_csv.hpp"
 #include "io/history_csv.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 #include "report/report.hpp"
 #include "lang/commands/language.hpp"
@@ -17,7 +18,6 @@
 #include "lang/interp/format.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
 
 namespace kaya {
 
@@ -88,25 +88,6 @@ std::string about_name(std::string_view name) {
     return {};
 }
 
-/// The new text takes the place of the old one as a whole or not at all.
-void replace(const fs::path& file, const std::string& text) {
-    fs::path adjacent = file;
-    adjacent += ".tmp";
-    std::ofstream stream(adjacent, std::ios::binary);
-    stream << text;
-    stream.close();
-    std::error_code problem;
-    if (stream.good()) {
-        fs::permissions(adjacent, fs::status(file, problem).permissions(), problem);
-        fs::rename(adjacent, file, problem);
-    }
-    if (stream.good() && !problem) return;
-    std::error_code ignored;
-    fs::remove(adjacent, ignored);
-    throw Diagnostic(fmt::format("'{}' cannot be written", file.string()), "is it write-protected, or the disk full?",
-                     Fault::run);
-}
-
 } // namespace
 
 std::string help_text(const std::string& words) {
@@ -135,10 +116,9 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
             const fs::path path = lang::find_deck(deck, {"."});
             const auto source = lang::read_source(path, deck);
             const std::string text = lang::format_deck(lang::classic(), source);
-            if (what == Formatting::write) replace(path, text);
+            if (what == Formatting::write) write_whole_file(path.string(), text);
             else if (what == Formatting::show) output.print(text);
-            else if (std::ifstream stream(path, std::ios::binary);
-                     std::string(std::istreambuf_iterator<char>(stream), {}) != text) {
+            else if (file_text(path) != text) {
                 output.print(fmt::format("{} is not in its long form", deck));
                 status = static_cast<int>(Fault::deck);
             }
@@ -187,9 +167,7 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
     const SaveExtras extras = restore_state(model, file);
     const std::string bare = file.ends_with(save_ending) ? file.substr(0, file.size() - save_ending.size()) : file;
     const fs::path into = folder.empty() ? fs::path(bare + "-tables") : fs::path(folder);
-    std::error_code problem;
-    fs::create_directories(into, problem);
-    if (problem)
+    if (const auto problem = door::make_folders(into, Use::write))
         throw Diagnostic(fmt::format("cannot make the folder {}: {}", into.string(), problem.message()),
                          "give another: --into FOLDER", Fault::run);
     std::vector<std::string> written;

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 #include <sys/stat.h>
 
 namespace kaya {
@@ -49,11 +48,36 @@ fs::path folder_to_name(const fs::path& file, const fs::path& whole) {
     return resolved(folder) == whole.parent_path() ? folder : whole.parent_path();
 }
 
-std::string digest_of_file(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
-    return sha256(bytes.str());
+[[noreturn]] void refuse_other_kind(const fs::path& file) {
+    refuse("file-special", fmt::format("'{}' is not an ordinary file", file.string()),
+           "name an ordinary file; --trust allows pipes and devices");
+}
+
+/// Empty when it cannot be read.
+std::string digest_of_file(const fs::path& whole) {
+    const Descriptor root = handle_of("/", O_DIRECTORY);
+    const Descriptor file = open_beneath(root.number(), whole.relative_path(), O_RDONLY | O_NONBLOCK);
+    std::string bytes;
+    return file && read_all(file.number(), bytes) ? sha256(bytes) : std::string();
+}
+
+/// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
+void refuse_kind(const fs::path& file, const struct stat& info) {
+    if (S_ISDIR(info.st_mode)) return; // for its reader to tell
+    if (!S_ISREG(info.st_mode)) refuse_other_kind(file);
+    if (info.st_nlink > 1)
+        refuse("file-special",
+               fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
+                           info.st_nlink),
+               fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
+}
+
+/// "./a" is "a"; what ".." means depends on links.
+fs::path without_points(const fs::path& path) {
+    fs::path plain;
+    for (const auto& part : path)
+        if (part != ".") plain /= part;
+    return plain;
 }
 
 bool has_hidden_part(const fs::path& whole, const fs::path& folder) {
@@ -101,8 +125,11 @@ bool is_library_name(const fs::path& file) {
 void Gate::shut(Policy policy) {
     shut_ = true;
     policy_ = std::move(policy);
-    for (auto* paths : {&policy_.folders, &policy_.libraries}) {
-        for (auto& path : *paths) path = resolved(path);
+    for (auto* paths : {&policy_.folders, &policy_.libraries, &policy_.own}) {
+        for (auto& path : *paths) {
+            const fs::path given = std::exchange(path, resolved(path));
+            if (!path.empty()) opened_.try_emplace(path, handle_of(given, O_DIRECTORY));
+        }
         std::erase_if(*paths, [](const fs::path& path) { return path.empty(); });
     }
     if (!policy_.permissions.empty()) policy_.permissions = resolved(policy_.permissions);
@@ -114,10 +141,19 @@ bool Gate::is_below(const fs::path& whole, const std::vector<fs::path>& folders)
 }
 
 bool Gate::is_named(const fs::path& file) const {
-    return std::find(policy_.named.begin(), policy_.named.end(), file) != policy_.named.end();
+    const fs::path plain = without_points(file);
+    return std::ranges::any_of(policy_.named, [&](const fs::path& one) { return without_points(one) == plain; });
 }
 
-void Gate::refuse_outside(const fs::path& file, const fs::path& whole) const {
+std::vector<fs::path> Gate::folders_for(Use use) const {
+    std::vector<fs::path> folders = policy_.folders;
+    if (use == Use::write) return folders;
+    folders.insert(folders.end(), policy_.own.begin(), policy_.own.end());
+    if (use == Use::read) folders.insert(folders.end(), policy_.libraries.begin(), policy_.libraries.end());
+    return folders;
+}
+
+void Gate::refuse_outside(const fs::path& file, const fs::path& whole, const std::vector<fs::path>& folders) const {
     if (whole.empty())
         refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()),
                "name the file itself");
@@ -125,23 +161,20 @@ void Gate::refuse_outside(const fs::path& file, const fs::path& whole) const {
         if (lies_below(whole, system))
             refuse("file-special", fmt::format("'{}' belongs to the system, not to a deck", file.string()),
                    "name an ordinary file; --trust allows it");
-    if (is_below(whole, policy_.folders)) return;
+    if (is_below(whole, folders)) return;
     refuse("file-outside", fmt::format("'{}' lies outside of the folders that this run may use", file.string()),
            fmt::format("allow it once for all with: kaya allow {}", quoted(folder_to_name(file, whole))));
 }
 
-/// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
 void Gate::refuse_special(const fs::path& file, const fs::path& whole) const {
     struct stat info {};
-    if (::lstat(whole.c_str(), &info) != 0 || S_ISDIR(info.st_mode)) return; // for its reader to tell
-    if (!S_ISREG(info.st_mode))
-        refuse("file-special", fmt::format("'{}' is not an ordinary file", file.string()),
-               "name an ordinary file; --trust allows pipes and devices");
-    if (info.st_nlink > 1)
-        refuse("file-special",
-               fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
-                           info.st_nlink),
-               fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
+    if (::lstat(whole.c_str(), &info) == 0) refuse_kind(file, info);
+}
+
+void Gate::refuse_special(const fs::path& file, int opened) const {
+    struct stat info {};
+    if (::fstat(opened, &info) != 0) refuse_other_kind(file);
+    refuse_kind(file, info);
 }
 
 void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
@@ -161,7 +194,7 @@ void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
 void Gate::may_read(const fs::path& file) const {
     if (!shut_ || is_named(file)) return;
     const fs::path whole = resolved(file);
-    refuse_outside(file, whole);
+    refuse_outside(file, whole, policy_.folders);
     refuse_special(file, whole);
 }
 
@@ -173,16 +206,16 @@ void Gate::may_read_code(const fs::path& file) {
 void Gate::may_write(const fs::path& file) {
     const fs::path whole = resolved(file);
     if (!shut_) return refuse_in_use(file, whole);
-    refuse_outside(file, whole);
+    refuse_outside(file, whole, policy_.folders);
     refuse_special(file, whole);
     refuse_in_use(file, whole);
     const bool in_sight = std::any_of(policy_.folders.begin(), policy_.folders.end(), [&](const fs::path& folder) {
         return lies_below(whole, folder) && !has_hidden_part(whole, folder);
     });
-    if (!in_sight)
+    if (!in_sight && !is_named(file))
         refuse("file-hidden", fmt::format("'{}' is a hidden file, where programs keep their settings", file.string()),
                "give it a name without a point in front; --trust allows it");
-    if (is_library_name(whole))
+    if (is_library_name(whole) && !is_named(file))
         refuse("file-hidden", fmt::format("'{}' has the name of a library of code", file.string()),
                "give it another ending than .so; --trust allows it");
     written_.insert(whole);
@@ -207,6 +240,28 @@ void Gate::may_load(const fs::path& file) {
         refuse("library-not-allowed", fmt::format("joint model {} is code that nobody has allowed", file.string()),
                fmt::format("if you know where it comes from, allow it once with: kaya allow {}", quoted(file)));
     code_.insert(whole);
+}
+
+Gate::Route Gate::route_to(const fs::path& file, Use use) {
+    if (!shut_ || (use == Use::read && is_named(file))) return {-1, file};
+    if (use == Use::write) may_write(file);
+    const fs::path whole = resolved(file);
+    const auto from_root = [&] {
+        Descriptor& root = opened_["/"];
+        if (!root) root = handle_of("/", O_DIRECTORY);
+        return Route{root.number(), whole.relative_path()};
+    };
+    if (use == Use::read && is_named(whole)) return from_root(); // a library that was allowed, by another path
+    const auto folders = folders_for(use);
+    refuse_outside(file, whole, folders);
+    // Installers that save room give equal libraries one file of many names.
+    const bool plain = use != Use::read || is_below(whole, policy_.folders);
+    if (plain) refuse_special(file, whole);
+    const auto folder = std::ranges::find_if(folders, [&](const fs::path& one) { return lies_below(whole, one); });
+    Descriptor& opened = opened_[*folder];
+    if (!opened) opened = handle_of(*folder, O_DIRECTORY); // it was not there at the start
+    if (opened) return {opened.number(), whole.lexically_relative(*folder), plain};
+    return from_root(); // it is not there yet
 }
 
 } // namespace kaya

@@ -1,8 +1,11 @@
-// What files a run may touch. Commands, scripts, restore, replay, logs and joint models all ask here before they open
-// one; docs/safety.md says the same in words.
+// Which files the program may use. Commands, scripts, restore, replay, logs and joint models ask here before they open
+// one, and the door (base/door.hpp) asks for every file again; docs/safety.md says the same in words.
 #pragma once
 
+#include "base/descriptor.hpp"
+
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,12 +19,20 @@ std::filesystem::path resolved(const std::filesystem::path& path);
 /// Whether a file has the name of a shared library: x.so, x.so.1.
 bool is_library_name(const std::filesystem::path& file);
 
+/// For what a file is opened.
+enum class Use {
+    read,
+    write, ///< under a name that a deck, a save file or the user has given
+    own    ///< under a name that the program alone gives: a lock, a library that it built, the list of permissions
+};
+
 class Gate {
 public:
     struct Policy {
         std::vector<std::filesystem::path> folders;   ///< what lies below may be read and written
         std::vector<std::filesystem::path> named;     ///< files that the user named at the start, of any kind
         std::vector<std::filesystem::path> libraries; ///< folders with joint models
+        std::vector<std::filesystem::path> own;       ///< folders of files that the program keeps for itself
         std::set<std::string> digests;                ///< sha256 of joint models that were allowed by themselves
         std::filesystem::path permissions;            ///< the user's list of these: no run writes there
     };
@@ -39,16 +50,31 @@ public:
     /// A joint model: a library, or a script of one.
     void may_load(const std::filesystem::path& file);
 
+    /// An allowed folder, open, and a path from there without links. Folder -1: the path is opened as it stands.
+    struct Route {
+        int folder = -1;
+        std::filesystem::path below;
+        bool plain = true; ///< pipes, devices and files with further names are refused
+    };
+    /// For the door. Throws Diagnostic as the functions above do.
+    Route route_to(const std::filesystem::path& file, Use use);
+    /// Refuses a file that is open and is a pipe or device, or has further names.
+    void refuse_special(const std::filesystem::path& file, int opened) const;
+
 private:
     bool is_below(const std::filesystem::path& whole, const std::vector<std::filesystem::path>& folders) const;
     bool is_named(const std::filesystem::path& file) const;
-    void refuse_outside(const std::filesystem::path& file, const std::filesystem::path& whole) const;
+    /// The folders below which a file may lie for that use.
+    std::vector<std::filesystem::path> folders_for(Use use) const;
+    void refuse_outside(const std::filesystem::path& file, const std::filesystem::path& whole,
+                        const std::vector<std::filesystem::path>& folders) const;
     void refuse_special(const std::filesystem::path& file, const std::filesystem::path& whole) const;
     void refuse_in_use(const std::filesystem::path& file, const std::filesystem::path& whole) const;
 
     bool shut_ = false;
     Policy policy_;
-    std::set<std::filesystem::path> code_, written_; ///< resolved
+    std::map<std::filesystem::path, Descriptor> opened_; ///< folders of the policy, by their resolved paths
+    std::set<std::filesystem::path> code_, written_;     ///< resolved
 };
 
 } // namespace kaya

@@ -1,16 +1,16 @@
 #include "base/generated_files.hpp"
 
-#include <fstream>
+#include "base/diagnostic.hpp"
+#include "base/door.hpp"
+#include "base/whole_file.hpp"
+
 #include <iostream>
 
 namespace kaya {
 
 namespace fs = std::filesystem;
 
-std::string text_of_file(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
+std::string text_of_file(const fs::path& file) { return file_text(file).value_or(""); }
 
 int write_generated(const std::map<fs::path, std::string>& files, bool check, const std::string& hint) {
     int status = 0;
@@ -21,9 +21,11 @@ int write_generated(const std::map<fs::path, std::string>& files, bool check, co
             status = 1;
             continue;
         }
-        fs::create_directories(file.parent_path());
-        if (!(std::ofstream(file) << text)) {
-            std::cerr << "cannot write " << file.string() << '\n';
+        try {
+            door::make_folders(file.parent_path(), Use::own); // what is wrong there, the file will say
+            write_whole_file(file.string(), text, Use::own);
+        } catch (const Diagnostic& problem) {
+            std::cerr << problem.message << '\n';
             return 2;
         }
         std::cout << "wrote " << file.string() << '\n';

@@ -1,9 +1,11 @@
 #include "base/memory.hpp"
 
+#include "base/door.hpp"
+
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -25,7 +27,7 @@ namespace {
 
 /// An entry of the system's table of memory, in bytes; the largest number where the system does not tell.
 std::size_t memory_entry(const std::string& name) {
-    std::ifstream table("/proc/meminfo");
+    std::istringstream table(door::system_text("/proc/meminfo"));
     std::string word;
     while (table >> word)
         if (std::size_t kilobytes = 0; word == name && table >> kilobytes) return kilobytes << 10;

@@ -1,5 +1,6 @@
 #include "commands/autosave.hpp"
 
+#include "base/door.hpp"
 #include "commands/save_session.hpp"
 #include "commands/session.hpp"
 
@@ -112,8 +113,7 @@ void Autosave::keep() {
 }
 
 void Autosave::done() {
-    std::error_code ignored;
-    if (!written_.empty()) fs::remove(written_, ignored);
+    if (!written_.empty()) door::remove(written_);
     written_.clear();
 }
 

@@ -1,5 +1,6 @@
 #include "commands/deck_review.hpp"
 
+#include "base/door.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/named_word.hpp"
 #include "lang/fish/doubts.hpp"
@@ -8,7 +9,6 @@
 
 #include <any>
 #include <fmt/format.h>
-#include <fstream>
 #include <sstream>
 
 namespace kaya {
@@ -165,15 +165,15 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
 
 void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
     std::error_code failed;
-    std::ifstream stream(path, std::ios::binary);
-    if (!fs::is_regular_file(path, failed) || !stream) return anything_may_be_made(); // the run says why
-    std::ostringstream text;
-    text << stream.rdbuf();
-    names_.check_lua(text.str());
-    materials_.check_script(text.str());
-    if (lang::may_write_files(text.str())) may_have_written_ = true;
+    const Descriptor file = door::peek(path);
+    std::string text;
+    if (!fs::is_regular_file(path, failed) || !file || !read_all(file.number(), text))
+        return anything_may_be_made(); // the run says why
+    names_.check_lua(text);
+    materials_.check_script(text);
+    if (lang::may_write_files(text)) may_have_written_ = true;
     try {
-        script::check_lua_text(text.str(), {lang::source_from_text(name, text.str()), 1, 1, 1});
+        script::check_lua_text(text, {lang::source_from_text(name, text), 1, 1, 1});
     } catch (Diagnostic& mistake) {
         mistake.at(place);
         other_.push_back(mistake);

@@ -5,7 +5,7 @@
 #include "base/counted.hpp"
 #include "geometry/grid3d.hpp"
 #include "geometry/surface_files.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "model/build.hpp"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 #include "commands/joint_files.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
 #include "base/sha256.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -18,11 +18,9 @@ namespace {
 
 /// Empty when the file cannot be read.
 std::string digest_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return {};
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
-    return sha256(bytes.str());
+    const Descriptor opened = door::peek(file);
+    std::string bytes;
+    return opened && read_all(opened.number(), bytes) ? sha256(bytes) : std::string();
 }
 
 bool is_digest(const std::string& word) {

@@ -1,12 +1,13 @@
 #include "commands/journal.hpp"
 
+#include "base/door.hpp"
 #include "base/hash.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sstream>
 
 namespace kaya {
 
@@ -30,12 +31,11 @@ constexpr std::string_view hash_mark = ";hash ";       ///< digest of the final 
 std::string digest_of(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return "-"; // a pipe would hold the replay up
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return "-";
-    std::ostringstream contents;
-    contents << stream.rdbuf();
+    const Descriptor opened = door::peek(file);
+    std::string contents;
+    if (!opened || !read_all(opened.number(), contents)) return "-";
     Hash hash;
-    hash.add(contents.str());
+    hash.add(contents);
     return fmt::format("{:016x}", hash.value());
 }
 
@@ -156,9 +156,8 @@ std::string final_hash(Session& session) { return fmt::format("{:016x}", state_h
 
 Journal::Journal(Session& session, const std::string& file) : session_(session), file_(file) {
     try {
-        stream_.open(session.output_file(file), std::ios::binary);
-    } catch (const Diagnostic& refused) { // a link that leads elsewhere, say
-        stream_.setstate(std::ios::failbit);
+        opened_ = door::open(session.output_file(file), Use::write, O_WRONLY | O_CREAT | O_TRUNC);
+    } catch (const Diagnostic&) { // a link that leads elsewhere, say: the first line cannot be written
     }
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
     session_.listen(*this);
@@ -168,9 +167,8 @@ Journal::~Journal() { session_.forget(*this); }
 
 void Journal::write(const std::string& text) {
     if (failed_) return;
-    stream_ << text;
-    stream_.flush(); // what was done is to be known after a crash as well
-    if (stream_.good()) return;
+    // Not kept back: what was done is to be known after a crash as well.
+    if (opened_ && write_all(opened_.number(), text)) return;
     failed_ = true;
     Diagnostic note(fmt::format("the journal '{}' cannot be written", file_), "the run goes on without it");
     note.severity = Severity::note;

@@ -1,9 +1,9 @@
 // What a run has done, as a text that runs again: `kaya replay run.journal`.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "commands/session.hpp"
 
-#include <fstream>
 #include <string>
 
 namespace kaya {
@@ -30,7 +30,7 @@ private:
 
     Session& session_;
     std::string file_;
-    std::ofstream stream_;
+    Descriptor opened_;
     bool failed_ = false;
 };
 

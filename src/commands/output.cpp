@@ -26,9 +26,7 @@ Output::Output(std::FILE* results, std::FILE* messages)
     colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
 }
 
-Output::~Output() {
-    if (log_ != nullptr) std::fclose(log_);
-}
+Output::~Output() = default;
 
 namespace {
 
@@ -57,7 +55,7 @@ void Output::print(std::string_view text) {
         return;
     }
     write(results_, text, "the standard output");
-    if (log_ != nullptr) write(log_, text, "the log file " + log_name_);
+    if (log_ != nullptr) write(log_.get(), text, "the log file " + log_name_);
 }
 
 Output::Caught::~Caught() {
@@ -76,11 +74,11 @@ void Output::message(const Diagnostic& diagnostic) {
     const std::string text = render(diagnostic, colour_, terminal_);
     fmt::print(messages_, "{}\n", terminal_ ? fitted(text, columns_of(messages_)) : text);
     std::fflush(messages_);
-    if (log_ != nullptr) fmt::print(log_, "{}\n", render(diagnostic, false, true));
+    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", render(diagnostic, false, true));
 }
 
 void Output::say(std::string_view text) {
-    if (log_ != nullptr) fmt::print(log_, "{}\n", text);
+    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", text);
     if (quiet) return;
     end_refresh();
     std::fflush(results_);
@@ -89,7 +87,7 @@ void Output::say(std::string_view text) {
 }
 
 void Output::log_only(std::string_view text) {
-    if (log_ != nullptr) fmt::print(log_, "{}\n", text);
+    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", text);
 }
 
 void Output::refresh(std::string_view text) {
@@ -107,8 +105,8 @@ void Output::end_refresh() {
 
 void Output::start_log(const std::string& file) {
     stop_log();
-    log_ = std::fopen(file.c_str(), "a");
-    if (log_ == nullptr)
+    log_ = door::open_stream(file, Use::write, "a");
+    if (!log_)
         throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {}, Fault::run);
     log_name_ = file;
 }
@@ -116,9 +114,8 @@ void Output::start_log(const std::string& file) {
 void Output::stop_log() {
     if (log_ == nullptr) return;
     errno = 0;
-    const bool failed = std::ferror(log_) != 0;
-    const bool closed = std::fclose(log_) == 0;
-    log_ = nullptr;
+    const bool failed = std::ferror(log_.get()) != 0;
+    const bool closed = std::fclose(log_.release()) == 0;
     if (failed || !closed)
         throw Diagnostic(fmt::format("the log file '{}' is not complete: {}", log_name_, std::strerror(errno)),
                          "is the disk full?", Fault::run);
@@ -128,7 +125,7 @@ void Output::flush() {
     std::fflush(messages_);
     errno = 0;
     if (std::fflush(results_) != 0 || std::ferror(results_) != 0) fail_to_write("the standard output");
-    if (log_ != nullptr && std::fflush(log_) != 0)
+    if (log_ != nullptr && std::fflush(log_.get()) != 0)
         throw Diagnostic(fmt::format("cannot write to the log file {}: {}", log_name_, std::strerror(errno)),
                          "is the disk full?", Fault::run);
 }

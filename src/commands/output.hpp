@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
 
 #include <cstdio>
 #include <string>
@@ -43,7 +44,7 @@ public:
     /// Copies all that follows to a file, which is appended to. Throws Diagnostic when it cannot.
     void start_log(const std::string& file);
     void stop_log();
-    bool logging() const { return log_ != nullptr; }
+    bool logging() const { return static_cast<bool>(log_); }
 
     /// As long as it lives, what is printed is kept and does not go out. What nobody takes is printed in the end.
     class Caught {
@@ -72,7 +73,7 @@ private:
 
     std::FILE* results_;
     std::FILE* messages_;
-    std::FILE* log_ = nullptr;
+    door::Stream log_;
     std::string log_name_;
     bool terminal_ = false;
     bool colour_ = false;

@@ -3,7 +3,7 @@
 
 #include "base/lower_case.hpp"
 #include "commands/plot_views.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/deck.hpp"
 #include "model/sampling.hpp"

@@ -1,7 +1,7 @@
 // The program around a run: what the command line says, where words go, who follows the run, and the wish to stop it.
 #pragma once
 
-#include "base/gate.hpp"
+#include "base/door.hpp"
 #include "commands/output.hpp"
 #include "commands/run_name.hpp"
 
@@ -76,7 +76,7 @@ public:
     bool is_to_stop() const noexcept { return interrupted_; }
 
     Options options;
-    std::shared_ptr<Gate> gate = std::make_shared<Gate>(); ///< open until somebody shuts it
+    std::shared_ptr<Gate> gate = door::gate(); ///< of the process; an open one when there is none
     Output output;
     std::string log_file = "kaya.log";      ///< of the next `set log on`
     bool report = false;                    ///< the run ends with a page: set report on

@@ -1,12 +1,15 @@
 #include "commands/run_name.hpp"
 
+#include "base/diagnostic.hpp"
+#include "base/door.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#include <utility>
 
 namespace kaya {
 
@@ -17,32 +20,42 @@ namespace {
 constexpr int most_runs = 1000;           ///< of one name in one folder
 constexpr std::size_t longest_stem = 200; ///< bytes: file systems take 255, and endings follow
 
-/// The descriptor of a file that is locked for this run; -1: another run has it, -2: none can be made here.
-int locked(const fs::path& file) {
+Descriptor opened(const fs::path& file) {
+    try {
+        return door::open(file, Use::own, O_RDWR | O_CREAT | O_NOFOLLOW);
+    } catch (const Diagnostic&) { return Descriptor(); } // a link that leads elsewhere, say
+}
+
+struct Lock {
+    Descriptor file;   ///< none: no file can be made here
+    bool busy = false; ///< another run has it
+};
+
+Lock locked(const fs::path& file) {
     for (;;) {
-        const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-        if (descriptor < 0) return -2;
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            const bool busy = errno == EWOULDBLOCK;
-            ::close(descriptor);
-            return busy ? -1 : -2;
-        }
+        Lock lock{opened(file)};
+        if (!lock.file) return lock;
+        if (::flock(lock.file.number(), LOCK_EX | LOCK_NB) != 0) return {Descriptor(), errno == EWOULDBLOCK};
         struct stat mine {
         }, there{};
         const bool same =
-            ::fstat(descriptor, &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
-        if (same) return descriptor;
-        ::close(descriptor); // the run before has taken it away in this moment
+            ::fstat(lock.file.number(), &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
+        if (same) return lock;
+        // Else the run before has taken it away in this moment.
     }
+}
+
+/// A lock is empty: a file that somebody has written into stays.
+bool is_empty(const Descriptor& file) {
+    struct stat info {};
+    return ::fstat(file.number(), &info) == 0 && info.st_size == 0;
 }
 
 } // namespace
 
 RunNames::~RunNames() {
     for (const auto& [stem, held] : held_) {
-        if (held.descriptor < 0) continue;
-        ::unlink(held.file.c_str());
-        ::close(held.descriptor);
+        if (held.lock && is_empty(held.lock)) door::remove(held.file);
     }
 }
 
@@ -52,10 +65,10 @@ RunNames::Taken RunNames::take(const std::string& stem) {
         const std::string name = number == 1 ? stem : fmt::format("{}-{}", stem, number);
         std::error_code ignored;
         const fs::path file = fs::absolute(fmt::format(".{}.kaya-lock", name), ignored);
-        const int descriptor = locked(file);
-        if (descriptor == -1) continue;
-        const std::string& taken = descriptor < 0 ? stem : name;
-        held_[stem] = {taken, descriptor, file};
+        Lock lock = locked(file);
+        if (lock.busy) continue;
+        const std::string& taken = lock.file ? name : stem;
+        held_[stem] = {taken, std::move(lock.file), file};
         return {taken, true, taken != stem};
     }
     return {stem, true, false};

@@ -1,6 +1,8 @@
 // Two runs of one deck in one folder keep apart what they write by themselves.
 #pragma once
 
+#include "base/descriptor.hpp"
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -27,7 +29,7 @@ public:
 private:
     struct Held {
         std::string name;
-        int descriptor = -1;
+        Descriptor lock;
         std::filesystem::path file;
     };
     std::map<std::string, Held> held_; ///< by stem

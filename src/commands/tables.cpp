@@ -1,13 +1,14 @@
 // table, and what a history of a boundary condition needs of one.
 #include "commands/tables.hpp"
+#include "base/whole_file.hpp"
 #include "commands/handlers.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace kaya {
 
@@ -17,10 +18,11 @@ namespace {
 class TableFile {
 public:
     TableFile(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
-        std::ifstream in(path);
-        if (!in || std::filesystem::is_directory(path))
+        const auto text = file_text(path);
+        if (!text)
             throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
                              "look at the name; it is looked for next to the deck and in the current folder");
+        std::istringstream in(*text);
         for (std::string line; std::getline(in, line);) {
             if (line.ends_with('\r')) line.pop_back();
             lines_.push_back(line);

@@ -1,11 +1,11 @@
 // The lines of a .3dgrid file.
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "geometry/grid3d.hpp"
 #include "geometry/words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -170,10 +170,9 @@ Grid3d read_grid3d(std::string_view text, const std::string& file) {
 }
 
 Grid3d read_grid3d_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return is_msh(path) ? read_msh(text, path) : read_grid3d(text, path);
+    const auto text = file_text(path);
+    if (!text) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
+    return is_msh(path) ? read_msh(*text, path) : read_grid3d(*text, path);
 }
 
 bool is_msh(const std::string& path) {

@@ -2,6 +2,7 @@
 #include "geometry/ground.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/pit.hpp"
 #include "geometry/surface_files.hpp"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -141,11 +141,10 @@ Ground read_ground(const std::string& path) {
         }
         return {std::move(corners), std::move(triangles)};
     }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (suffix == ".pit") return ground_from_pit(text, path);
-    return suffix == ".asc" ? ground_from_grid(text, path) : ground_from_points(text, path);
+    const auto text = file_text(path);
+    if (!text) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
+    if (suffix == ".pit") return ground_from_pit(*text, path);
+    return suffix == ".asc" ? ground_from_grid(*text, path) : ground_from_points(*text, path);
 }
 
 } // namespace kaya

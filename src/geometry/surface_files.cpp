@@ -1,6 +1,7 @@
 #include "geometry/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/face_soup.hpp"
 #include "geometry/surface_checks.hpp"
@@ -11,7 +12,6 @@
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <iterator>
 
 namespace kaya {
@@ -55,11 +55,9 @@ std::vector<NamedSurface> read_surfaces(const std::string& path) {
     if (format == formats.end())
         throw Diagnostic(fmt::format("{} has not the suffix of a surface file that can be read", path),
                          "use .stl, .obj, .ply or .wrl");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (file.bad()) throw Diagnostic(fmt::format("{} cannot be read to its end", path));
-    return format->read(bytes, path);
+    const auto bytes = file_text(path);
+    if (!bytes) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
+    return format->read(*bytes, path);
 }
 
 } // namespace kaya

@@ -1,5 +1,5 @@
 // A tree of named values as an HDF5 file in memory. The HDF5 library writes it, and never touches the disk: writing and
-// checking the file is ours (io/whole_file.hpp), so that a full disk is our error and not HDF5's. Reading is ours as well
+// checking the file is ours (base/whole_file.hpp), so that a full disk is our error and not HDF5's. Reading is ours as well
 // (io/hdf5_format.hpp): the library follows links to other files, and trusts what it reads.
 #pragma once
 

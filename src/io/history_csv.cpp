@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "io/csv.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "model/field.hpp"
 #include "model/sampling.hpp"
 

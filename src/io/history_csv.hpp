@@ -17,7 +17,7 @@ namespace kaya {
 std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,
                         std::optional<std::int64_t> versus);
 
-/// The same to a file, whole or not at all (io/whole_file.hpp).
+/// The same to a file, whole or not at all (base/whole_file.hpp).
 void write_history_csv(const Histories& histories, const std::string& path, const std::vector<std::int64_t>& numbers,
                        std::optional<std::int64_t> versus);
 

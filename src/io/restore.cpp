@@ -3,7 +3,7 @@
 #include "io/save.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "model/consistency.hpp"
 #include "model/state.hpp"
 

@@ -1,10 +1,11 @@
 #include "io/save.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "io/save_archive.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "io/whole_file.hpp"
+#include "model/state.hpp"
 
 #include <fmt/format.h>
 

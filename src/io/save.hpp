@@ -40,7 +40,7 @@ struct SaveExtras {
 /// The bytes of a save file. The same state gives the same bytes.
 std::string save_image(Model& model, const SaveExtras& extras);
 
-/// Writes it whole or not at all (io/whole_file.hpp). Throws Diagnostic (Fault::run).
+/// Writes it whole or not at all (base/whole_file.hpp). Throws Diagnostic (Fault::run).
 void save_state(Model& model, const std::string& path, const SaveExtras& extras);
 
 /// The other way. The model is built aside, checked (model/consistency.hpp, state hash) and handed over

@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/markup_text.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "io/vtk_arrays.hpp"
 #include "io/vtu_grid.hpp"
 #include "model/joint_polygons.hpp"

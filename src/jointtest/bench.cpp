@@ -1,6 +1,7 @@
 #include "jointtest/bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/given_values.hpp"
 #include "jointtest/fit_residuals.hpp"
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <limits>
 
 namespace kaya {
@@ -105,11 +105,8 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     if (order.before_writing)
         for (const auto& file : {report.curve, report.figure}) order.before_writing(file);
     write_csv(curve_table(curve, model), report.curve);
-    std::ofstream figure(report.figure);
-    figure << curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string()));
-    figure.close();
-    if (!figure)
-        throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
+    write_whole_file(report.figure.string(),
+                     curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string())));
     if (model.arithmetic() != 0)
         curve.findings.push_back(
             {0, fmt::format("it changes {}; that was put back after each call", text_of_changes(model.arithmetic()))});

@@ -1,6 +1,7 @@
 #include "jointtest/csv_table.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +10,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
+#include <sstream>
 
 namespace kaya {
 
@@ -75,9 +76,10 @@ void CsvTable::add(std::string name, std::vector<double> values) {
 }
 
 CsvTable read_csv(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream)
+    const auto content = file_text(file);
+    if (!content)
         throw Diagnostic(fmt::format("there is no file {}", file.string()), "give the path from the working folder");
+    std::istringstream stream(*content);
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     CsvTable table;
     std::optional<Style> style;
@@ -103,17 +105,14 @@ CsvTable read_csv(const std::filesystem::path& file) {
 }
 
 void write_csv(const CsvTable& table, const std::filesystem::path& file) {
-    std::ofstream stream(file);
+    std::ostringstream stream;
     stream << fmt::format("{}\n", fmt::join(table.names, ","));
     for (std::size_t row = 0; row < table.rows(); ++row) {
         for (std::size_t k = 0; k < table.columns.size(); ++k)
             stream << (k ? "," : "") << fmt::format("{:.17g}", table.columns[k][row]);
         stream << '\n';
     }
-    stream.close();
-    if (!stream)
-        throw Diagnostic(fmt::format("{} could not be written", file.string()),
-                         "is the folder there, and is there room?", Fault::run);
+    write_whole_file(file.string(), stream.str());
 }
 
 } // namespace kaya

@@ -1,14 +1,15 @@
 #include "laws/library_file.hpp"
 
+#include "base/door.hpp"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
 #include <elf.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,22 +18,25 @@ namespace kaya {
 std::string fault_of_library_file(const std::filesystem::path& file) {
     const std::string not_a_library = "is not a shared library";
     if (!std::filesystem::is_regular_file(file)) return not_a_library;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return "cannot be read";
+    const Descriptor opened = door::peek(file);
+    if (!opened) return "cannot be read";
 
     Elf64_Ehdr header{};
-    stream.read(reinterpret_cast<char*>(&header), sizeof header);
-    if (stream.gcount() < SELFMAG || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return not_a_library;
+    const ssize_t got = ::pread(opened.number(), &header, sizeof header, 0);
+    if (got < SELFMAG || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return not_a_library;
     const std::string cut_off = "is cut off: the file is shorter than its own table says";
-    if (!stream) return cut_off;
+    if (got < static_cast<ssize_t>(sizeof header)) return cut_off;
     if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_type != ET_DYN) return not_a_library;
 
-    const auto size = std::filesystem::file_size(file);
+    struct stat info {};
+    if (::fstat(opened.number(), &info) != 0) return "cannot be read";
+    const auto size = static_cast<std::uint64_t>(info.st_size);
     for (unsigned k = 0; k < header.e_phnum; ++k) {
         Elf64_Phdr segment{};
-        stream.seekg(static_cast<std::streamoff>(header.e_phoff + k * sizeof segment));
-        stream.read(reinterpret_cast<char*>(&segment), sizeof segment);
-        if (!stream || segment.p_offset > size || segment.p_filesz > size - segment.p_offset) return cut_off;
+        const auto place = static_cast<off_t>(header.e_phoff + k * sizeof segment);
+        const bool whole =
+            ::pread(opened.number(), &segment, sizeof segment, place) == static_cast<ssize_t>(sizeof segment);
+        if (!whole || segment.p_offset > size || segment.p_filesz > size - segment.p_offset) return cut_off;
     }
     return {};
 }
@@ -45,9 +49,9 @@ constexpr unsigned patience = 30; ///< seconds that a library may take to be loa
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
     alarm(patience);
     // What it prints is printed when it is loaded in earnest.
-    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
-        dup2(nowhere, STDOUT_FILENO);
-        dup2(nowhere, STDERR_FILENO);
+    if (const Descriptor nowhere = door::null_device()) {
+        dup2(nowhere.number(), STDOUT_FILENO);
+        dup2(nowhere.number(), STDERR_FILENO);
     }
     if (void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL)) {
         try {

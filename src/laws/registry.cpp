@@ -2,6 +2,7 @@
 #include "laws/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
 #include "base/lower_case.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
@@ -12,7 +13,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <set>
 #include <utility>
 
@@ -115,7 +115,7 @@ fs::path JointRegistry::file_named(const fs::path& name) const {
 std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     const auto maker = makers_.find(file.extension().string());
     // A file that is no library is harmless, and that is what its user wants to hear; unless it cannot even be read.
-    if (maker == makers_.end() && std::ifstream(file)) refuse_other_files(file);
+    if (maker == makers_.end() && door::peek(file)) refuse_other_files(file);
     if (before_loading) before_loading(file);
     if (maker == makers_.end()) refuse_other_files(file);
     if (maker != makers_.end()) return maker->second(file);

@@ -1,12 +1,12 @@
 #include "pictures/painter.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -26,7 +26,7 @@ constexpr int longest_wait = 60'000; // milliseconds; the painter gives up a lit
 [[noreturn]] void wait_and_become(const char* program, int channel) {
     ::setpgid(0, 0); // Ctrl-C is meant for the run
     // Keeps no file of the run open, nor the stream that somebody waits on for its end.
-    const int nothing = ::open("/dev/null", O_RDWR);
+    const int nothing = door::null_device().release();
     ::dup2(channel, STDIN_FILENO);
     ::dup2(channel, STDOUT_FILENO);
     ::dup2(nothing, STDERR_FILENO);

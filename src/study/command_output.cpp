@@ -12,7 +12,7 @@
 
 namespace kaya {
 
-CommandOutput output_of(const std::vector<std::string>& words) {
+CommandOutput output_of(const std::vector<std::string>& words, bool with_errors) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         throw Diagnostic(fmt::format("cannot make a pipe: {}", std::strerror(errno)), {}, Fault::run);
@@ -24,7 +24,8 @@ CommandOutput output_of(const std::vector<std::string>& words) {
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    if (with_errors) ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    else ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t id = 0;
     const int failed = ::posix_spawnp(&id, arguments[0], &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);

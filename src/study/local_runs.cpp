@@ -1,6 +1,7 @@
 #include "study/local_runs.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/door.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -64,17 +65,15 @@ private:
 };
 
 [[noreturn]] void child(const RunCase& run, const Case& one, const fs::path& folder, const fs::path& outcome,
-                        const RunLimits& limits, pid_t parent) {
+                        const RunLimits& limits, const Descriptor& output, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a study that is killed leaves no runs behind
     if (::getppid() != parent) std::_Exit(1);
     const sigset_t set = own_signals();
     ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
-    const int output = ::open((folder / output_file).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    const int nothing = ::open("/dev/null", O_RDONLY);
-    if (output < 0 || nothing < 0 || ::dup2(output, STDOUT_FILENO) < 0 || ::dup2(output, STDERR_FILENO) < 0 ||
-        ::dup2(nothing, STDIN_FILENO) < 0 || ::chdir(folder.c_str()) != 0)
+    const Descriptor nothing = door::null_device();
+    if (!nothing || ::dup2(output.number(), STDOUT_FILENO) < 0 || ::dup2(output.number(), STDERR_FILENO) < 0 ||
+        ::dup2(nothing.number(), STDIN_FILENO) < 0)
         std::_Exit(1);
-    ::close(output), ::close(nothing);
     if (limits.megabytes > 0) {
         const auto bytes = static_cast<rlim_t>(limits.megabytes * 1e6);
         const rlimit limit{bytes, bytes};
@@ -82,7 +81,7 @@ private:
     }
     int status = 3;
     try {
-        status = run(one, outcome);
+        if (door::enter(folder)) status = run(one, outcome);
     } catch (const Diagnostic& problem) { // an outcome that could not be written
         std::fputs((render(problem) + "\n").c_str(), stderr);
     } catch (const std::exception& problem) { std::fprintf(stderr, "error: %s\n", problem.what()); }
@@ -97,14 +96,16 @@ LocalRuns::LocalRuns(const StudyFolder& folder, Options options, RunCase run, St
 
 LocalRuns::Start LocalRuns::start(const Case& one) {
     const fs::path folder = folder_.run(one.number);
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
+    if (const auto failed = door::make_folders(folder, Use::write))
         throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
                          "runs that are done are kept", Fault::run);
     FileLock lock = FileLock::of(folder / ".lock", FileLock::Kind::alone);
     if (!lock.is_held()) return Start::elsewhere;
     if (folder_.outcome(one)) return Start::done;
+    const Descriptor output = door::open(folder / output_file, Use::write, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!output)
+        throw Diagnostic(fmt::format("cannot write {}: {}", (folder / output_file).string(), std::strerror(errno)),
+                         "runs that are done are kept", Fault::run);
     std::fflush(nullptr); // or both processes write what is there
     const pid_t parent = ::getpid();
     const pid_t id = ::fork();
@@ -112,7 +113,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
         throw Diagnostic(fmt::format("cannot start a process: {}", std::strerror(errno)), "runs that are done are kept",
                          Fault::run);
     // The child has the lock from now on.
-    if (id == 0) child(run_, one, folder, folder_.outcome_file(one.number), options_.limits, parent);
+    if (id == 0) child(run_, one, folder, folder_.outcome_file(one.number), options_.limits, output, parent);
     children_[id] = Child{&one, now(), {}, false};
     return Start::started;
 }
@@ -120,7 +121,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
 /// What nobody wants is removed; what says how the run went stays.
 void LocalRuns::sweep(const fs::path& folder) const {
     std::error_code ignored;
-    fs::remove(folder / ".lock", ignored);
+    door::remove(folder / ".lock");
     if (!options_.kept) return;
     std::vector<fs::path> unwanted;
     for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
@@ -133,15 +134,14 @@ void LocalRuns::sweep(const fs::path& folder) const {
         };
         if (std::ranges::none_of(*options_.kept, wanted)) unwanted.push_back(entry.path());
     }
-    for (const auto& path : unwanted) fs::remove(path, ignored);
+    for (const auto& path : unwanted) door::remove(path);
 }
 
 void LocalRuns::finish(const Child& child, int status, double seconds) {
     const Case& one = *child.one;
     auto outcome = folder_.outcome(one);
     if (outcome && outcome->end != Outcome::End::done && is_full(folder_.path())) {
-        std::error_code ignored;
-        fs::remove(folder_.outcome_file(one.number), ignored); // it says nothing about the run
+        door::remove(folder_.outcome_file(one.number)); // it says nothing about the run
         throw Diagnostic(fmt::format("the disk is full: {}", folder_.path().string()),
                          "make room; the same command does what is left", Fault::run);
     }

@@ -1,6 +1,6 @@
 #include "study/outcome.hpp"
 
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "study/toml_section.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #include "study/slurm_runs.hpp"
 
+#include "base/door.hpp"
 #include "base/sha256.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "study/command_output.hpp"
 
 #include <algorithm>
@@ -49,9 +50,7 @@ std::string without_end(std::string text) {
 SlurmRuns::SlurmRuns(const StudyFolder& folder, Options options, StudyProgress& progress)
     : folder_(folder), options_(std::move(options)), progress_(progress),
       name_("kaya-" + sha256(folder.path().string()).substr(0, 16)) {
-    std::error_code failed;
-    fs::create_directories(folder_.path() / "slurm", failed);
-    if (failed)
+    if (const auto failed = door::make_folders(folder_.path() / "slurm", Use::write))
         throw Diagnostic(
             fmt::format("cannot make the folder {}: {}", (folder_.path() / "slurm").string(), failed.message()), {},
             Fault::run);
@@ -94,9 +93,10 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
     std::string words;
     for (const auto& word : options_.program) words += quoted(word) + " ";
     const fs::path script = folder_.path() / "slurm" / (batch + ".sh");
-    write_whole_file(script.string(),
-                     fmt::format("#!/bin/sh\nexec {}study work {} {} \"$SLURM_ARRAY_TASK_ID\" --per-task {}\n", words,
-                                 quoted(folder_.path().string()), batch, per_task));
+    write_whole_file(
+        script.string(),
+        fmt::format("#!/bin/sh\nexec {}study work {} {} \"$SLURM_ARRAY_TASK_ID\" --per-task {} --from {}\n", words,
+                    quoted(folder_.path().string()), batch, per_task, quoted(options_.from.string())));
     std::vector<std::string> command{"sbatch",
                                      "--parsable",
                                      "--job-name=" + name_,

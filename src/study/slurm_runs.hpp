@@ -15,6 +15,7 @@ class SlurmRuns : public Runs {
 public:
     struct Options {
         std::vector<std::string> program;        ///< that does the tasks of a batch, and its first words
+        std::filesystem::path from;              ///< the folder of the study's file, which the tasks read
         std::vector<std::string> sbatch;         ///< further options of the user
         const std::atomic<bool>* stop = nullptr; ///< somebody wants this to end; the jobs go on
     };

@@ -1,7 +1,8 @@
 #include "study/study_folder.hpp"
 
+#include "base/door.hpp"
 #include "base/sha256.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "study/toml_section.hpp"
 
 #include <cerrno>
@@ -10,37 +11,21 @@
 #include <fmt/format.h>
 #include <sstream>
 #include <system_error>
-#include <unistd.h>
-#include <utility>
 
 namespace kaya {
 
 namespace fs = std::filesystem;
 
-FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-}
-
-FileLock::~FileLock() { release(); }
-
-void FileLock::release() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
-}
-
 FileLock FileLock::of(const fs::path& file, Kind kind) {
     FileLock lock;
-    lock.descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (lock.descriptor_ < 0)
+    lock.file_ = door::open(file, Use::own, O_RDWR | O_CREAT);
+    if (!lock.file_)
         throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
     // Of the open file, not of the process: it lives on in a child, and other machines see it on shared file systems.
     struct flock order {};
     order.l_type = kind == Kind::alone ? F_WRLCK : F_RDLCK;
     order.l_whence = SEEK_SET;
-    if (::fcntl(lock.descriptor_, F_OFD_SETLK, &order) != 0) lock.release();
+    if (::fcntl(lock.file_.number(), F_OFD_SETLK, &order) != 0) lock.file_.close();
     return lock;
 }
 
@@ -49,9 +34,7 @@ namespace {
 constexpr const char* another = "go on in another folder: --into FOLDER; --anew removes what is there";
 
 void make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
+    if (const auto failed = door::make_folders(folder, Use::write))
         throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()), {},
                          Fault::run);
 }
@@ -89,6 +72,11 @@ void require_same(const fs::path& folder, const toml::table& now) {
 }
 
 } // namespace
+
+bool is_study_folder(const fs::path& folder) {
+    const std::string text = file_text(folder / "about.toml").value_or("");
+    return text.find("study_sha256") != text.npos && text.find("deck_sha256") != text.npos;
+}
 
 StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string& version, bool ranks)
     : folder_(fs::absolute(std::move(folder))) {

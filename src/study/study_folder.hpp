@@ -1,6 +1,7 @@
 // Where a study keeps its runs.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "study/outcome.hpp"
 
 #include <filesystem>
@@ -12,21 +13,19 @@ namespace kaya {
 /// A lock on a file, which goes with the process that holds it, on whatever machine that is.
 class FileLock {
 public:
-    FileLock() = default;
-    FileLock(FileLock&& other) noexcept;
-    FileLock& operator=(FileLock&& other) noexcept;
-    ~FileLock();
-
     enum class Kind { alone, shared };
     /// Makes the file. Not held when somebody else has it. Throws Diagnostic when no file can be made there.
     static FileLock of(const std::filesystem::path& file, Kind kind);
-    bool is_held() const { return descriptor_ >= 0; }
+    bool is_held() const { return static_cast<bool>(file_); }
     /// Given up, which it stays in a child that was forked before.
-    void release();
+    void release() { file_.close(); }
 
 private:
-    int descriptor_ = -1;
+    Descriptor file_;
 };
+
+/// Whether kaya has begun a study in the folder: its runs may be removed then.
+bool is_study_folder(const std::filesystem::path& folder);
 
 /// The folder of a study: study.toml and about.toml (what was run, by which version), runs/000001 and so on with the files of
 /// each run, results.csv, results.h5 and report.html.

@@ -1,5 +1,5 @@
 // The study file, TOML, as a Study.
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 #include "study/study.hpp"
 #include "study/toml_section.hpp"
 

@@ -1,12 +1,12 @@
 #include "zonetest/zone_bench.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/whole_file.hpp"
 #include "laws/given_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace kaya {
 
@@ -71,11 +71,8 @@ ZoneBenchReport run_zone_bench(ZoneModels& models, const ZoneBenchOrder& order) 
     write_csv(zone_curve_table(curve), table);
     ZoneBenchReport report;
     report.figure = stem.string() + ".gp";
-    std::ofstream figure(report.figure);
-    figure << zone_curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string()));
-    figure.close();
-    if (!figure)
-        throw Diagnostic(fmt::format("{} could not be written", report.figure.string()), "is there room?", Fault::run);
+    write_whole_file(report.figure.string(),
+                     zone_curve_figure(curve, fmt::format("{} along {}", model.name, order.path.stem().string())));
     report.odd = !curve.findings.empty();
     report.text = fmt::format("{} {} along {}: {} points\n", model.name, model.version, order.path.filename().string(),
                               path.points.size()) +

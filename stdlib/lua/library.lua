@@ -186,17 +186,36 @@ local function opened_later(open)
 end
 
 local function open_file(name, mode)
-    local writing = mode ~= nil and mode ~= "r" and mode ~= "rb"
-    local path = native.allowed_path(name, writing)
-    if writing and native.restoring() then
-        return opened_later(function() return io.open(path, (mode:gsub("w", "a"))) end)
+    mode = mode or "r"
+    if type(mode) ~= "string" or not mode:find("^[rwa]%+?b?$") then
+        native.fail(("io.open does not know the mode '%s'"):format(mode), "r reads, w writes, a appends; r+ reads and writes")
     end
-    return io.open(path, mode)
+    if mode:find("[wa+]") and native.restoring() then
+        native.require_file(name, mode)
+        return opened_later(function() return native.open_file(name, (mode:gsub("w", "a"))) end)
+    end
+    return native.open_file(name, mode)
+end
+
+-- The file is closed at its end.
+local function lines_of(name, ...)
+    local file, why = open_file(name)
+    if not file then
+        native.fail(why, "check the name and the folder")
+    end
+    local next_line = file:lines(...)
+    return function()
+        local results = table.pack(next_line())
+        if results[1] == nil then
+            file:close()
+        end
+        return table.unpack(results, 1, results.n)
+    end
 end
 
 library.io = refusing({
     open = open_file,
-    lines = function(name, ...) return io.lines(native.allowed_path(name), ...) end,
+    lines = lines_of,
     write = function(...) native.write(table.concat { ... }) end,
 }, "io")
 

@@ -5,7 +5,7 @@
 
 #include "commands/save_session.hpp"
 #include "io/save_trailer.hpp"
-#include "io/whole_file.hpp"
+#include "base/whole_file.hpp"
 
 #include <cstdlib>
 #include <cstring>

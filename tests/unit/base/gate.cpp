@@ -25,6 +25,7 @@ protected:
         gate.shut({.folders = {work},
                    .named = {},
                    .libraries = {folder / "joints"},
+                   .own = {},
                    .digests = {sha256("\x7f"
                                       "ELF mine")},
                    .permissions = work / "allowed"});

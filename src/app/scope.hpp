@@ -1,0 +1,34 @@
+// What each subcommand of the program may use: one table, which `kaya info --scopes` prints and by which the gate is shut.
+#pragma once
+
+#include "app/run.hpp"
+#include "app/sandbox.hpp"
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaya {
+
+struct Scope {
+    std::string_view command;               ///< "study rerun"; "run": no subcommand
+    std::string_view reads, writes, starts; ///< for the page
+    std::vector<const char*> inputs;        ///< arguments and options that name files which are read, or folders
+    std::vector<const char*> folders;       ///< those that name a folder to write into
+    std::vector<const char*> files;         ///< those that name a file, or the beginning of its name, to write
+    Programs programs = Programs::none;
+    bool permissions = false; ///< it writes the list of what is allowed
+};
+
+std::span<const Scope> scopes();
+
+/// `kaya info --scopes`: a row for each subcommand, as docs/safety.md shows them.
+std::string scope_table();
+
+/// Shuts the gate for the subcommand that the command line asks for, unless --trust is given. A subcommand without a scope is not
+/// carried out.
+void enter_scope(const CLI::App& app, const RunOrder& order, const std::filesystem::path& program);
+
+} // namespace kaya

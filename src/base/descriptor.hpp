@@ -1,0 +1,47 @@
+// An open file or folder, closed at the end of its scope, and the calls of the system on one.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <sys/types.h>
+#include <unistd.h>
+#include <utility>
+
+namespace kaya {
+
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~Descriptor() { close(); }
+
+    explicit operator bool() const { return number_ >= 0; }
+    int number() const { return number_; }
+    /// For a library that opens files by their names alone.
+    std::string name() const { return "/proc/self/fd/" + std::to_string(number_); }
+    int release() { return std::exchange(number_, -1); }
+    /// False when what was written did not reach its place.
+    bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
+
+private:
+    int number_;
+};
+
+/// A file or folder to be looked at, or to go on from, by a path whose links are followed. Nothing is read or written through it.
+Descriptor handle_of(const std::filesystem::path& path, int more_flags = 0);
+
+/// Opens what lies below a folder, by a path that goes down only. A link anywhere on the path is an error, and so the file is the
+/// one that was looked at before, also when somebody changes the folders meanwhile. Without a descriptor errno says why.
+Descriptor open_beneath(int folder, const std::filesystem::path& below, int flags, mode_t mode = 0666);
+
+/// False: errno says why. Reading ends when there are more than `most` bytes.
+bool read_all(int descriptor, std::string& content, std::size_t most = std::string::npos);
+bool write_all(int descriptor, std::string_view content);
+
+} // namespace kaya

@@ -1,0 +1,58 @@
+// The one door to files: whatever the program opens, makes, renames or removes by name goes through here, and the gate of the
+// process is asked for each. No link on the path is followed after the gate has looked, so that nobody can change the answer
+// between the question and the opening. tests/house/check door refuses other openings.
+#pragma once
+
+#include "base/descriptor.hpp"
+#include "base/gate.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+namespace kaya::door {
+
+/// What holds for this process and for those that it forks, as the kernel's lock does: hence no argument of functions.
+void set_gate(std::shared_ptr<Gate> gate);
+/// That gate; an open one for who asks when there is none.
+std::shared_ptr<Gate> gate();
+
+// All functions throw Diagnostic when the gate refuses.
+
+/// Without a descriptor errno says why. The flags are those of open(2).
+Descriptor open(const std::filesystem::path& file, Use use, int flags);
+/// The same for a file that may be read or not: without a descriptor where the gate refuses, too.
+Descriptor peek(const std::filesystem::path& file);
+
+struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+using Stream = std::unique_ptr<std::FILE, Close>;
+/// The mode is that of fopen: "r", "w+". Null: errno says why.
+Stream open_stream(const std::filesystem::path& file, Use use, const std::string& mode);
+
+/// The folder of a file, open, and its name there: for what is done to names. Without a folder errno says why.
+struct Place {
+    Descriptor folder;
+    std::string name;
+};
+/// `follow`: of a name that is a link, the place of its target.
+Place place_of(const std::filesystem::path& file, Use use, bool follow = true);
+
+std::error_code make_folders(const std::filesystem::path& folder, Use use);
+// For destructors: these two throw nothing; what the gate refuses is an error, too.
+/// A link is removed, not its target. No error when there is no such file.
+std::error_code remove(const std::filesystem::path& file) noexcept;
+/// A folder with all below it. Links are removed, not their targets.
+std::error_code remove_all(const std::filesystem::path& folder) noexcept;
+/// Goes into a folder. False: errno says why.
+bool enter(const std::filesystem::path& folder);
+
+/// The device that takes and gives nothing.
+Descriptor null_device();
+/// A file of the system by a name that is written in the program: /proc/meminfo. Empty when there is none.
+std::string system_text(const char* name);
+
+} // namespace kaya::door
