@@ -71,7 +71,7 @@ const std::vector<std::string> fish_words = {
 
 /// The names that FISH knows without a definition. Their list in docs/fish.md is that of the program, which a test sees to.
 Words fish_names() {
-    std::istringstream page(text_of_file(KAYA_FISH_PAGE));
+    std::istringstream page(kaya::text_of_file(KAYA_FISH_PAGE));
     Words names;
     bool listed = false;
     for (std::string line; std::getline(page, line) && !line.starts_with("Not supported yet");) {

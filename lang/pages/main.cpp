@@ -125,7 +125,7 @@ using Sections = std::map<std::string, std::string>;
 /// Texts below the `## ` headings of a page that is there.
 Sections sections_of(const fs::path& file) {
     Sections sections;
-    std::istringstream stream(text_of_file(file));
+    std::istringstream stream(kaya::text_of_file(file));
     std::string heading;
     for (std::string line; std::getline(stream, line);) {
         if (line.starts_with("## ")) heading = line.substr(3);
