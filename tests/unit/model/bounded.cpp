@@ -45,7 +45,10 @@ const Wrong wrong_numbers[] = {
 
 } // namespace
 
-TEST(Bounded, NothingIsWrongWithAModelThatIsNot) { EXPECT_EQ(unbounded_number(model), ""); }
+TEST(Bounded, NothingIsWrongWithAModelThatIsNot) {
+    Model model = hand_made_model();
+    EXPECT_EQ(unbounded_number(model), "");
+}
 
 TEST(Bounded, NumbersUpToTheLimitAreRight) {
     Model model = hand_made_model();
