@@ -91,6 +91,9 @@ constexpr Explanation explanations[] = {
      "It is the deck, something that the deck has called or loaded, or the list of your permissions."},
     {"file-hidden", "a name that decks do not write",
      "Files that begin with a point are settings of programs, files that end in .so are libraries of code. Give another name."},
+    {"wide-folder", "a run in the home folder or in /",
+     "Without --trust a run may write everything below the folder where it starts that is not hidden: in the home folder\n"
+     "that is all of the user's work. Start runs in a folder of their own, or name one with --into."},
     {"library-not-allowed", "a joint model that nobody has allowed",
      "A library is code that can do whatever you can. Those of the installed folder, of --joints and of KAYA_JOINTS are loaded;\n"
      "another one is when 'kaya allow FILE' has named it as it is now. 'kaya jmodel build' allows what it makes."},
