@@ -35,7 +35,7 @@ std::string program_of(const std::string& word) {
                        fs::last_write_time(whole, missing).time_since_epoch().count());
 }
 
-/// What -march=native goes by: a home folder may be seen from machines that differ.
+/// The processor that -march=native refers to: different machines may share a home folder.
 std::string processor() {
     std::istringstream lines(door::system_text("/proc/cpuinfo"));
     std::set<std::string> said;

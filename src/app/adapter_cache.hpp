@@ -1,4 +1,4 @@
-// The compiled adapter of sources for 3DEC, kept between builds: it takes longer than most sources, and is always the same.
+// The compiled adapter of sources for 3DEC, cached between builds: it takes longer than most sources and never changes.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ std::filesystem::path cache_folder();
 
 class AdapterCache {
 public:
-    /// `line` is the compiler's line without the name of the object, `include` the folder of headers. What is kept belongs
-    /// to this line, to what the compiler and the headers are now, and to this machine's processor.
+    /// `line` is the compiler's command without the name of the object, `include` the folder of headers. Cached objects depend on this
+    /// line, the compiler, the headers and this machine's processor.
     AdapterCache(const std::vector<std::string>& line, const std::filesystem::path& include);
 
     /// The object. What is not kept yet is made by `compile`, which says whether it could, at `draft`, and kept if there is a place
@@ -22,7 +22,7 @@ public:
     std::filesystem::path object(const std::filesystem::path& draft, const std::function<bool()>& compile) const;
 
 private:
-    std::filesystem::path file_; ///< empty: there is no place
+    std::filesystem::path file_; ///< empty: no folder
 };
 
 } // namespace kaya

@@ -39,7 +39,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
     return std::string(did_you_mean(word, {names.begin(), names.end()}));
 }
 
-/// The command that the line has come to, and its words: "kaya plugin".
+/// The innermost command of the line, and its words: "kaya plugin".
 const CLI::App& innermost(const CLI::App& app, std::string& words) {
     words += (words.empty() ? "" : " ") + app.get_name();
     const auto chosen = app.get_subcommands();

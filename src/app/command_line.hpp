@@ -1,4 +1,4 @@
-// What can be wrong with a command line, and where a run goes.
+// Errors of a command line, and the folder of a run.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -10,13 +10,13 @@
 
 namespace kaya {
 
-/// What the parser of the command line found, in this program's words, with a proposal.
+/// The parser's error in this program's words, with a proposal.
 Diagnostic mistake_of(const CLI::App& app, const CLI::ParseError& error);
 
-/// What to say of the name of a deck that is not there and looks like a command.
+/// The message for a missing deck whose name looks like a command.
 std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::string& deck);
 
-/// Throws Diagnostic when there is no such deck; proposes the command that was meant, or the file.
+/// Throws Diagnostic when the deck does not exist; proposes the command that was meant, or the file.
 void require_deck(const CLI::App& app, const std::string& deck);
 
 /// Makes the folder if it has to, and works there from now on; decks and journal are named from there. Throws Diagnostic.
@@ -25,7 +25,7 @@ void go_into(const std::string& folder, std::vector<std::string>& decks, std::st
 /// The file that `save NAME` has written: with the ending that it adds when there is none of the name itself.
 std::string find_saved(const std::string& name);
 
-/// In what two saved models differ. A file that cannot be read is a failure, not a difference.
+/// Differences of two saved models. A file that cannot be read is a failure, not a difference.
 std::string difference_of(const std::vector<std::string>& files);
 
 } // namespace kaya

@@ -29,7 +29,7 @@ bool means(const std::string& word, std::string_view whole, std::size_t least) {
     return word.size() >= least && whole.starts_with(word);
 }
 
-/// Names of FISH that are built in, and those of the session.
+/// Built-in names of FISH, and those of the session.
 void add_fish(Names& names, const Session& session) {
     for (const auto& [name, writable] : session.scripts->built_in_names()) names.insert(name);
     for (const auto& name : session.scripts->symbols()) names.insert(name);
@@ -58,7 +58,7 @@ Names lua_names(const Session& session, bool after_point) {
     return names;
 }
 
-/// What a first line of several lets stand below it: nothing, a function, a chunk of Lua.
+/// The open construct after several lines: none, a function, a chunk of Lua.
 enum class Inside { nothing, function, lua };
 
 Inside inside_of(const std::string& before) {
@@ -80,7 +80,7 @@ bool takes_file(const std::vector<std::string>& words) {
     return means(first, "import", 2) && words.size() > 1;
 }
 
-/// Files and folders whose path begins with what is typed.
+/// Files and folders whose path begins with the typed text.
 Names files(const std::string& typed) {
     Names names;
     const auto slash = typed.rfind('/');

@@ -1,4 +1,4 @@
-// What may be typed next at the prompt: words of the language, and names that the session knows.
+// Completion at the prompt: words of the language, and names that the session knows.
 #pragma once
 
 #include "commands/session.hpp"
@@ -13,10 +13,10 @@ struct Proposals {
     std::vector<std::string> words; ///< sorted
 };
 
-/// For a line up to the cursor. `before` are the lines of an unfinished function or chunk that stand above it.
+/// For a line up to the cursor. `before` are the lines of an unfinished function or chunk above it.
 Proposals proposals(const Session& session, const std::string& before, const std::string& line);
 
-/// Words in lines of at most `width` letters, none of them broken.
+/// Words in lines of at most `width` letters, broken between words only.
 std::string filled(const std::vector<std::string>& words, std::size_t width);
 
 } // namespace kaya

@@ -14,7 +14,7 @@ namespace kaya {
 /// All words of decks and of the files that they read, in lower case.
 class DeckWords {
 public:
-    /// False when the file, or one that it reads, cannot be read: then nothing is known about names.
+    /// False when the file, or one that it reads, cannot be read: then names are unknown.
     bool take(const std::filesystem::path& file);
     /// Names that `param` lines declare.
     const std::set<std::string>& declared() const { return declared_; }

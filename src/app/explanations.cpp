@@ -80,7 +80,7 @@ constexpr Explanation explanations[] = {
     {"no-file", "a file that is not there",
      "Decks are looked for next to the deck that calls them, then in the folder where kaya was started. The endings\n"
      ".3dd .dat .3ddat .fis .txt may be left out."},
-    // What a run may do: docs/safety.md.
+    // Permissions of a run: docs/safety.md.
     {"file-outside", "a file outside of the folders that a run may use",
      "Without --trust a run reads and writes below the folder where it was started, below the folders of its decks, and\n"
      "below those that 'kaya allow FOLDER' has named. The message shows that command. Links count as what they lead to."},

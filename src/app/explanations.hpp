@@ -1,4 +1,4 @@
-// What the short names of messages mean: `kaya explain unknown-word`.
+// Explanations of message codes: `kaya explain unknown-word`.
 #pragma once
 
 #include <string>

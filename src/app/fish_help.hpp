@@ -1,4 +1,4 @@
-// What `help` says of FISH: its statements and its functions.
+// Help texts of FISH: its statements and its functions.
 #pragma once
 
 #include <string>

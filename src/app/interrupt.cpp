@@ -19,8 +19,8 @@ std::atomic<bool> asked = false;
 /// Time that a script has to hear of it.
 constexpr itimerval patience{{0, 0}, {0, 700'000}}, none{};
 
-/// A pattern of Lua can take years to fail, and nothing reaches it but this: the results so far are given out, and that is the
-/// end. What cycles has been kept in its time.
+/// A pattern of Lua can take years to fail, and only this ends it: results so far are flushed and the program exits. Cycles have been
+/// autosaved.
 void end_if_deaf(int) {
     const Session* session = listening.load();
     tell_whom_it_waits_for();
@@ -29,11 +29,11 @@ void end_if_deaf(int) {
         "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
     [[maybe_unused]] const auto written =
-        ::write(STDERR_FILENO, message, sizeof message - 1); // there is nobody to tell if it fails
+        ::write(STDERR_FILENO, message, sizeof message - 1); // a failure cannot be reported
     std::_Exit(static_cast<int>(Fault::run));
 }
 
-/// Only what a signal handler may do: lock-free atomics, and letting a second signal end the program.
+/// Signal-safe only: lock-free atomics, and letting a second signal end the program.
 void stop(int signal) {
     asked = true;
     if (Session* session = listening.load(); session != nullptr) session->interrupt();

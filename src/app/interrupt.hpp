@@ -6,7 +6,7 @@
 
 namespace kaya {
 
-/// While it lives, an interrupt from the keyboard (or a request to end) goes to the session.
+/// While it exists, an interrupt from the keyboard (or a request to end) goes to the session.
 class InterruptGuard {
 public:
     explicit InterruptGuard(Session& session);
@@ -14,7 +14,7 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// A signal has asked this process to stop.
+    /// Whether a signal has asked this process to stop.
     static bool was_asked();
 
 private:

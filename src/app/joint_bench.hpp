@@ -8,8 +8,8 @@
 
 namespace kaya {
 
-/// Adds both to the command line. When one of them is on it, `chosen` becomes what is to be done; it returns the exit
-/// status and throws Diagnostic.
+/// Adds both to the command line. When one of them is used, `chosen` becomes its action, which returns the exit status and throws
+/// Diagnostic.
 void add_joint_bench(CLI::App& app, const std::function<std::vector<std::filesystem::path>()>& joint_folders,
                      std::function<int()>& chosen);
 

@@ -15,7 +15,7 @@ namespace {
 // The C library has no functions for these; their numbers are the same on every machine.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 
-// Rights that headers of older systems do not know.
+// Rights missing from older headers.
 constexpr std::uint64_t right_to_refer = 1ULL << 13, right_to_truncate = 1ULL << 14;
 
 // What headers of older systems do not have, either.
@@ -39,7 +39,7 @@ std::uint64_t all_rights(int version) {
     return rights;
 }
 
-/// What is not there cannot be used either, and needs no rule.
+/// A missing path cannot be used and needs no rule.
 void allow_below(int rules, const std::filesystem::path& path, std::uint64_t rights) {
     const Descriptor opened = handle_of(path);
     if (!opened) return;

@@ -72,7 +72,7 @@ int start(int argc, char** argv) {
     app.set_version_flag("--version", std::string("kaya ") + program_version());
     const fs::path program = program_folder(argv[0]);
     const auto joints = [&] { return joint_folders(order, program); };
-    std::function<int()> chosen; // what is asked for in place of a run
+    std::function<int()> chosen; // the action that replaces a run
     add_run_options(app, order);
     add_tool_commands(app, order, program, chosen);
     add_replay(app, order);
@@ -103,14 +103,14 @@ int start(int argc, char** argv) {
 
 namespace {
 
-/// Otherwise the next file that is opened would be taken for the standard output.
+/// Otherwise the next opened file would become the standard output.
 void open_missing_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && kaya::door::null_device().release() < 0)
             std::_Exit(static_cast<int>(kaya::Fault::run));
 }
 
-/// TBB throws where nobody can catch it when the system gives it no thread, which is for want of memory as a rule.
+/// TBB throws where it cannot be caught when the system gives it no thread, usually for lack of memory.
 [[noreturn]] void end_without_threads() {
     try {
         if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
@@ -122,7 +122,7 @@ void open_missing_streams() {
                          error.what());
             std::_Exit(static_cast<int>(kaya::Fault::run));
         }
-    } catch (...) { // what it is, the report of the crash says
+    } catch (...) { // the crash report names it
     }
     std::abort();
 }

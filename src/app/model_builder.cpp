@@ -101,7 +101,7 @@ std::string all_text(const std::vector<fs::path>& sources) {
     return all;
 }
 
-/// What all lines of one library begin with, and what its objects are linked with.
+/// Common beginning of all compiler lines of one library, and its link line.
 struct Lines {
     Words compiler, flags;
     Words of_sources; ///< folders and macros that the adapter does without
@@ -166,7 +166,7 @@ public:
     const fs::path path;
 };
 
-/// Compiles and links. The adapter, which says nothing, is compiled next to the sources, or taken from an earlier build.
+/// Compiles and links. The adapter, which prints nothing, is compiled in parallel, or taken from an earlier build.
 void compile(const BuildOrder& order, const fs::path& include, const fs::path& library) {
     const fs::path drafts = library.parent_path();
     const std::string text = all_text(order.sources);

@@ -19,16 +19,15 @@ struct BuildOrder {
     std::vector<std::string> flags;     ///< more words for the compiler
 };
 
-/// Compiles the sources, loads the library, and gives it the name of its model. What the compiler says
-/// goes to the standard error. Returns the file. Throws Diagnostic: no such source, no compiler, it does not
-/// compile, it is no such model. `include` is the folder that holds kaya/jmodel.h.
+/// Compiles the sources, loads the library, and names it after its model. Compiler output goes to the standard error. Returns the file.
+/// Throws Diagnostic: missing source, no compiler, compile error, not a model. `include` is the folder that holds kaya/jmodel.h.
 std::filesystem::path build_model(const BuildOrder& order, const std::filesystem::path& include);
 
 /// The folder of headers of the program in `program_folder`, installed or not. Throws Diagnostic.
 std::filesystem::path include_folder(const std::filesystem::path& program_folder);
 
-/// Names that conditions of a source ask for and that project files of other systems define: words that end
-/// in _EXPORTS or _LIB on lines that begin with #if.
+/// Names that conditions of a source use and that project files of other systems define: words that end in _EXPORTS or _LIB on lines that
+/// begin with #if.
 std::vector<std::string> export_macros(const std::string& source);
 
 /// Whether a source is written against kaya/jmodel.h or kaya/zmodel.h, rather than against jointmodel.h.

@@ -57,7 +57,7 @@ void describe(const JointModel& model) {
 }
 void describe(const ZoneModel& model) { describe(model, "zone model", KAYA_ZMODEL_INTERFACE); }
 
-/// Who builds a library has its source before him. Without a home it is allowed by its folder alone: --joints.
+/// The builder of a library has seen its source. Without a home folder only its folder allows it: --joints.
 void allow_built(const fs::path& library) {
     try {
         allow(library);
@@ -66,7 +66,7 @@ void allow_built(const fs::path& library) {
     }
 }
 
-/// Lists what is asked for, or all that is found; 1 when one of them cannot be loaded.
+/// Lists the requested models, or all that are found; 1 when one of them cannot be loaded.
 int list_plugins(const std::vector<std::string>& names, const std::vector<fs::path>& folders) {
     int status = 0;
     JointRegistry registry;
@@ -155,10 +155,10 @@ using Folders = std::function<std::vector<fs::path>()>;
 
 struct Writing {
     std::array<std::string_view, 2> kinds; ///< of its templates
-    const char* next;                      ///< what to do with it
+    const char* next;                      ///< the next step for the user
 };
 
-/// `new-jmodel` and `new-zmodel`: Models are those whose names are taken.
+/// `new-jmodel` and `new-zmodel`: Models gives the names in use.
 template <class Models> void add_new(CLI::App& app, const char* command, const char* help, Writing native,
                                      std::optional<Writing> lua, const Folders& folders, std::function<int()>& chosen) {
     auto name = std::make_shared<std::string>();

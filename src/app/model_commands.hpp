@@ -7,8 +7,7 @@
 
 namespace kaya {
 
-/// Adds them. The one that was asked for is returned through `chosen` as a function that does it and gives the
-/// exit status; it throws Diagnostic.
+/// Adds them. The requested one is returned through `chosen` as a function that runs it and returns the exit status; it throws Diagnostic.
 void add_model_commands(CLI::App& app, const std::filesystem::path& program_folder,
                         const std::function<std::vector<std::filesystem::path>()>& joint_folders,
                         std::function<int()>& chosen);

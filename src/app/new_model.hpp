@@ -16,9 +16,8 @@ struct NewModel {
     std::vector<std::string> taken;
 };
 
-/// Makes the folder `in`/NAME with the templates of these kinds (model_templates.hpp): a model that works, a deck or a path
-/// that shows it, a deck that tests it, a page. Returns the files. Throws Diagnostic: the name cannot be typed in a deck, or
-/// is taken; the folder is there.
+/// Creates the folder `in`/NAME with the templates of these kinds (model_templates.hpp): a working model, a deck or a path that shows it, a
+/// deck that tests it, a page. Returns the files. Throws Diagnostic: the name cannot be typed in a deck, or is in use; the folder exists.
 std::vector<std::filesystem::path> write_new_model(std::span<const std::string_view> kinds, const NewModel& model);
 
 } // namespace kaya

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* here = "127.0.0.1";
 constexpr std::chrono::seconds lately{30};
 
-/// 128 bits that nobody can guess.
+/// 128 random bits.
 std::string token() {
     std::array<unsigned char, 16> bytes{};
     if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
@@ -34,7 +34,7 @@ std::string token() {
     return text;
 }
 
-/// Asks for a newer page now and then, and offers it; what is looked at stays until somebody wants to see more.
+/// Polls for a newer page and offers it; the present page stays until the user asks for the new one.
 constexpr const char* reload_script =
     R"(<div id="newer" style="display:none;position:fixed;top:0;left:0;right:0;padding:.4em;text-align:center;background:#fd8;z-index:9">the run has gone on: <a href="">show it</a></div>
 <script>setInterval(async () => {
@@ -93,7 +93,7 @@ struct PageServer::Server {
         return false;
     }
 
-    /// The head of a request, as far as it came; nothing of what is after it is wanted.
+    /// The head of a request as far as it was received; the rest is ignored.
     std::string read_head(int socket) const {
         constexpr std::size_t longest = 8192;
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);

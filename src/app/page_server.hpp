@@ -6,11 +6,11 @@
 
 namespace kaya {
 
-/// Listens on the loopback address only, answers GET only, and only under an address that nobody can guess. The page is the last one that was
-/// given. Threads of its own; the run does not wait for it.
+/// Listens on the loopback address only, answers GET only, and only under an unguessable address. The page is the last one given. It has
+/// its own threads; the run does not wait for it.
 class PageServer {
 public:
-    /// Port 0: any that is free. Throws Diagnostic when the port is taken.
+    /// Port 0: any free one. Throws Diagnostic when the port is taken.
     explicit PageServer(int port);
     ~PageServer();
     PageServer(const PageServer&) = delete;
@@ -19,7 +19,7 @@ public:
     /// "http://127.0.0.1:8080/0f3a.../"
     const std::string& address() const { return address_; }
     void show(std::string page);
-    /// Whether somebody has asked for a page lately: nobody, and the run need not make one.
+    /// Whether a page was requested lately; if not, the run need not make one.
     bool is_read() const;
 
 private:

@@ -87,7 +87,7 @@ void allow(const fs::path& path) {
                                "ELF"))
             throw Diagnostic(fmt::format("'{}' is neither a folder nor a library", path.string()),
                              "files are allowed by their folder");
-        // A library that was built anew takes the place of the one before.
+        // A rebuilt library replaces its earlier version.
         std::erase_if(permissions.libraries, [&](const auto& known) { return known.second == whole; });
         permissions.libraries[sha256(bytes)] = whole;
     } else {

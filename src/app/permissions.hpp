@@ -1,4 +1,4 @@
-// What the user has allowed runs beyond their own folders: `kaya allow`, kept in the user's configuration.
+// Permissions beyond the folders of a run: `kaya allow`, stored in the user's configuration.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +17,13 @@ struct Permissions {
 /// kaya/allowed below XDG_CONFIG_HOME, or .config of the home folder; empty when there is neither.
 std::filesystem::path permissions_file();
 
-/// Nothing when there is no such file. Throws Diagnostic when it is no list of permissions.
+/// Empty when there is no such file. Throws Diagnostic when it is not a list of permissions.
 Permissions read_permissions();
 
 /// Allows a folder, or a library as it is now. Throws Diagnostic when it is neither.
 void allow(const std::filesystem::path& path);
 
-/// Takes back what was allowed. Throws Diagnostic when it was not.
+/// Revokes a permission. Throws Diagnostic when there was none.
 void revoke(const std::filesystem::path& path);
 
 /// One line for each.

@@ -38,7 +38,7 @@ Screen screen() {
     return {size.ws_col, size.ws_row};
 }
 
-/// A long text by pages, on a terminal. The return key goes on, q ends it.
+/// Shows a long text by pages, on a terminal. The return key continues, q ends it.
 void show_by_pages(Session& session, const std::string& text) {
     const bool terminal = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
     const std::size_t page = std::max<std::size_t>(screen().rows, 4) - 2;
@@ -71,7 +71,7 @@ std::string common_beginning(const std::vector<std::string>& words) {
     return beginning;
 }
 
-/// At the prompt Ctrl-C takes the typed line away.
+/// At the prompt Ctrl-C clears the typed line.
 extern "C" void leave_line(int) {}
 
 class LineEditor {
@@ -104,8 +104,7 @@ public:
 
     enum class Read { line, interrupted, end };
 
-    /// One line, without its end.
-    /// `above` are the lines of a statement that goes on.
+    /// Reads one line, without its end. `above` are the lines of an unfinished statement.
     Read read(const std::string& above, std::string& line) {
         before_ = above;
         struct sigaction on_interrupt {
@@ -166,7 +165,7 @@ private:
     std::string before_;
 };
 
-/// What belongs to the prompt and not to the language; true when the line was one of those.
+/// Commands of the prompt that are not part of the language; true when the line was one of them.
 bool own_command(Session& session, const std::string& text) {
     lang::Lexer lexer(lang::source_from_text("prompt", text));
     lang::Statement statement;
@@ -206,7 +205,7 @@ lang::Ended run_text(Session& session, const std::string& text) {
     return ended;
 }
 
-/// Shows what went wrong and gives the exit status that it would have.
+/// Shows an error and returns its exit status.
 int show(Session& session) {
     try {
         throw;
@@ -231,7 +230,7 @@ int show(Session& session) {
 }
 
 int from_keyboard(Session& session) {
-    std::setlocale(LC_CTYPE, ""); // letters beyond ASCII take one place on the screen
+    std::setlocale(LC_CTYPE, ""); // characters beyond ASCII take one column on the screen
     session.output.say(fmt::format(
         "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
     LineEditor editor(session);

@@ -31,8 +31,8 @@ fs::path program_folder(const char* called_as) {
 
 namespace {
 
-/// Folders whose libraries are loaded without a question: those of the command line, next to the program or where it is
-/// installed, KAYA_JOINTS (folders with ':' between).
+/// Folders whose libraries are loaded without permission: those of the command line, next to the program or its installation, KAYA_JOINTS
+/// (separated by ':').
 std::vector<fs::path> trusted_folders(const RunOrder& order, const fs::path& program) {
     std::vector<fs::path> folders = order.options.joint_folders;
     folders.push_back(program / "joints");
@@ -62,14 +62,14 @@ std::vector<fs::path> joint_folders(const RunOrder& order, const fs::path& progr
 
 namespace {
 
-/// The journal of a deck lies in the current folder, as all that it writes.
+/// The journal of a deck is in the current folder, as all files that it writes.
 std::unique_ptr<Journal> journal_of(Session& session, const RunOrder& order) {
     if (order.no_journal || !order.journal.empty()) return nullptr;
     if (!order.decks.empty()) session.deck = order.decks.front();
     return std::make_unique<Journal>(session, session.run_name() + ".journal");
 }
 
-/// `--set angle=30` as the command that a journal tells: param angle = 30.
+/// `--set angle=30` as a command for the journal: param angle = 30.
 std::string parameter_line(const std::string& given) {
     const auto equals = given.find('=');
     const std::string name = given.substr(0, equals);
@@ -84,7 +84,7 @@ std::string parameter_line(const std::string& given) {
     return fmt::format("param {}{}{} = {}", quoted ? "'" : "", name, quoted ? "'" : "", value);
 }
 
-/// What the decks mention; none when that is not known before they run.
+/// Names mentioned by the decks; none when they are unknown before the run.
 std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks) {
     DeckWords words;
     for (const auto& deck : decks)
@@ -100,7 +100,7 @@ void take_parameters(Session& session, const RunOrder& order, const DeckWords* w
     }
 }
 
-/// Says which values of `--set` the decks did not use.
+/// Reports values of `--set` that the decks did not use.
 void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
     for (const auto& name : session.given_properties.unused())
         session.warn(
@@ -150,7 +150,7 @@ int run_decks(Session& session, const RunOrder& order) {
     return status;
 }
 
-/// Says it, and to whom wants to know.
+/// Reports it, and passes it to the listener.
 int fail(Session& session, const RunOrder& order, const Diagnostic& error) {
     session.output.message(error);
     if (order.failed) order.failed(session, error);
@@ -178,7 +178,7 @@ int run_session(Session& session, const RunOrder& order) {
     }
 }
 
-/// The lock lets in what is there: later no folder can be made for it.
+/// Creates the folder before the lock: later it could not be made.
 void prepare_history(const RunOrder& order) {
     const fs::path file = history_file();
     if (!order.decks.empty() || !order.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;

@@ -1,4 +1,4 @@
-// How a run went, by cycles: whether it came to rest, and what its joints did.
+// The course of a run by cycles: convergence, and the behaviour of its joints.
 #pragma once
 
 #include "model/model.hpp"
@@ -11,7 +11,7 @@ namespace kaya {
 
 class RunCourse {
 public:
-    /// To be called after each cycle. Keeps some hundreds of samples, however long the run is.
+    /// Call after each cycle. Keeps some hundreds of samples, however long the run is.
     void sample(const Model& model);
     std::vector<ReportCurve> curves() const;
 

@@ -1,4 +1,4 @@
-// `set report on`: the page of a run, with the states that it went through.
+// `set report on`: the page of a run, with its states over time.
 #pragma once
 
 #include "app/page_server.hpp"
@@ -21,13 +21,13 @@ std::function<std::vector<std::string>(const std::string& model)> property_names
 /// Watches a session and writes its page at the end.
 class RunReport : private Listener {
 public:
-    /// `port`: where a browser can watch the run (0: any that is free); none: nobody does.
+    /// `port`: for watching the run in a browser (0: any free one); none: no server.
     RunReport(Session& session, std::optional<int> port);
     ~RunReport() override;
     RunReport(const RunReport&) = delete;
     RunReport& operator=(const RunReport&) = delete;
 
-    /// The page, named after the deck, when the run asked for one. Throws Diagnostic.
+    /// Writes the page, named after the deck, if the run asked for one. Throws Diagnostic.
     void write();
 
 private:

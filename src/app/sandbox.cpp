@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where systems keep programs, libraries and their settings, and no user's work.
+/// Folders of programs, libraries and system settings, without user data.
 constexpr const char* system_folders[] = {"/usr", "/lib", "/lib32", "/lib64", "/bin", "/etc",
                                           "/opt", "/nix", "/gnu",   "/proc",  "/sys", "/dev"};
 
-/// A reader or writer that is no file.
+/// Devices that may be read or written.
 constexpr const char* devices[] = {"/dev/null", "/dev/tty", "/dev/full", "/dev/shm"};
 
 /// Endings that the program adds to a name when there is no file of that name.

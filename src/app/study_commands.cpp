@@ -62,7 +62,7 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
     }
 }
 
-/// What the deck made of the values that it was given: "" when it used them.
+/// Values that the deck did not use: "" when it used all.
 std::string unused_values(Session& session, const Case& one, const std::set<std::string>& declared) {
     for (const auto& name : session.given_properties.unused())
         return fmt::format("no command of the deck sets '{}'", name);
@@ -75,7 +75,7 @@ std::string unused_values(Session& session, const Case& one, const std::set<std:
     return {};
 }
 
-/// What one process of a study does: one run, and its outcome.
+/// The work of one process of a study: one run, and its outcome.
 RunCase run_case(const RunOrder& base, const Study& study, const fs::path& program) {
     return [base, study, program, declared = declared_names(study)](const Case& one, const fs::path& file) {
         RunOrder order = base;
@@ -127,7 +127,7 @@ int cores(int wanted) {
     return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Which of several processes this is: as mpirun and srun say. 0: the first, or the only one.
+/// The rank of this process according to mpirun or srun. 0: the first, or the only one.
 int own_rank() {
     for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"})
         if (const char* text = std::getenv(name)) return std::atoi(text);
@@ -148,7 +148,7 @@ void forget_runs(const fs::path& folder) {
     }
 }
 
-/// Outcomes of runs that were not done go, so that these are done again.
+/// Removes outcomes of incomplete runs, so that they are repeated.
 void forget_failures(const StudyFolder& folder, const std::vector<Case>& cases) {
     for (const auto& one : cases)
         if (const auto outcome = folder.outcome(one); outcome && outcome->end != Outcome::End::done)
@@ -179,7 +179,7 @@ int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& p
     const fs::path path =
         wanted.folder.empty() ? fs::path(fs::path(wanted.file).stem().string() + "-study") : fs::path(wanted.folder);
     if (wanted.anew) forget_runs(path);
-    const auto cases = cases_of(study); // what is wrong with the design is said before a folder is made
+    const auto cases = cases_of(study); // errors of the design are reported before a folder is made
     const bool first = !wanted.ranks || own_rank() == 0;
     StudyProgress progress(order.options.quiet || wanted.quiet || !first);
     const StudyFolder folder(path, study, program_version(), wanted.ranks);
@@ -197,7 +197,7 @@ int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& p
     return 0;
 }
 
-/// The runs that are there, whether or not all are.
+/// The existing runs, complete or not.
 struct Kept {
     Study study;
     std::vector<Case> cases;
@@ -230,7 +230,7 @@ int show(const StudyOrder& wanted) {
     return 0;
 }
 
-/// One run once more, with a deck that stands for itself.
+/// Repeats one run, with a deck that is complete in itself.
 int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
     const StudyFolder folder{fs::path(wanted.folder)};
     const Kept kept = kept_runs(folder);

@@ -1,4 +1,4 @@
-// Samples of a run whose length nobody knows before: when there are too many, each second one goes.
+// Samples of a run of unknown length: when there are too many, every second one is dropped.
 #pragma once
 
 #include <cstddef>

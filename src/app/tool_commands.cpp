@@ -40,7 +40,7 @@ struct Tool {
     }
 };
 
-/// Says what would become of each statement of the decks.
+/// Prints the outlook of each statement of the decks.
 int check(const Names& decks, bool as_json) {
     Output output(stdout, stderr);
     int status = 0;

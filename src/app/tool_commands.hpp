@@ -8,8 +8,8 @@
 
 namespace kaya {
 
-/// Adds them. The one that was asked for is returned through `chosen` as a function that does it and gives the exit status; it throws
-/// Diagnostic. `order` and `program`, the program's folder, say what a run here may do.
+/// Adds them. The requested one is returned through `chosen` as a function that runs it and returns the exit status; it throws Diagnostic.
+/// `order` and `program`, the program's folder, define the permissions.
 void add_tool_commands(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
                        std::function<int()>& chosen);
 

@@ -97,7 +97,7 @@ std::string help_text(const std::string& words) {
     } catch (Diagnostic& problem) {
         const std::string name = lang::fold(words), text = about_name(name);
         if (!text.empty()) return text;
-        // What is nearest to a field or function is meant, if the commands have nothing near.
+        // Proposes the nearest field or function if no command is near.
         if (!problem.hint.starts_with("did you mean")) {
             const Session session{Options{}};
             auto names = field_names(session.world);

@@ -1,4 +1,4 @@
-// What the program does with decks besides running them.
+// Tools for decks other than running them.
 #pragma once
 
 #include "commands/session.hpp"
@@ -21,8 +21,7 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
 
 enum class Formatting { show, write, check };
 
-/// `kaya fmt`: shows decks in their long form, writes it into the files, or names those that are not in it. Gives the exit
-/// status.
+/// `kaya fmt`: shows decks in their long form, writes it into the files, or names those that differ from it. Returns the exit status.
 int format_decks(const std::vector<std::string>& decks, Formatting what, Output& output);
 
 } // namespace kaya

@@ -69,7 +69,7 @@ std::string underlined(const Diagnostic& d) {
 /// Mistakes between a word as typed and one that may have been meant.
 struct Mistakes {
     int whole;     ///< when all of it was meant
-    int beginning; ///< when it was shortened: the language takes any beginning of a word
+    int beginning; ///< of an abbreviation: the language takes any beginning of a word
 };
 
 /// More mistakes than this are too many for "did you mean".
@@ -120,7 +120,7 @@ std::string readable(const std::string& message) {
 std::string render(const Diagnostic& d, bool colour, bool with_code) {
     const std::string kind =
         colour ? fmt::format("{}{}\033[0m", colour_of(d.severity), name_of(d.severity)) : name_of(d.severity);
-    // What `kaya explain` knows it by: for a reader at the screen or of a log, not for programs that read what is piped to them.
+    // The code for `kaya explain`: for readers of a screen or a log, not for programs at the end of a pipe.
     std::string code = with_code && !d.code.empty() ? fmt::format(" [{}]", d.code) : std::string();
     if (colour && !code.empty()) code = fmt::format(" \033[2m[{}]\033[0m", d.code);
     std::string text;
@@ -146,7 +146,7 @@ std::string_view did_you_mean(std::string_view word, const std::vector<std::stri
     // letters in another order, the commonest slip, win.
     const int limit = 2 * (word.size() <= 4 ? 1 : word.size() <= 5 ? 2 : most_mistakes);
     std::string_view best;
-    // A slip in what a word is shortened to counts as well: genn for generate.
+    // An error in an abbreviation counts as well: genn for generate.
     int best_halves = std::max(limit + 1, 4);
     Rows rows;
     for (const auto candidate : candidates) {

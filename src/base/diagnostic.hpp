@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// A text that is being read: a deck, or a line typed at the prompt. Lines are kept for underlining.
+/// A text being read: a deck, or a line typed at the prompt. Lines are kept for underlining.
 struct SourceText {
     std::string name;               ///< as the user wrote it
     std::vector<std::string> lines; ///< without line ends
@@ -28,7 +28,7 @@ struct Place {
 
 enum class Severity { note, warning, error };
 
-/// What kind of end an error makes of the program; the number is the exit status.
+/// How an error ends the program; the number is the exit status.
 enum class Fault {
     deck = 1, ///< the deck is wrong
     run = 2,  ///< the run failed: a joint model returned NaN, a disk is full, ...

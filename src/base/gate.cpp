@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_links = 40; // as the system itself allows
 
-/// What looks like files there are doors into the system and into other programs.
+/// Files there are interfaces to the system and to other programs.
 constexpr std::array<std::string_view, 3> system_folders{"/proc", "/sys", "/dev"};
 
 [[noreturn]] void refuse(const char* code, std::string message, std::string hint) {
@@ -32,7 +32,7 @@ bool lies_below(const fs::path& whole, const fs::path& folder) {
     return end == folder.end() || (std::next(end) == folder.end() && end->empty()); // "/a/" is "/a"
 }
 
-/// As a shell takes it.
+/// Quoted for a shell.
 std::string quoted(const fs::path& path) {
     const std::string text = path.string();
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%";

@@ -12,8 +12,7 @@
 
 namespace kaya {
 
-/// What a path really names: every link is followed, also where it leads to what does not exist. Empty when it leads
-/// round in circles.
+/// The real path: every link is followed, also to a target that does not exist. Empty for a circle of links.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
 /// Whether a file has the name of a shared library: x.so, x.so.1.
@@ -29,11 +28,11 @@ enum class Use {
 class Gate {
 public:
     struct Policy {
-        std::vector<std::filesystem::path> folders;   ///< what lies below may be read and written
+        std::vector<std::filesystem::path> folders;   ///< files below may be read and written
         std::vector<std::filesystem::path> named;     ///< files that the user named at the start, of any kind
         std::vector<std::filesystem::path> libraries; ///< folders with joint models
         std::vector<std::filesystem::path> own;       ///< folders of files that the program keeps for itself
-        std::set<std::string> digests;                ///< sha256 of joint models that were allowed by themselves
+        std::set<std::string> digests;                ///< sha256 of joint models with a permission of their own
         std::filesystem::path permissions;            ///< the user's list of these: no run writes there
     };
 
@@ -42,7 +41,7 @@ public:
     bool is_shut() const { return shut_; }
     const Policy& policy() const { return policy_; }
 
-    // Each throws Diagnostic, which names the command that allows it, when the answer is no.
+    // Each throws Diagnostic, which names the command that allows the file, when it is refused.
     void may_read(const std::filesystem::path& file) const;
     /// Commands or functions: such a file is not overwritten by the run.
     void may_read_code(const std::filesystem::path& file);

@@ -7,8 +7,8 @@
 
 namespace kaya {
 
-/// Writes each file whose text is another one; with `check` it prints the name and `hint` instead. The exit status: 0, or 1 where
-/// a file does not agree, or 2 where one cannot be written.
+/// Writes each file whose text has changed; with `check` it prints the name and `hint` instead. Returns the exit status: 0, or 1 where a
+/// file differs, or 2 where one cannot be written.
 int write_generated(const std::map<std::filesystem::path, std::string>& files, bool check, const std::string& hint);
 
 /// The whole text of a file; empty when there is none.

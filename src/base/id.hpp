@@ -42,7 +42,7 @@ public:
 
     void move(Id<Tag> id, Row row) { slots_[id.slot].row = row; }
 
-    /// The row, or no_row when the object is gone.
+    /// The row, or no_row when the object was deleted.
     Row row(Id<Tag> id) const {
         if (id.slot >= slots_.size() || slots_[id.slot].generation != id.generation) return no_row;
         return slots_[id.slot].row;

@@ -1,4 +1,4 @@
-// Words of decks and names of files in lower case: letters of ASCII only, whatever the locale.
+// Words of decks and names of files in lower case: ASCII letters only, independent of the locale.
 #pragma once
 
 #include <algorithm>

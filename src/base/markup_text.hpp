@@ -6,7 +6,7 @@
 
 namespace kaya {
 
-/// The text with its special letters written so that HTML and XML take none of it as a mark; control letters are left out.
+/// Escapes the text for HTML and XML; control characters are left out.
 std::string markup_text(std::string_view text);
 
 } // namespace kaya

@@ -25,7 +25,7 @@ void give_back_memory() {
 
 namespace {
 
-/// An entry of the system's table of memory, in bytes; the largest number where the system does not tell.
+/// An entry of the system's memory table, in bytes; the largest number where the system has none.
 std::size_t memory_entry(const std::string& name) {
     std::istringstream table(door::system_text("/proc/meminfo"));
     std::string word;
@@ -45,7 +45,7 @@ void limit_memory_to_available() {
     const std::size_t all = memory_entry("MemTotal:"), swap = memory_entry("SwapFree:");
     rlimit limit{};
     if (all == unknown || getrlimit(RLIMIT_DATA, &limit) != 0) return;
-    // What others hold now they may give back while a long run goes on.
+    // Other programs may release memory during a long run.
     const rlim_t wanted = std::max(memory_available(), all / 2) + (swap == unknown ? 0 : swap);
     if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
     limit.rlim_cur = wanted;

@@ -1,4 +1,4 @@
-// What the operating system can do about the memory of a large model.
+// Memory of large models: limits and page sizes of the operating system.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,15 @@ namespace kaya {
 /// Gives memory that is free back to the system.
 void give_back_memory();
 
-/// Bytes that programs can still take without driving others out; the largest number where the system does not tell.
+/// Bytes available without displacing other programs; the largest number where the system does not tell.
 std::size_t memory_available();
 
-/// From now on this program, and what it starts, gets no more memory than there was available when it began, or half of the
-/// machine's: what takes memory without end, as a joint model may, meets an allocation that fails, before the system ends
-/// some program without a word. A limit that is lower stays.
+/// Limits the memory of this program and its children to what was available at the start, or half of the machine's: an endless allocation,
+/// as in a joint model, fails before the system ends some program silently. A lower limit is kept.
 void limit_memory_to_available();
 
-/// Puts a long array, such as a column of a large table, on large pages where the system has them: a cycle goes through
-/// all columns, and with pages of 4 kB spends a tenth of its time on finding them. Nothing happens where it cannot be.
+/// Puts a long array, such as a column of a large table, on large pages where the system has them: a cycle reads all columns, and with
+/// pages of 4 kB spends a tenth of its time on address translation. Does nothing where that is impossible.
 void use_large_pages(const void* first, std::size_t bytes);
 
 } // namespace kaya

@@ -6,7 +6,7 @@
 namespace kaya {
 
 enum class ObjectKind : std::int32_t {
-    // Those that scripts see, under these numbers: handles of objects are in save files.
+    // Kinds visible to scripts, under these numbers: handles of objects are in save files.
     block,
     gridpoint,
     zone,
@@ -25,7 +25,7 @@ enum class ObjectKind : std::int32_t {
     none
 };
 
-/// Kinds from block to this one, without it, are those that scripts see.
+/// Kinds before this one, from block on, are visible to scripts.
 inline constexpr ObjectKind end_of_script_kinds = ObjectKind::triangle;
 
 } // namespace kaya

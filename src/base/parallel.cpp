@@ -58,7 +58,7 @@ void for_chunks(std::size_t n, std::size_t grain, ChunkBody body) {
     std::exception_ptr first;
     std::atomic<std::size_t> first_chunk = chunks;
     spread(chunks, [&](std::size_t c) {
-        if (c > first_chunk.load(std::memory_order_relaxed)) return; // what it does or throws, nobody will see
+        if (c > first_chunk.load(std::memory_order_relaxed)) return; // its result or exception would be discarded
         try {
             body(c * grain, std::min(n, (c + 1) * grain));
         } catch (...) {

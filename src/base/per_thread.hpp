@@ -5,9 +5,8 @@
 
 namespace kaya {
 
-/// A T for each thread, which gets it by local(). Whoever runs a parallel loop owns it and passes the thread's own down, so that
-/// what a call keeps for the next one shows in its arguments. Which thread has which rows is chance: no result may depend on
-/// what is in it.
+/// A T for each thread, by local(). The owner of a parallel loop owns it and passes each thread's T down, so that memory reused between
+/// calls is visible in the arguments. The assignment of rows to threads is random: no result may depend on the contents.
 template <class T> using PerThread = oneapi::tbb::enumerable_thread_specific<T>;
 
 } // namespace kaya

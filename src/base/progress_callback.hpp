@@ -1,4 +1,4 @@
-// How long work tells its caller how far it is.
+// Progress reports of long work.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace kaya {
 
-/// Called between the parts of long work with the fraction that is done. It may throw to stop the work, which must
-/// change nothing before its end. Empty: progress is not reported.
+/// Called between the parts of long work with the fraction done. It may throw to stop the work, which must change nothing before its end.
+/// Empty: progress is not reported.
 using ProgressCallback = std::function<void(double done)>;
 
-/// Reports that of part `part` of `parts` the fraction `done` is done.
+/// Reports the fraction `done` of part `part` of `parts`.
 inline void report_progress(const ProgressCallback& progress, std::size_t part, std::size_t parts, double done = 0) {
     if (progress) progress((static_cast<double>(part) + done) / static_cast<double>(parts));
 }

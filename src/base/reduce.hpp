@@ -8,9 +8,8 @@
 
 namespace kaya {
 
-/// A list of parts that is kept by the thread for the next reduction, so that a steady cycle allocates nothing. A reduction
-/// inside of another, or one that a waiting thread takes over, gets a list of its own: they end in the opposite order. So there
-/// is nothing that a caller could get wrong, and no loop has to bring a list along.
+/// A list of parts that the thread keeps for its next reduction, so that a steady cycle allocates nothing. A nested reduction, or one that
+/// a waiting thread takes over, gets a separate list: they end in the opposite order. Callers need not pass a list.
 template <class Part> class KeptParts {
 public:
     explicit KeptParts(std::size_t count) : parts_(next()) { parts_.assign(count, Part{}); }

@@ -1,4 +1,4 @@
-// The digest by which a file is known again that somebody could want to replace.
+// Cryptographic digest that identifies a file which others might replace.
 #pragma once
 
 #include <string>

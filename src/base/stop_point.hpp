@@ -1,15 +1,15 @@
-// Where long work that is deep inside of a command asks whether somebody wants it to stop.
+// Points in long work where a stop request is checked.
 #pragma once
 
 #include <functional>
 
 namespace kaya {
 
-/// Asks; throws what the one that listens throws. May be called by any thread, between parts of work that changes nothing that
-/// stays before its end. Nothing happens when nobody listens.
+/// Checks for a request and throws what the listener throws. May be called by any thread, between parts of work that makes no lasting
+/// change before its end. Does nothing without a listener.
 void stop_point();
 
-/// Listens as long as it lives, in the place of whoever did before. To be made and to go while no work is done.
+/// Listens while it exists, in place of the previous listener. Construct and destroy it while no work runs.
 class StopListener {
 public:
     explicit StopListener(std::function<void()> ask);
@@ -23,7 +23,7 @@ private:
     StopListener* before_;
 };
 
-/// The same in loops whose parts are small: asks in every so many of them.
+/// The same in loops with small parts: checks every few parts.
 class StopPoints {
 public:
     explicit StopPoints(int every = 1024) : every_(every), left_(every) {}

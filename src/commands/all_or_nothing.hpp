@@ -1,4 +1,4 @@
-// Commands that look for contacts, or change many things one by one, before they know whether they can be done.
+// Commands that search for contacts, or change many things one by one, before they know whether they can succeed.
 #pragma once
 
 #include "base/memory.hpp"
@@ -8,8 +8,8 @@
 
 namespace kaya {
 
-/// Does the work of a command; when it is refused the model is as it was, bit by bit. Costs a copy of the model, so it is not
-/// for what decks do thousands of times. Inside of a cycle the work is done as it is: rows do not change there.
+/// Runs the work of a command; if it throws, the model is restored bit by bit. Costs a copy of the model, so it is not for commands that
+/// decks give thousands of times. Inside a cycle the work runs directly: rows do not change there.
 template <class Work> void all_or_nothing(Session& session, Work work) {
     if (session.inside_cycle) return work();
     std::optional<Model> before = session.model;
@@ -17,7 +17,7 @@ template <class Work> void all_or_nothing(Session& session, Work work) {
         work();
     } catch (...) {
         session.model = std::move(*before);
-        ModelEdit(session.model, Change::lists); // what the cycle has derived is of the model that is gone
+        ModelEdit(session.model, Change::lists); // derived data of the cycle belong to the discarded model
         session.make_cycle();
         throw;
     }

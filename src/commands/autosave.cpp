@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A run that takes less is soon made again.
+/// Seconds: a shorter run is quickly repeated.
 constexpr double worth_keeping = 60;
 
 void note(Session& session, const std::string& message, const std::string& hint) {
@@ -45,7 +45,7 @@ bool Autosave::is_long() const {
 }
 
 void Autosave::begins() {
-    failed_cycle_ = 0; // whoever cycles on takes the model as it is
+    failed_cycle_ = 0; // a later cycle accepts the model in this state
     last_good_.lose_track();
     offer_copy();
 }
@@ -90,7 +90,7 @@ void Autosave::write_before_failure() {
         session_.output_file(name);
         last_good_.write(name, fmt::format("the state before cycle {}, which failed: {}", failed_cycle_, why_));
     };
-    // What is there for sure comes first.
+    // The certain state is written first.
     if (!into_file(write_copy, last_good_.cycle()) || last_good_.cycle() == failed_cycle_ - 1) return;
     try {
         last_good_.run_on(session_, failed_cycle_ - 1);

@@ -1,4 +1,4 @@
-// What is kept of a run that does not come to its end.
+// Keeps the model of a run that is cut off.
 #pragma once
 
 #include "commands/last_good.hpp"
@@ -13,19 +13,19 @@ namespace kaya {
 
 class Session;
 
-/// Saves the model every so many minutes of cycles, and when a run is stopped or a command of it fails, into
-/// DECK-autosave.kaya.h5 in the current folder: a machine that goes down takes no more than these minutes, an error after a
-/// long run nothing. The file goes when the run comes to its end. Saving changes nothing in the model.
+/// Saves the model at intervals of cycling time, and when a run is stopped or a command fails, into DECK-autosave.kaya.h5 in the current
+/// folder: a crash of the machine costs at most one interval, an error after a long run nothing. The file is removed when the run ends
+/// normally. Saving does not change the model.
 class Autosave {
 public:
     explicit Autosave(Session& session) : session_(session) {}
 
-    /// Seconds between two files; nullopt: nothing is kept.
+    /// Seconds between two files; nullopt: never.
     void set_interval(std::optional<double> seconds) { interval_ = seconds; }
 
-    /// Says so when an earlier run of the deck has left a file.
+    /// Reports a file left by an earlier run of the deck.
     void find_earlier();
-    /// To be called before the first cycle of a command, when the model is ready for it.
+    /// Call before the first cycle of a command, when the model is prepared.
     void begins();
     /// To be called after cycles, several times a second.
     void advanced();
@@ -34,16 +34,16 @@ public:
         since_.reset();
         last_good_.drop();
     }
-    /// What the model is for a while is not to be kept: joints are stronger than they are, say.
+    /// Suspends saving while the model is in a temporary state, for example with raised joint strength.
     void hold(bool on) { held_ += on ? 1 : -1; }
-    /// A cycle has failed half way: the model is no state to go on from, and that before the cycle is kept instead.
+    /// A cycle has failed half way: the model is unusable, and the state before the cycle is kept instead.
     void step_failed(std::int64_t cycle, const std::string& why) {
         failed_cycle_ = cycle;
         why_ = why;
     }
-    /// The run ends here, and not by itself: keeps the model if it took long, and says where.
+    /// The run is cut off here: saves the model if it took long, and prints where.
     void keep();
-    /// The run has come to its end.
+    /// The run has ended normally.
     void done();
 
 private:

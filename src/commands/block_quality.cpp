@@ -1,4 +1,4 @@
-// list blocks quality: blocks that will make trouble, and what to do about them.
+// list blocks quality: blocks that will cause problems, and what to do about them.
 #include "commands/listing.hpp"
 #include "geometry/quality.hpp"
 #include "model/build.hpp"
@@ -11,7 +11,7 @@ namespace kaya {
 
 namespace {
 
-/// What is wrong with one block.
+/// A defect of one block.
 struct Finding {
     Row block;
     std::string ailment, numbers;

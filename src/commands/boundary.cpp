@@ -37,7 +37,7 @@ StressField stress_field(const lang::Boundary& command) {
             {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)}};
 }
 
-/// The time function that a kind of `hist` stands for. Throws Diagnostic when it gives no numbers, as far as can be told now.
+/// The time function of a `hist` clause. Throws Diagnostic when it gives no numbers, as far as is known before the run.
 struct TimeFunctionOf {
     Session& session;
 
@@ -74,7 +74,7 @@ struct TimeFunctionOf {
     }
 };
 
-/// The row of the function that `hist` names; it is there, and gives numbers, as far as can be told now.
+/// The row of the function named by `hist`, checked to exist and to give numbers as far as is known before the run.
 std::int32_t time_function(Session& session, const std::optional<lang::Multiplier>& multiplier) {
     if (!multiplier) return constant_in_time;
     try {
@@ -158,7 +158,7 @@ std::uint8_t quiet_bits(const lang::Boundary& command) {
 std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& points) {
     auto& model = session.model;
     const bool quiet = quiet_bits(command) != 0;
-    find_contacts(model, session.joints); // they tell which faces are exterior
+    find_contacts(model, session.joints); // they define the exterior faces
     const auto triangles = exterior_triangles(model, points);
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
@@ -208,7 +208,7 @@ void reset_displacements(Session& session) {
 }
 
 void reset_velocities(Session& session) {
-    // Prescribed components stay: a boundary condition is no initial condition.
+    // Prescribed components are left unchanged: a boundary condition is not an initial condition.
     auto& points = session.model.gridpoints;
     for (std::size_t row = 0; row < points.size(); ++row)
         for (int axis = 0; axis < 3; ++axis)
@@ -226,7 +226,7 @@ void reset_velocities(Session& session) {
 void reset_joint_displacements(Session& session) { links::clear(session.model.sub_contacts, {Role::displacement}); }
 
 void reset_energy(Session& session) {
-    // The account is opened anew: what moves now is what it starts with.
+    // The energy account restarts with the present kinetic energy.
     auto& energy = session.model.energy;
     const double kinetic = energy.kinetic;
     energy = Energy{};
@@ -314,7 +314,7 @@ void bound(Session& session, const lang::Boundary& command) {
                                        place_text(direction.normalized()), counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
-        find_contacts(model, session.joints); // they tell which faces are exterior
+        find_contacts(model, session.joints); // they define the exterior faces
         const double area = add_stress(model, points, stress_field(command), function);
         if (area == 0) warn_of_no_face(session, command, points.size(), "the stress");
         else session.output.say(fmt::format("stress added on an area of {}", number_text(area)));
@@ -328,7 +328,7 @@ void bound(Session& session, const lang::Boundary& command) {
 } // namespace
 
 void run(Session& session, const lang::Boundary& command) {
-    // Faces are told by contacts, which are found first.
+    // Exterior faces follow from contacts, which are updated first.
     if (command.stress || on_faces(command)) return all_or_nothing(session, [&] { bound(session, command); });
     bound(session, command);
 }
@@ -354,7 +354,7 @@ Vec6 load_of(const lang::Apply& command) {
     return sum;
 }
 
-/// One place is a place of one block, and lies in or on it.
+/// A single place must lie in or on one block.
 void check_place_of_load(Session& session, const lang::Apply& command, const std::vector<Row>& blocks) {
     const Model& model = session.model;
     if (blocks.size() > 1)

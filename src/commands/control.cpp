@@ -21,12 +21,12 @@ void refuse_scaled_dynamics(const Session& session) {
                          "write 'mscale off' or 'mscale part dt' before");
 }
 
-/// Dynamic runs start without damping, static ones with the default; what `damp` has asked for stays.
+/// Dynamic runs start without damping, static ones with the default; a previous `damp` stays in force.
 void set_dynamic(Session& session, bool on) {
     auto& settings = session.model.settings;
     if (on == settings.dynamic) return;
     settings.dynamic = on;
-    ModelEdit(session.model, Change::properties); // the part of the stable step that is taken may be another
+    ModelEdit(session.model, Change::properties); // the fraction of the stable step may change
     const Settings fresh;
     const bool is_default = settings.damping == fresh.damping && settings.local_factor == fresh.local_factor;
     if (on && is_default) settings.damping = Damping::none;
@@ -66,7 +66,7 @@ void run(Session& session, const lang::Config& command) {
 void run(Session& session, const lang::Title& command) { session.title = command.text; }
 
 void run(Session& session, const lang::Pause&) {
-    // Nobody is there to go on with a run that reads its commands from a file in the background.
+    // A background run that reads its commands from a file cannot be continued by a key.
     if (session.output.quiet || !session.output.on_terminal() || isatty(STDIN_FILENO) == 0) return;
     session.output.say("pause: press Enter to go on");
     std::string line;
@@ -78,7 +78,7 @@ void run(Session& session, const lang::Set& command) {
     if (command.dynamic.value_or(false)) refuse_scaled_dynamics(session);
     if (command.default_joint_constitutive) {
         const auto number = static_cast<std::int32_t>(*command.default_joint_constitutive);
-        (void)joint_model_of_number(session.model, number); // says when there is none
+        (void)joint_model_of_number(session.model, number); // throws when there is none
         settings.default_joint_constitutive = number;
     }
     if (command.default_joint_material)

@@ -1,4 +1,4 @@
-// jset, tunnel, densify, join: cutting blocks that are there, and putting them together.
+// jset, tunnel, densify, join: cutting and joining existing blocks.
 #include "commands/ground.hpp"
 #include "commands/handlers.hpp"
 #include "commands/long_work.hpp"
@@ -33,7 +33,7 @@ template <class Number> std::string counted(Number number, std::string_view one,
     return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-/// The rigid ones of the blocks that a cut shall act on; warns about the others.
+/// The rigid ones among the blocks to be cut; warns about the others.
 std::vector<Row> rigid_blocks(Session& session, std::vector<Row> rows, const Place& place) {
     const std::size_t all = rows.size();
     std::erase_if(rows, [&](Row row) { return session.model.blocks.deformable[row] != 0; });
@@ -62,8 +62,7 @@ std::string too_thin(const CutBlocks& cut, double thinnest) {
                        counted(cut.slivers, "cut was", "cuts were"), thinnest);
 }
 
-/// Puts the pieces in place of their blocks and says in one line what was done.
-/// Returns the row of each piece.
+/// Replaces blocks by their pieces and reports it in one line. Returns the row of each piece.
 std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
                        const std::string& by, double tolerance = 0) {
     const std::size_t whole = rows.size() - cut.parents.size();
@@ -87,7 +86,7 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
     return pieces;
 }
 
-/// The pieces of each block become one body again; they stand one after the other in the list.
+/// Joins the pieces of each block to one body; they are consecutive in the list.
 void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pieces) {
     std::vector<std::pair<Row, Row>> pairs;
     for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -192,7 +191,7 @@ void run(Session& session, const lang::CutGround& command) {
                              .at(command.place));
             return;
         }
-        // What lies on one side stays one body.
+        // Pieces on one side stay one body.
         for (std::size_t i = 0; i < pieces.size();) {
             std::array<std::vector<Row>, 2> sides;
             const int parent = cut.blocks.pieces[i].parent;
@@ -237,7 +236,7 @@ void run(Session& session, const lang::Densify& command) {
 
 namespace {
 
-/// Joins the pairs and says in one line what came of it.
+/// Joins the pairs and reports the result in one line.
 void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const Place& place) {
     try {
         join_pairs(session.model, pairs);

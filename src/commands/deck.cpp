@@ -27,14 +27,14 @@ fs::path Deck::next_to_deck(const std::string& name) const {
 
 void Deck::take_source(const Place& place) {
     const auto& source = place.source;
-    // What a script gives is part of a deck that has been read; it may be very many texts.
+    // Text given by a script belongs to a deck that has been read already; there may be very many of them.
     if (source->is_file && (sources.empty() || sources.back() != source))
         if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
 }
 
 lang::Checks deck_checks() {
-    // A function that does not compile is found before the first command runs, not hours later. What its names
-    // mean is known when it is defined; names that are not supported are refused whatever they mean.
+    // A function that does not compile is reported before the first command runs, not hours later. Its names are resolved when it is
+    // defined; unsupported names are refused in any case.
     lang::Checks checks;
     checks.command = [](const std::any& command) {
         if (const auto* function = std::any_cast<lang::FishDefinition>(&command))

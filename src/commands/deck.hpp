@@ -1,4 +1,4 @@
-// The deck that runs: what it has said so far, and where in it the run is.
+// The running deck: its definitions so far, and the present position in it.
 #pragma once
 
 #include "commands/given_properties.hpp"
@@ -24,25 +24,25 @@ public:
     /// "tunnel.3dd:12" of the running command, "" outside a deck.
     std::string here() const;
 
-    /// A file of a deck: next to the deck when it is there, else in the current folder.
+    /// A file of a deck: beside the deck if it exists there, else in the current folder.
     std::filesystem::path next_to_deck(const std::string& name) const;
 
     lang::Interpreter interpreter;
     NamedRanges ranges;
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
-    GivenProperties given_properties;                ///< of `param` and `kaya --set`, in the place of those of the deck
+    GivenProperties given_properties;                ///< of `param` and `kaya --set`; they replace values of the deck
     std::string title;
     std::string deck; ///< file name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
-    Place last_place; ///< of the command that ran last, for failures that have no place of their own
+    Place last_place; ///< of the last command, for errors without a place of their own
 
 protected:
     /// Keeps the text of a command for save files.
     void take_source(const Place& place);
 };
 
-/// What is looked at when a deck is bound, before its first command runs: whether FISH compiles.
+/// Checks when a deck is bound, before its first command runs: whether FISH compiles.
 lang::Checks deck_checks();
 
 } // namespace kaya

@@ -20,7 +20,7 @@ void DeckMaterials::check(const lang::BoundCommand& command) {
     lang::Statement statement;
     if (!lexer.next(statement)) return;
     if (statement.words.front().folded.starts_with("impo")) open_ = true; // the file may give any
-    // Any word that begins so and is followed by a number gives, or picks, what has it: change mat 2, poly brick ... mat 2, set jmatdf 2.
+    // Any word with this beginning followed by a number sets or selects a material: change mat 2, poly brick ... mat 2, set jmatdf 2.
     for (std::size_t i = 0; i + 1 < statement.words.size(); ++i) {
         const std::string& word = statement.words[i].folded;
         if (word.empty()) continue;

@@ -14,11 +14,11 @@ namespace kaya {
 class DeckMaterials {
 public:
     void check(const lang::BoundCommand& command);
-    /// A text of FISH or Lua: where it speaks of materials, any of them may be given.
+    /// A text of FISH or Lua: if it mentions materials, it may set any of them.
     void check_script(std::string_view text);
     void anything_may_be_given() { open_ = true; }
 
-    /// A warning for each number whose properties nothing can have.
+    /// A warning for each material number that no object can have.
     std::vector<Diagnostic> findings() const;
 
 private:

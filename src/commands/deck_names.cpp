@@ -92,7 +92,7 @@ void DeckNames::learn_expression(const lang::Word& word) {
             add(std::move(use), true);
         }
     } catch (const Diagnostic&) {
-        // The run says what is wrong with it; which names it means cannot be told.
+        // The run reports the error; the names that it means are unknown.
     }
 }
 
@@ -198,7 +198,7 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
     }
 }
 
-/// Only what looks like a slip of the pen: many a deck gives a result that it does not want to a variable.
+/// Only likely misspellings: many decks assign an unwanted result to a variable.
 void DeckNames::find_unread(std::vector<Diagnostic>& found) const {
     constexpr std::size_t shortest = 6; // shorter names are too near to each other
     for (const auto& use : set_) {

@@ -16,18 +16,17 @@ namespace kaya {
 /// Fed with the statements of a deck in any order, before any of it runs.
 class DeckNames {
 public:
-    /// `scripts` knows what is built in and what earlier decks have made.
+    /// `scripts` knows built-in names and those of earlier decks.
     explicit DeckNames(const script::Scripts& scripts) : scripts_(scripts) {}
 
     /// `inside`: the command stands in a FISH function, and its names may be local ones.
     void check(const lang::BoundCommand& command, bool inside);
     /// A text of Lua: any word of it may be a name that it sets or reads.
     void check_lua(std::string_view text);
-    /// Files that are not known before the run may make any name.
+    /// Files unknown before the run may create any name.
     void anything_may_be_made() { open_ = true; }
 
-    /// In the order in which the names were used. Errors are what must fail when its line is reached, warnings what may be
-    /// a slip of the pen.
+    /// In the order of use. Errors are certain failures when their line is reached, warnings are likely misspellings.
     std::vector<Diagnostic> findings() const;
 
 private:
@@ -44,10 +43,10 @@ private:
 
     struct Used {
         fish::NameUse use;
-        bool of_command; ///< of a command of the deck: nothing runs with a name that nobody makes
+        bool of_command; ///< of a command of the deck: an undefined name fails
     };
     const script::Scripts& scripts_;
-    std::map<std::string, fish::Meaning> functions_; ///< of the deck, with all numbers of arguments that they take
+    std::map<std::string, fish::Meaning> functions_; ///< of the deck, with all accepted numbers of arguments
     std::set<std::string> mentioned_;                ///< exist, with the value 0 if nothing sets them
     std::set<std::string> made_, read_;
     std::vector<Used> used_;

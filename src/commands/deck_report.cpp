@@ -57,7 +57,7 @@ public:
         add(problem);
     }
 
-    /// What the whole deck shows. Where a statement could not be read, it may have made the names that are missing.
+    /// Findings about the whole deck. A statement that could not be read may have defined the missing names.
     void findings(const DeckReview& review) {
         const bool whole =
             std::ranges::all_of(report.lines, [](const auto& line) { return line.outlook != Outlook::wrong; });
@@ -113,7 +113,7 @@ std::string DeckReport::json_lines() const {
         const char* severity = line.outlook == Outlook::ignored    ? "information"
                                : line.outlook == Outlook::doubtful ? "warning"
                                                                    : "error";
-        // What says "did you mean 'x'?" proposes x, which an editor can put in.
+        // The hint "did you mean 'x'?" proposes x, which an editor can insert.
         constexpr std::string_view begin = "did you mean '";
         const auto from = line.hint.find(begin), to = line.hint.find("'?", from);
         const std::string proposal = from == line.hint.npos || to == line.hint.npos
@@ -128,7 +128,7 @@ std::string DeckReport::json_lines() const {
                                                {"message", line.text},
                                                {"hint", line.hint},
                                                {"proposal", proposal}};
-        // What is no UTF-8 in a deck is shown as the sign for that.
+        // Invalid UTF-8 in a deck is replaced by the replacement character.
         text += object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
     return text;
@@ -137,7 +137,7 @@ std::string DeckReport::json_lines() const {
 DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders) {
     const lang::Checks checks = deck_checks();
     const lang::ReadDeck read = lang::read_deck(lang::classic(), deck, folders, &checks);
-    const Session session{Options{}}; // knows the names that are built in
+    const Session session{Options{}}; // knows built-in names
     std::vector<std::filesystem::path> places{std::filesystem::path(deck).parent_path()};
     places.insert(places.end(), folders.begin(), folders.end());
     Reporter reporter;

@@ -1,4 +1,4 @@
-// `kaya check`: what would become of each statement of a deck, without running it.
+// `kaya check`: the outlook of each statement of a deck, without running it.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace kaya {
 
-/// What becomes of a statement.
+/// The outlook of a statement.
 enum class Outlook {
     runs,
     ignored,       ///< it, or one of its words, is read and without effect
-    doubtful,      ///< it runs, and may not mean what it says
+    doubtful,      ///< it runs, and its meaning is doubtful
     not_supported, ///< known, and not supported yet
     unknown,       ///< a word that is in no table
     wrong          ///< any other mistake
@@ -23,14 +23,14 @@ struct ReportLine {
     std::string file; ///< as the deck or the call names it
     int line = 0, column = 0;
     Outlook outlook = Outlook::runs;
-    std::string text; ///< what is ignored, or the message
+    std::string text; ///< the ignored text, or the message
     std::string hint;
     std::string code; ///< for `kaya explain`; may be empty
 };
 
 struct DeckReport {
     std::vector<ReportLine> lines;            ///< files in the order of their first call, lines ascending
-    std::size_t statements = 0;               ///< of all files, those inside FISH functions too
+    std::size_t statements = 0;               ///< in all files, including those inside FISH functions
     std::size_t count(Outlook outlook) const; ///< of lines
     bool can_run() const;
     /// "deck.3dd:12:5: not supported yet: ...", one for each line, and the counts.

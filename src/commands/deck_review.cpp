@@ -62,7 +62,7 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
 
-/// The function was compiled when the deck was bound; its command blocks are looked at here.
+/// The function was compiled when the deck was bound; its command blocks are checked here.
 void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto function = fish::read_function(definition.text, definition.place);
     const auto doubts = fish::doubts(function);
@@ -90,7 +90,7 @@ void DeckReview::anything_may_be_made() {
     materials_.anything_may_be_given();
 }
 
-/// A mark that asks for a line that is not there.
+/// A continuation mark without a following line.
 void DeckReview::doubt_last_line(const SourceText& source) {
     const auto text = std::make_shared<SourceText>(source);
     const lang::Lexer lexer(text);

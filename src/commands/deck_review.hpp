@@ -1,5 +1,4 @@
-// What can be said of a whole deck when it has been read and before it runs: its names of FISH, its Lua, the files that
-// it wants to read.
+// Checks of a whole deck after reading and before running: names of FISH, Lua, files to be read.
 #pragma once
 
 #include "commands/deck_materials.hpp"
@@ -18,11 +17,11 @@ namespace kaya {
 /// Walks over a deck, the files that it calls, and the commands inside its FISH functions.
 class DeckReview {
 public:
-    /// All are kept by reference. `folders` are where files of data are looked for.
+    /// Arguments are kept by reference. `folders` are searched for data files.
     DeckReview(const lang::BareNames& bare, const script::Scripts& scripts, std::vector<std::filesystem::path> folders)
         : bare_(bare), folders_(std::move(folders)), names_(scripts) {}
 
-    // For those who want to see what the review sees; each may stay empty.
+    // Optional callbacks that see the files of the review.
     std::function<void(const lang::BoundFile&)> on_file;
     std::function<void(const lang::BoundCommand&)> on_statement;
     /// A command inside a function that does not bind, or (empty) that is known at run time only.
@@ -30,7 +29,7 @@ public:
 
     void file(const lang::BoundFile& file);
 
-    /// Errors are what must fail when its line is reached, warnings what may be a slip of the pen.
+    /// Errors are certain failures when their line is reached, warnings are likely misspellings.
     std::vector<Diagnostic> findings() const;
 
 private:
@@ -49,8 +48,8 @@ private:
     std::vector<Diagnostic> other_;
     std::set<const lang::BoundFile*> seen_;
     std::set<std::string> earlier_words_; ///< a command in front that names a file may write it
-    std::set<std::string> defined_;       ///< functions of the deck, whose texts tell
-    bool may_have_written_ = false; ///< so may a script that can write files, and a line that is known at run time only
+    std::set<std::string> defined_;       ///< functions of the deck, whose text is known
+    bool may_have_written_ = false;       ///< set by scripts that can write files, and by lines known at run time only
 };
 
 } // namespace kaya

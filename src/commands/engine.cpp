@@ -27,7 +27,7 @@ std::optional<JointTables::Points> table_points(script::Scripts& scripts, const 
     return points;
 }
 
-/// Bytes that scripts may take: a text that is doubled too often shall end with a message, not take the machine down.
+/// Memory limit of scripts in bytes: a text that is doubled too often ends with a message instead of exhausting the machine.
 std::size_t memory_for_scripts(std::size_t megabytes) {
     if (megabytes > 0) return megabytes << 20;
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);

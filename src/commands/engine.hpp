@@ -1,4 +1,4 @@
-// What moves: the model, its cycle, the laws of joints and zones, and the scripts that act on them.
+// The engine of a session: the model, its cycle, the laws of joints and zones, and the scripts that act on them.
 #pragma once
 
 #include "base/gate.hpp"
@@ -24,11 +24,11 @@ public:
     explicit Engine(WorldHost& host) : world(model, joints, host) {}
     ~Engine();
 
-    /// Before anything runs. The gate is asked before a library is loaded; `script_memory` in megabytes, 0: as much as there is.
+    /// Call before anything runs. The gate is asked before a library is loaded; `script_memory` in megabytes, 0: no limit of its own.
     void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
                std::size_t script_memory);
 
-    /// The cycle of the present model; to be made anew when the model was replaced.
+    /// Creates the cycle of the present model; call it again when the model was replaced.
     void make_cycle();
 
     Model model;
@@ -38,7 +38,7 @@ public:
     std::unique_ptr<Cycle> cycle;
     bool inside_cycle = false;                                     ///< a hook is running: structure must not change
     std::vector<std::pair<Place, std::function<void()>>> deferred; ///< changes that wait for the end of the cycle
-    Occupied occupied; ///< where blocks stand, for the warning about two in one place
+    Occupied occupied; ///< positions of blocks, for the warning about two in one place
 };
 
 } // namespace kaya

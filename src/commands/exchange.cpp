@@ -24,10 +24,10 @@ struct Incoming {
     std::optional<TetMesh> mesh;
     std::string group;
     std::int32_t region;
-    std::int32_t material = 0; ///< 0: the file says nothing
+    std::int32_t material = 0; ///< 0: not given in the file
 };
 
-/// Faces that are warped more than can be mended become triangles: files of other programs are full of them.
+/// Strongly warped faces become triangles: they are common in files of other programs.
 constexpr Flatness of_files{1e-3, true};
 
 std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {

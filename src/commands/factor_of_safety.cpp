@@ -11,13 +11,13 @@ namespace kaya {
 
 namespace {
 
-/// Where a model that has slid stands only with less of its factor, it has fallen, and not only slid.
+/// If a model that has slid is stable only below this part of its factor, it has fallen, not only slid.
 constexpr double fallen_part = 0.5;
-constexpr double largest = 64; ///< factors beyond which nobody looks
+constexpr double largest = 64; ///< largest factor of the search
 /// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
 constexpr double first_width = 0.03, widening = 4;
 
-/// Factors where the model stands and where it fails.
+/// A factor at which the model is stable, and one at which it fails.
 struct Bracket {
     double stands, fails;
 };
@@ -66,8 +66,8 @@ Bracket bracket_around(StrengthTrials& trials, double guess) {
     return {0, bracket.fails};
 }
 
-/// What is known before the first trial: the factor of the weakest block by block theory, else the one that `limit equilibrium` or an
-/// earlier search has found. 0 where neither is there.
+/// Initial guess: the factor of the weakest block by block theory, else the last result of `limit equilibrium` or of an earlier search; 0
+/// without either.
 double guessed_factor(Session& session) {
     constexpr double least = 0.1, most = 10;
     double guess = INFINITY;
@@ -89,7 +89,7 @@ Bracket narrowed(StrengthTrials& trials, Bracket bracket, double resolution) {
 
 bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
 
-/// A model that stands where a hasty trial failed: the search goes on upward.
+/// The model is stable where an early-ended trial failed: the search continues upward.
 Bracket bracket_above(StrengthTrials& trials, double stands, double resolution) {
     Bracket bracket{stands, stands};
     for (double width = widening * resolution; bracket.fails < largest; width *= 2) {
@@ -100,7 +100,8 @@ Bracket bracket_above(StrengthTrials& trials, double stands, double resolution) 
     return {bracket.fails, INFINITY};
 }
 
-/// A bracket whose lower end may not stand: the search goes on downward, in steps that double, and gives up below `least`, with a lower end of 0.
+/// The lower end of the bracket may be unstable: the search continues downward in doubling steps, and gives up below `least` with a lower
+/// end of 0.
 Bracket bracket_below(StrengthTrials& trials, Bracket bracket, double resolution, double least) {
     if (trials.stands(bracket.stands)) return bracket;
     double width = resolution;
@@ -112,8 +113,8 @@ Bracket bracket_below(StrengthTrials& trials, Bracket bracket, double resolution
     return {0, bracket.fails};
 }
 
-/// The answer must not depend on haste, nor on the way to it. The factor with which the model fails is tried again, to the end, where that
-/// trial had ended early; the one with which it stands is tried again from the beginning. Where either gives another answer the search goes on from there.
+/// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again to the end where its trial ended
+/// early; the stable one is tried again from the beginning. If either changes, the search continues from there.
 Bracket confirmed(StrengthTrials& trials, Bracket bracket, double resolution) {
     if (trials.failed_early()) {
         trials.be_patient();

@@ -45,7 +45,7 @@ FailureMode::FailureMode(const Model& model, const Cycle& cycle)
 }
 
 FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
-    // Corners of a rigid block move also in small strain, where its orientation stays; each counts alike.
+    // Corners of a rigid block move also in small strain, where its orientation is fixed; each has equal weight.
     const Span span = model.blocks.gridpoints[block];
     const auto first = static_cast<std::size_t>(span.first), end = static_cast<std::size_t>(span.end());
     const auto mass = [&](std::size_t g) { return model.blocks.deformable[block] ? model.gridpoints.mass[g] : 1.0; };
@@ -69,7 +69,7 @@ FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
     return found;
 }
 
-/// Whether blocks turn the other way round than those that tip over in the direction of the mean shift; false without gravity, or where all go straight down.
+/// Whether blocks rotate against the sense of toppling in the direction of the mean shift; false without gravity, or for vertical motion.
 bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& motions) {
     Vec3 shift = Vec3::Zero(), turn = Vec3::Zero();
     for (std::size_t b = 0; b < motions.size(); ++b)
@@ -86,7 +86,7 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
                      &two = motions[static_cast<std::size_t>(joint.block2)];
         const Vec3 by_shift = two.shift - one.shift,
                    by_turn = two.turn.cross(joint.position - two.centre) - one.turn.cross(joint.position - one.centre);
-        // Blocks that turn together as one body do not move across their joint, though both parts are there.
+        // Blocks that rotate together as one body have no relative motion across their joint, though both parts are nonzero.
         const double weight = joint.area * (by_shift + by_turn).norm(), sum = by_shift.norm() + by_turn.norm();
         if (!(sum > 0)) continue;
         all += weight;

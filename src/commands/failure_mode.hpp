@@ -10,7 +10,7 @@ namespace kaya {
 
 class Cycle;
 
-/// Looks at a model twice, before it moves and after. docs/theory/slopes.md, "How it fails".
+/// Compares a model before and after its motion. docs/theory/slopes.md, "How it fails".
 class FailureMode {
 public:
     FailureMode(const Model& model, const Cycle& cycle);
@@ -19,7 +19,7 @@ public:
         double turning = 0; ///< of the motion across joints: by blocks that turn, not by blocks that shift
         double zones = 0;   ///< of the work that was lost: in zones, not in joints
         bool joints_move = false;
-        bool backward = false; ///< blocks turn against their shift: feet of columns go first
+        bool backward = false; ///< blocks rotate against their shift: the feet of columns move first
         bool topples() const;
     };
     /// Since it was made. Blocks must be the same.
@@ -46,7 +46,7 @@ private:
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
 
-/// Which block has moved most since `start`, and how many have gone far; "" where none moved.
+/// The block that has moved most since `start`, and the number of blocks that moved far; "" without motion.
 std::string farthest_text(const Model& start, const Model& model, double factor);
 
 } // namespace kaya

@@ -11,17 +11,17 @@ namespace kaya {
 
 namespace {
 
-/// Cosine of the angle that two thirds of a straight way may make.
+/// Least cosine between the displacements of two thirds of a straight path.
 constexpr double straight = 0.98;
 /// Part of the speed and the kinetic energy of a window's first third that the last one has, or more.
 constexpr double kept = 0.98;
 /// The force out of balance falls where it loses more than this part of its mean in a window, and the slope is so many times its standard error.
 constexpr double noticed = 1e-6, sure = 2;
-/// It has come to its end where it falls by less than this part of what it fell by before, and so much of it will be left.
+/// The decrease has ended where it is less than this part of the previous one, and this part of the value will remain.
 constexpr double slowing = 0.9, remaining = 0.5;
-/// Part of the bodies that are looked at which must move so.
+/// Part of the observed bodies that must move in this way.
 constexpr double most = 0.9;
-/// The fastest of all bodies that are looked at: one of so many.
+/// One of this many bodies is observed, the fastest ones.
 constexpr std::size_t share = 100;
 /// Part of the work done on the model that may be stored.
 constexpr double stored_part = 0.1;
@@ -79,7 +79,7 @@ bool FailureMonitor::force_falls() const {
     const double error = std::sqrt(scatter / (n - 2) / spread);
     if (!(slope < -sure * error && slope * n < -noticed * mean)) return false;
 
-    // It falls, but less and less: where does it end, if the falls from third to third go on as a geometric series?
+    // A slowing decrease: its limit, if the decreases from third to third form a geometric series.
     std::array<double, 3> thirds{};
     for (std::size_t i = 0; i < intervals; ++i) thirds[i / third] += samples_[i + 1].ratio / third;
     const double before = thirds[0] - thirds[1], lately = thirds[1] - thirds[2];

@@ -1,4 +1,4 @@
-// Whether a model that lost strength fails, seen before it has gone far.
+// Detects the failure of a model that lost strength before it has moved far.
 #pragma once
 
 #include "model/model.hpp"
@@ -11,23 +11,23 @@ namespace kaya {
 
 class Cycle;
 
-/// Looks at a model eighteen times in a window of cycles. It fails where, over the window,
-///   kinetic energy does not fall,
-///   the force out of balance does not fall toward nothing, as it does where joints gain strength by slip or a bolt takes up load,
-///   the hundredth of all rigid blocks and gridpoints that goes farthest goes in one direction, at a speed that does not fall, and
-///   the work of gravity and loads is lost in friction, plastic flow, damping and motion: no more than a tenth of it is stored.
-/// docs/theory/stopping.md. The account of energy must be on (Settings::energy).
+/// Samples a model eighteen times in a window of cycles. It fails where, over the window,
+///   kinetic energy does not decrease,
+///   the unbalanced force does not tend to zero, as it does where joints gain strength by slip or a bolt takes up load,
+///   the hundredth of all rigid blocks and gridpoints that moves farthest moves in one direction, at a speed that does not decrease, and
+///   the work of gravity and loads is dissipated by friction, plastic flow, damping and motion: at most a tenth of it is stored.
+/// docs/theory/stopping.md. The energy account must be on (Settings::energy).
 class FailureMonitor {
 public:
     /// `window` in cycles; the cycle must be prepared.
     FailureMonitor(const Model& model, const Cycle& cycle, std::int64_t window);
 
-    /// To be called after each cycle. Whether the model fails; looks eighteen times in a window, and does not know before the first one is over.
+    /// Call after each cycle. Whether the model fails; always false during the first window.
     bool sample();
 
 private:
     struct Sample {
-        double kinetic, ratio;    ///< energy, and average ratio of the force out of balance; means since the last look
+        double kinetic, ratio;    ///< energy, and average ratio of the unbalanced force; means since the last sample
         double supplied, stored;  ///< energies
         std::vector<Vec3> places; ///< displacements of all that is free to move
     };
@@ -40,7 +40,7 @@ private:
     const Model& model_;
     const Cycle& cycle_;
     std::int64_t stride_, until_check_;
-    double kinetic_ = 0, ratio_ = 0; ///< sums since the last look
+    double kinetic_ = 0, ratio_ = 0; ///< sums since the last sample
     std::deque<Sample> samples_;
 };
 

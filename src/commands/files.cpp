@@ -27,7 +27,7 @@ std::string save_name(const std::string& name) {
     return fs::path(name).has_extension() ? name : name + std::string(save_ending);
 }
 
-/// The file as named, else with the ending that `save` adds; next to the deck or in the current folder.
+/// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
     for (const auto& candidate : {fs::path(name), fs::path(save_name(name)), session.next_to_deck(save_name(name))})
@@ -49,7 +49,7 @@ std::vector<JointFile> saved_joint_files(const SaveExtras& extras) {
     return found == extras.scripts.end() ? std::vector<JointFile>{} : joint_files_from_text(found->content);
 }
 
-/// What joint models keep as objects was restored as bytes; the models make objects of them.
+/// Objects of joint models were restored as bytes; the models turn them into objects.
 void wake_objects(Session& session, Model& model) {
     if (!model.sub_contacts.keeps_objects) return;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -70,7 +70,7 @@ void load_joint_models(Session& session, Model& model, const std::vector<JointFi
             throw Diagnostic(fmt::format("the save file names the joint model '{}' by a path", set.model),
                              "kaya saves names of joint models alone; the file was changed", Fault::run);
         const auto& properties = find_saved_model(session, set.model, files, save_file).properties;
-        // Properties that the model has got since have the value with which it does what it did.
+        // Properties added to the model since then get the value that reproduces its earlier behaviour.
         while (set.values.size() < properties.size() && properties[set.values.size()].has_default())
             set.values.push_back(properties[set.values.size()].initial);
         if (properties.size() != set.values.size())
@@ -83,8 +83,8 @@ void load_joint_models(Session& session, Model& model, const std::vector<JointFi
     wake_objects(session, model);
 }
 
-/// Histories and boundary conditions of a saved model name functions, which a script that restores it must have: those of the
-/// file would take the place of the ones that are running.
+/// Histories and boundary conditions of a saved model name functions, which a restoring script must have: those of the file would replace
+/// the running ones.
 void refuse_missing_functions(Session& session, const Model& model, const std::string& file) {
     const auto find = [&](const std::string& expression, const std::string& who) {
         const std::string name = expression.substr(0, expression.find_first_of("( "));
@@ -150,7 +150,7 @@ void save_session(Session& session, const std::string& file) {
 }
 
 void save_as(Session& session, const std::string& name) {
-    settle_forces(session); // a restored model goes on as this one does
+    settle_forces(session); // a restored model continues as this one does
     save_session(session, save_name(name));
     session.autosave.saved();
 }
@@ -158,8 +158,8 @@ void save_as(Session& session, const std::string& name) {
 void run(Session& session, const lang::Save& command) { save_as(session, command.file); }
 
 void run(Session& session, const lang::Restore& command) {
-    // All that can fail comes first; the session is as it was then.
-    const bool by_script = session.scripts->running(); // which goes on with the other model
+    // Everything that can fail comes first; until then the session is unchanged.
+    const bool by_script = session.scripts->running(); // the script continues with the other model
     if (by_script) session.scripts->refuse_while_awaited("restore");
     Model model;
     const std::string file = saved_file(session, command.file);

@@ -6,7 +6,7 @@ namespace kaya {
 
 namespace {
 
-/// Letters that take a place on the screen: no colours, and one for all bytes of a letter.
+/// Number of visible characters: no colour codes, and one for all bytes of a character.
 std::size_t visible(std::string_view text) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,7 +43,7 @@ std::string fitted(std::string_view text, std::size_t columns) {
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (!result.empty()) result += '\n';
-        // What follows an underline goes on below it.
+        // The text after an underline continues below it.
         const auto bar = line.find("| ");
         const bool underline = bar != line.npos && line.find_first_not_of(' ') == bar;
         const std::string indent(underline ? bar + 2 : 4, ' ');

@@ -7,8 +7,8 @@
 
 namespace kaya {
 
-/// Lines of a message broken at blanks so that they fit into `columns`, and indented where they go on. Lines of the deck,
-/// "  12 | poly brick", stay as they are. Colours take no place.
+/// Breaks the lines of a message at blanks to fit into `columns`, and indents continuations. Lines of the deck, "  12 | poly brick", are
+/// unchanged. Colour codes have no width.
 std::string fitted(std::string_view text, std::size_t columns);
 
 } // namespace kaya

@@ -14,7 +14,7 @@ namespace kaya {
 
 namespace {
 
-/// One warning for all zones beside much larger ones.
+/// One warning for all zones adjacent to much larger ones.
 void warn_of_jumps(Session& session, const std::vector<Row>& blocks, const Place& place) {
     const VolumeJumps jumps = volume_jumps(session.model, blocks);
     if (jumps.count == 0) return;

@@ -1,4 +1,4 @@
-// Properties whose values the user gives in the place of the deck: param 'prop 1 jfric' = 30.
+// Property values that override those of the deck: param 'prop 1 jfric' = 30.
 #pragma once
 
 #include "lang/commands/commands.hpp"
@@ -9,11 +9,11 @@
 
 namespace kaya {
 
-/// Values by command and property. A deck that was written with numbers takes part in a study as it is.
+/// Values by command and property. A deck written with plain numbers can be used in a study unchanged.
 class GivenProperties {
 public:
-    /// Takes a name such as "prop 1 jfric", "prop jmat 2 kn" or "jmodel jfric"; the first value of a name counts. Throws Diagnostic at
-    /// `place` when it is none.
+    /// Accepts a name such as "prop 1 jfric", "prop jmat 2 kn" or "jmodel jfric"; the first value of a name counts. Throws Diagnostic at
+    /// `place` for other names.
     void give(const std::string& name, double value, const Place& place);
     bool empty() const { return values_.empty(); }
 
@@ -21,7 +21,7 @@ public:
     std::vector<lang::Property::Item> replaced(std::vector<lang::Property::Item> items, std::int64_t number);
     static constexpr std::int64_t of_jmodel = -1;
 
-    /// Names, as they were given, that no command has set so far.
+    /// Names, as given, that no command has used so far.
     std::vector<std::string> unused() const;
 
 private:

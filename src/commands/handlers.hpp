@@ -1,6 +1,5 @@
-// What each command does: a function run(Session&, const COMMAND&) for each struct of lang/commands/commands.hpp.
-// The functions stand in one file per list of commands; all of them throw Diagnostic for a user's mistake and
-// leave the model as it was then.
+// Handlers of commands: a function run(Session&, const COMMAND&) for each struct of lang/commands/commands.hpp, in one file per list of
+// commands; all throw Diagnostic for a user's error and leave the model unchanged then.
 #pragma once
 
 #include "commands/session.hpp"
@@ -16,10 +15,10 @@ using Handler = void (*)(Session&, const std::any& command);
 /// By index_of the command; null for those that the interpreter runs itself.
 using HandlerTable = std::array<Handler, lang::Commands::size>;
 
-/// Does what a command of a deck says.
+/// Runs a command of a deck.
 void run_command(Session& session, const lang::BoundCommand& command);
 
-/// Keeps a change until the cycle has ended.
+/// Defers a change until the end of the cycle.
 void put_off(Session& session, std::function<void()> change);
 /// Throws Diagnostic: the command cannot be used inside a cycle.
 [[noreturn]] void refuse_in_cycle();

@@ -23,7 +23,7 @@ std::string label_of(const lang::HistoryItem& item) {
     return quantity == nullptr ? std::string() : quantity->rate;
 }
 
-/// What a kind of item records; the place is that of the item.
+/// The source of a kind of item; the place is that of the item.
 struct SourceOf {
     Session& session;
     HistorySource source;
@@ -110,7 +110,7 @@ void run(Session& session, const lang::HistoryDelete& command) {
         return std::ranges::find(command.numbers, history.number) != command.numbers.end();
     });
     if (!histories.all.empty()) return;
-    // Without histories nobody knows what the samples of time were taken for.
+    // Without histories the sampled times have no meaning.
     histories.time.clear();
     histories.cycle.clear();
 }

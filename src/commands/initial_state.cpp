@@ -1,4 +1,4 @@
-// initialize and insitu: what is there before anything happens.
+// initialize and insitu: the initial state.
 #include "commands/all_or_nothing.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"

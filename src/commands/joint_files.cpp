@@ -27,7 +27,7 @@ bool is_digest(const std::string& word) {
     return word.size() == 64 && word.find_first_not_of("0123456789abcdef") == word.npos;
 }
 
-constexpr std::size_t shown = 12; ///< digits of a hash that tell two files apart
+constexpr std::size_t shown = 12; ///< hash digits that distinguish two files
 
 void compare(Session& session, const JointModel& model, const JointFile& saved) {
     const std::string now = digest_of(model.file);
@@ -99,7 +99,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
                 found +=
                     fmt::format(": its sha256 begins with {}", digest.empty() ? "nothing" : digest.substr(0, shown));
         }
-        if (!found.empty()) { // what a file names is loaded as it was, or not at all
+        if (!found.empty()) { // a file named by the save is loaded if it is identical, else refused
             if (tried.empty() || tried.back() != found) tried.push_back(found);
             continue;
         }

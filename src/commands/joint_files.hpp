@@ -1,4 +1,4 @@
-// Joint models that were loaded by the path of a file: a save file says which file, so that a restored run finds it again.
+// Joint models loaded from a path: a save file records the path, so that a restored run finds the file.
 #pragma once
 
 #include "commands/session.hpp"
@@ -15,13 +15,12 @@ struct JointFile {
 /// Of the joint models that joints of the model have now or had.
 std::vector<JointFile> joint_files(Session& session);
 
-/// As a part of a save file: a line for each, and back. Throws Diagnostic for what is no such part.
+/// Written as a part of a save file, one line each, and read back. Throws Diagnostic for other text.
 std::string joint_files_text(const std::vector<JointFile>& files);
 std::vector<JointFile> joint_files_from_text(const std::string& text);
 
-/// The joint model of that name: as it is loaded, else from the place that the save file says or next to the save file, where
-/// the file is the same bit by bit, else as its name finds it. Warns when it is another file than it was. Throws Diagnostic that
-/// says where it was looked for.
+/// The joint model of that name: the loaded one, else the file recorded in the save or beside it, if it is identical, else found by name.
+/// Warns when the file differs. Throws Diagnostic that lists the places searched.
 const JointModel& find_saved_model(Session& session, const std::string& name, const std::vector<JointFile>& files,
                                    const std::string& save_file);
 

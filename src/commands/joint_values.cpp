@@ -91,7 +91,7 @@ std::optional<double> recorded_own_value(Engine& engine, const std::string& aske
     if (row < 0 || static_cast<std::size_t>(row) >= engine.model.sub_contacts.size()) return std::nullopt;
     const JointModel* joint = joint_model_of(engine, row);
     if (joint == nullptr) return std::nan("");
-    for (const auto& value : joint_values(*joint)) // another joint model may stand there by now
+    for (const auto& value : joint_values(*joint)) // the joint model may have been replaced
         if (value.name == name) return value.of(engine.model, row).value_or(std::nan(""));
     return std::nan("");
 }

@@ -1,4 +1,4 @@
-// What a sub-contact has for itself besides forces: history of its joint model, fields, properties that its object holds.
+// Values of a sub-contact apart from forces: history of its joint model, fields, properties of its object.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -13,17 +13,17 @@ namespace kaya {
 
 struct JointValue {
     std::string name, unit, help;
-    /// Of a sub-contact that has this joint model; nullopt: it has none of its own.
+    /// For a sub-contact with this joint model; nullopt: it has no own value.
     std::function<std::optional<double>(const Model&, Row)> of;
 };
 
 class Engine;
 
-/// The name under which a history records what a sub-contact has for itself: "jmodel_ds". Throws Diagnostic when the joint
-/// model of the sub-contact that is nearest to the place has nothing of that name.
+/// The name under which a history records such a value: "jmodel_ds". Throws Diagnostic when the joint model of the nearest sub-contact has
+/// no value of that name.
 std::string recorded_name(Engine& engine, const std::string& name, const Vec3& place);
 
-/// The value that a history asks for as "jmodel_ds of 5", 5 being a row; nullopt for anything else.
+/// The value requested by a history as "jmodel_ds of 5", 5 being a row; nullopt for any other text.
 std::optional<double> recorded_own_value(Engine& engine, const std::string& asked);
 
 /// All of them, in the order history, fields, properties. The joint model must outlive them.

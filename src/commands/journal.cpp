@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every line of a journal that is no line of a deck begins with one of these.
+// Every line of a journal that is not a line of a deck begins with one of these.
 constexpr std::string_view first_line = "; kaya journal 1";
 constexpr std::string_view deck_mark = ";deck ";   ///< name
 constexpr std::string_view lines_mark = ";lines "; ///< first line, number of lines, name of the source
-// In front of lines that did not come to their end:
+// Prefix of commands that were cut off:
 constexpr std::string_view stopped_mark = ";stopped "; ///< cycle after which the user stopped them
 constexpr std::string_view cut_off_mark = ";cut off";  ///< the user stopped them inside of a script
 constexpr std::string_view failed_mark = ";failed";    ///< with an error
@@ -51,7 +51,7 @@ struct Piece {
     std::string deck, source, text;
     int line = 0; ///< of the first line of `text` in the source
     int last = 0;
-    Completion completion; ///< of one command; commands that are done stand together
+    Completion completion; ///< of one command; completed commands are grouped
 };
 
 struct FileNote {
@@ -61,7 +61,7 @@ struct FileNote {
 struct Record {
     std::vector<Piece> pieces;
     std::vector<FileNote> joints, files;
-    std::string hash; ///< empty: the run did not come to its end
+    std::string hash; ///< empty: the run was cut off
 };
 
 [[noreturn]] void fail_damaged(const std::string& file, std::size_t line) {
@@ -69,7 +69,7 @@ struct Record {
                      "the file was changed, or is not a journal");
 }
 
-/// The first words of a text, which are cut off; what is left of it stays.
+/// Splits off the first word of a text.
 std::string_view take_word(std::string_view& text) {
     const auto end = std::min(text.find(' '), text.size());
     const auto word = text.substr(0, end);
@@ -95,7 +95,7 @@ Record read_record(const std::string& file) {
                          fmt::format("a journal begins with '{}'", first_line));
     Record record;
     std::string deck;
-    Completion completion; // of the lines that come next
+    Completion completion; // of the following lines
     for (std::size_t i = 1; i < lines.size(); ++i) {
         std::string_view rest = lines[i];
         const auto is = [&rest](std::string_view mark) {
@@ -202,7 +202,7 @@ void Journal::finish() {
 
 namespace {
 
-/// Runs a command that did not come to its end, up to where it came.
+/// Repeats a command that was cut off, up to the same point.
 void repeat_unfinished(Session& session, const Piece& piece) {
     if (piece.completion.how == Completion::How::cut_off) {
         Diagnostic warning("a command that was stopped inside of a script is left out: nobody can stop it there again",
@@ -216,7 +216,7 @@ void repeat_unfinished(Session& session, const Piece& piece) {
         session.interpreter.run_text(piece.text, piece.source, piece.line);
     } catch (const Diagnostic& again) {
         session.output.message(again);
-    } catch (const std::bad_alloc&) { // as it was: a script asked for more than there is
+    } catch (const std::bad_alloc&) { // as in the run: a script ran out of memory
     }
     session.stop_after.reset();
 }
@@ -234,7 +234,7 @@ int replay_journal(Session& session, const std::string& file) {
         }
         if (session.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
     }
-    // Follows the run, because it may have written some of them itself.
+    // After the run, since it may have written some of them itself.
     compare(session, record.files, "the file");
     compare(session, record.joints, "the joint model");
     if (record.hash.empty()) {

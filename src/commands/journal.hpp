@@ -1,4 +1,4 @@
-// What a run has done, as a text that runs again: `kaya replay run.journal`.
+// Record of a run as a text that can be run again: `kaya replay run.journal`.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -8,9 +8,8 @@
 
 namespace kaya {
 
-/// Writes each command when it has done its work, or failed, or was stopped: its lines as they stand in the deck or
-/// the called file, with the place they come from. Commands that a script gives are left out: the script gives them
-/// again.
+/// Writes each command when it is done, failed or was stopped: its lines as in the deck or the called file, with their place. Commands
+/// given by a script are omitted: the script gives them again.
 class Journal : public Listener {
 public:
     /// Listens to the session. A journal that cannot be written is a note, not an error.
@@ -19,7 +18,7 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Which deck comes next; files that it reads are looked for next to it.
+    /// Sets the next deck; files that it reads are searched beside it.
     void deck(const std::string& name);
     /// The end: joint models and files that were used with digests of their contents, and the final state.
     void finish();
@@ -34,8 +33,8 @@ private:
     bool failed_ = false;
 };
 
-/// Runs what a journal says, in a new session. Says whether the final state is the same; warns about joint
-/// models and files that are not those of the journal. Gives the exit status. Throws Diagnostic.
+/// Runs a journal in a new session. Reports whether the final state is the same; warns about joint models and files that differ from those
+/// of the journal. Returns the exit status. Throws Diagnostic.
 int replay_journal(Session& session, const std::string& file);
 
 } // namespace kaya

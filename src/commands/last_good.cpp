@@ -11,7 +11,7 @@ namespace kaya {
 
 namespace {
 
-/// Of the time that copies may take.
+/// Copies may take this part of the time (1 in 100).
 constexpr int part_of_time = 100;
 
 std::size_t bytes_of(Model& model) {
@@ -33,7 +33,7 @@ void LastGood::take(Session& session) {
     if (no_memory_) return;
     const auto begin = Clock::now();
     try {
-        // A copy that there is not room for besides the model would make the machine slow, or end the run.
+        // Without memory for a copy the machine would slow down, or the run would end.
         if (!taken_ && memory_available() < 2 * bytes_of(session.model)) throw std::bad_alloc();
         taken_ = false; // half a copy is none
         session.cycle->bring_up_to_date();
@@ -58,7 +58,7 @@ void LastGood::drop() {
 
 void LastGood::run_on(Session& session, std::int64_t cycle) {
     if (!leads_here_ || session.scripts_act_in_cycles()) return;
-    ModelEdit(model_, Change::lists); // what a cycle derives from the tables is not in the copy
+    ModelEdit(model_, Change::lists); // derived data of the cycle is not in the copy
     Cycle cycles(model_, session.joints);
     cycles.hooks.table_value = session.cycle->hooks.table_value;
     while (model_.clock.cycle < cycle && !session.is_to_stop()) cycles.advance();

@@ -12,16 +12,16 @@ namespace kaya {
 
 class Session;
 
-/// A cycle that fails half way leaves a model from which nobody can go on. So the session is copied now and then while it
-/// cycles, and the copy runs up to the cycle before: with the same bits, since cycles depend on nothing but the model. Copies
-/// take no more than a hundredth of the time; what they leave out is repeated once, when a cycle has failed.
+/// A cycle that fails half way leaves an unusable model. So the session is copied from time to time while it cycles, and after a failure
+/// the copy runs up to the cycle before: with the same bits, since cycles depend on the model only. Copies take at most a hundredth of the
+/// time; the cycles in between are repeated once after a failure.
 class LastGood {
 public:
     /// The session follows a whole cycle, or before the first: it is copied if it is time for that.
     void offer(Session& session);
     /// It is copied now.
     void take(Session& session);
-    /// Something else than cycles happens to the session: the copy no longer leads to it.
+    /// Something other than a cycle changes the session: the copy no longer leads to it.
     void lose_track() { leads_here_ = false; }
     /// The model has been saved or discarded.
     void drop();
@@ -29,8 +29,8 @@ public:
     bool empty() const { return !taken_; }
     std::int64_t cycle() const { return model_.clock.cycle; }
 
-    /// Cycles the copy up to `cycle`, unless commands or scripts of the session have acted since it was taken.
-    /// Stops early when the user asks for it. Throws Diagnostic when a cycle fails, and the copy is of no use then.
+    /// Cycles the copy up to `cycle`, unless commands or scripts of the session have acted since it was taken. Stops early on request.
+    /// Throws Diagnostic when a cycle fails; the copy is then useless.
     void run_on(Session& session, std::int64_t cycle);
     /// Throws Diagnostic (Fault::run). `remark` is shown by `kaya info`.
     void write(const std::string& file, const std::string& remark);

@@ -16,7 +16,7 @@ namespace {
 using lang::LimitEquilibrium;
 
 constexpr std::size_t most_drawn = 300; ///< blocks in a picture; of more only the ground is drawn
-constexpr int search_slices = 30;       ///< what a search compares; its answer is computed with those of the command
+constexpr int search_slices = 30;       ///< for comparisons in the search; the result uses the number of the command
 
 SliceMethod method_of(LimitEquilibrium::Method method) {
     switch (method) {
@@ -29,7 +29,7 @@ SliceMethod method_of(LimitEquilibrium::Method method) {
     return SliceMethod::morgenstern_price;
 }
 
-/// Methods from the least to the most that they ask of equilibrium; of two answers the later counts.
+/// Methods in the order of their equilibrium conditions; the later of two answers counts.
 std::vector<SliceMethod> methods_of(const LimitEquilibrium& command, bool circle) {
     std::vector<SliceMethod> methods;
     for (const auto method : command.methods) methods.push_back(method_of(method));
@@ -171,8 +171,8 @@ private:
         return surface;
     }
 
-    /// An end below the ground would be an upright side of the body that nothing holds. It may lie so where it meets a tension crack, or
-    /// an upright side of the section.
+    /// An end below the ground would be an unsupported vertical side of the body. It is allowed at a tension crack, or at a vertical side
+    /// of the section.
     void check_end(const SlopeColumns& columns, const SectionPoint& end, const SectionPoint& other) const {
         using Side = SlopeColumns::Side;
         constexpr double rounded = 2e-3, near = 1e-9; // of the chord: coordinates as they are written; of the section
@@ -246,7 +246,7 @@ private:
         for (Curve* curve : {&blocks, &joints, &water, &surface}) // the surface on top
             if (std::ranges::any_of(curve->x, [](double x) { return std::isfinite(x); }))
                 chart.curves.push_back(std::move(*curve));
-        // Lengths are the same both ways, about: axes and titles take the rest.
+        // Equal scales, approximately: axes and titles take the rest.
         const SectionPoint size = high - low;
         chart.height = static_cast<std::int32_t>(std::clamp(1000 * size.y() / size.x() + 190, 400.0, 1600.0));
         return chart;

@@ -1,4 +1,4 @@
-// list, print: what concerns the whole model.
+// list, print: quantities of the whole model.
 #include "commands/save_session.hpp"
 #include "commands/listing.hpp"
 

@@ -189,7 +189,7 @@ std::string list_contacts(Session& session, const lang::List& command) {
                       {"jmodel", "model"}});
 }
 
-/// What one sub-contact has for itself: `list subcontacts 7`.
+/// Own values of one sub-contact: `list subcontacts 7`.
 std::string history_text(Session& session, std::int64_t number) {
     const auto& points = session.model.sub_contacts;
     const auto found = std::ranges::find(points.number, static_cast<std::int32_t>(number));

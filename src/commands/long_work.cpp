@@ -16,7 +16,7 @@ void LongWork::operator()(double done) {
         stop.add("the model is as it was before this command");
         throw;
     }
-    constexpr int stride = 16; // parts between two looks at the clock
+    constexpr int stride = 16; // steps between two checks of the clock
     if (--until_check_ > 0) return;
     until_check_ = stride;
     const auto now = std::chrono::steady_clock::now();

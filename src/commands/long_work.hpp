@@ -1,4 +1,4 @@
-// Commands that may take long without a cycle: cutting and meshing many blocks.
+// Long commands without a cycle: cutting and meshing many blocks.
 #pragma once
 
 #include "commands/session.hpp"
@@ -10,8 +10,8 @@
 
 namespace kaya {
 
-/// Stops the work when the user asks for it, and shows how far it is: in place, five times a second, on a terminal; as
-/// a line every ten seconds elsewhere. To be handed to the work as its ProgressCallback, by std::ref.
+/// Stops the work on request and shows its progress: in place, five times a second, on a terminal; as a line every ten seconds elsewhere.
+/// Pass it as ProgressCallback, by std::ref.
 class LongWork {
 public:
     LongWork(Session& session, std::string what);

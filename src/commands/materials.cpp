@@ -26,15 +26,15 @@ using Items = std::vector<lang::Property::Item>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where a material keeps its properties of blocks.
+/// Members of a material for the properties of blocks.
 constexpr std::array<double Material::*, lang::block_property_count> members{
     &Material::density,  &Material::bulk,     &Material::shear,   &Material::young,   &Material::poisson,
     &Material::cohesion, &Material::friction, &Material::tension, &Material::dilation};
 
 double Material::*member_of(lang::BlockProperty property) { return members[static_cast<std::size_t>(property)]; }
 
-/// Words of joints that every deck may use with `prop`, whatever joint model is loaded: those that the language explains, and two of
-/// joint models of early versions.
+/// Joint words that every deck may use with `prop`, whatever joint model is loaded: those that the language explains, and two of joint
+/// models of early versions.
 const std::vector<std::string_view>& joint_words() {
     static const std::vector<std::string_view> words = [] {
         std::vector<std::string_view> list;
@@ -70,7 +70,7 @@ std::string_view name_of(lang::BlockProperty property) {
     return lang::block_property_words()[static_cast<std::size_t>(property)].name;
 }
 
-/// The whole word that a classic joint word is short for; other words stand for themselves.
+/// The full word of an abbreviated classic joint word; other words are returned unchanged.
 std::string_view whole_word(std::string_view word) {
     const auto found = std::ranges::find_if(joint_words(), [&](auto known) { return known.starts_with(word); });
     return found != joint_words().end() ? *found : word;
@@ -82,7 +82,7 @@ void forget_other_spellings(std::map<std::string, double>& values, const std::st
         values, [&](const auto& entry) { return entry.first != word && whole_word(entry.first) == whole_word(word); });
 }
 
-/// The property of a zone model, whatever zone model it is; those that ship are loaded to know their words.
+/// A property of any zone model; the models that ship are loaded for their words.
 const LawTable::Property* find_zone_property(ZoneModels& models, const std::string& word) {
     const auto among = [&](const auto& list) -> const LawTable::Property* {
         for (const auto& model : list)
@@ -150,7 +150,7 @@ void set_block_property(Material& material, lang::BlockProperty property, const 
             fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), known.limits_in_words))
             .at(item.place);
     material.*member_of(property) = item.value;
-    // The pair that was given last counts.
+    // The pair given last counts.
     using enum lang::BlockProperty;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (property == bulk || property == shear) material.young = material.poisson = nan;
@@ -226,7 +226,7 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
     }
 }
 
-/// Words of zones that no zone model in use has: a deck that asks for rock that yields must not get elastic rock without a word.
+/// Words of zones that no zone model in use has: a deck that asks for yielding rock must not get elastic rock silently.
 void warn_unused_by_zones(Session& session, std::int32_t number, const Material& material) {
     const auto models = zone_models_in_use(session.model, number);
     const auto& used = session.model.blocks.material;
@@ -275,7 +275,7 @@ void warn_of_rigid_models(Session& session) {
         "give them zones before the run: generate edge ..."));
 }
 
-/// Values of joints that the model which they will have refuses: said where they were given.
+/// Values of joints that their future model refuses: reported where they were given.
 void refuse_joint_values(Session& session, std::int32_t number, const Material& material) {
     std::set<std::string> models = models_in_use(session.model, number);
     if (models.empty() && session.model.contacts.empty()) models.insert(default_joint_model(session.model));
@@ -372,13 +372,13 @@ void run(Session& session, const lang::Change& command) {
 
 namespace {
 
-/// Gives joints in range, or those to come, the model and the values of the command.
+/// Gives existing or future joints in range the model and the values of the command.
 void change_joint_model(Session& session, const lang::JointModelCommand& command) {
     using Action = lang::JointModelCommand::Action;
     refuse_wrong_switch(session.joints, command.items);
     doubt_angles(session, command.items);
     find_contacts(session.model, session.joints);
-    // Where nothing touches yet, a command for all contacts is one for those to come.
+    // Without any contact yet, a command for all contacts applies to future ones.
     const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
     const auto contacts = to_come ? std::vector<Row>{} : session.pick(ObjectKind::contact, command.range);
     if (contacts.empty() && !to_come) return;

@@ -1,4 +1,4 @@
-// Checks of materials that are made when they come into use.
+// Checks of materials when they are first used.
 #pragma once
 
 #include "commands/session.hpp"
@@ -9,17 +9,17 @@ namespace kaya {
 /// not the other; warns, once each, about joint properties that no joint model in use knows.
 void check_materials(Session& session);
 
-/// What `prop` gave to a material, by any spelling of the word: density, bulk, jkn, jfric, ...; 0 when it was
-/// not given. Throws Diagnostic for a word that `prop` does not know.
+/// The value that `prop` gave to a material, by any spelling of the word: density, bulk, jkn, jfric, ...; 0 if not given. Throws Diagnostic
+/// for a word that `prop` does not know.
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);
 
-/// The whole word of a property of `prop`, one for all its spellings; a word of a joint model stands for itself.
+/// The full word of a property of `prop` for all its spellings; a word of a joint model is returned unchanged.
 std::string whole_property_word(std::string_view word);
 
 /// Zone models of blocks with zones, of that material or of any.
 std::set<std::string> zone_models_in_use(const Model& model, std::optional<std::int32_t> material = {});
 
-/// Rows of Model::joint_properties that joints use; others are left from earlier commands. Glue is no joint.
+/// Rows of Model::joint_properties that joints use; others remain from earlier commands. Ties are no joints.
 std::set<Row> property_sets_in_use(const Model& model);
 
 } // namespace kaya

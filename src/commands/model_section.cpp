@@ -71,7 +71,7 @@ public:
         return hull;
     }
 
-    /// Where the plane meets a joint: from end to end of each of its convex parts.
+    /// The intersection of the plane with a joint: a segment for each of its convex parts.
     void add_joints(Row contact, std::size_t strength, std::vector<SectionJoint>& joints) const {
         for (const auto& polygon : joint_polygons(model_, contact)) {
             std::vector<SectionPoint> ends;

@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Where the section lies. Distances along it are those from the origin of coordinates, heights are against gravity.
+/// Position of the section. Distances along it are from the origin of coordinates, heights are against gravity.
 struct SectionPlane {
     Vec3 point = Vec3::Zero();
     Vec3 along = Vec3(1, 0, 0), up = Vec3(0, 0, 1); ///< unit, at right angles
@@ -19,8 +19,8 @@ struct SectionPlane {
     }
 };
 
-/// Visible blocks that the plane cuts with their weights and strengths, and the joints between them. Water is that of the model.
-/// Throws Diagnostic when a block has no density, or none of them a strength.
+/// Visible blocks cut by the plane with their weights and strengths, and the joints between them. Water is that of the model. Throws
+/// Diagnostic when a block has no density, or none of them a strength.
 SlopeSection section_of(Model& model, JointRegistry& laws, const SectionPlane& plane);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// Strength criteria of the rock and the joints of a model, as limit equilibrium knows them.
+// Strength criteria of the rock and the joints of a model for limit equilibrium.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -9,8 +9,8 @@
 
 namespace kaya {
 
-/// Of a block: Mohr-Coulomb by `cohesion` and `friction` of its zone model, Hoek-Brown by `constant-sci` and so on; of a block whose
-/// zones do not yield, and of a rigid one, by cohesion and friction of its material. None when it has none.
+/// Of a block: Mohr-Coulomb by `cohesion` and `friction` of its zone model, Hoek-Brown by `constant-sci` and so on; for elastic zones and
+/// rigid blocks by cohesion and friction of the material. None without a strength.
 std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, Row block);
 
 /// Of a contact: Barton by `jrco` and `jcso`, scaled to the length of the joint; else Coulomb by `friction` and `cohesion` of its joint

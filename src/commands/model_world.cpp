@@ -84,7 +84,7 @@ void ModelWorld::add_relations() {
         add(form, relation.from, relation.to, relation.first, &relation, relation.array);
         if (!relation.next.classic.empty()) add(Form::next, relation.to, relation.to, relation.next, &relation);
     }
-    // Corners of faces have the places of gridpoints, which are looked for.
+    // Corners of faces have the positions of gridpoints, which are searched instead.
     for (const auto& table : infos_)
         if (const auto kind = static_cast<ObjectKind>(&table - infos_.data()); kind != ObjectKind::corner)
             add(Form::nearest, ObjectKind::global, kind, {}, nullptr);
@@ -109,7 +109,7 @@ Row ModelWorld::block_of_shape(std::uint32_t shape) const {
         next_known_shape_ = 0;
         known_rows_ = model_.stale.rows_revision();
     }
-    // Where no rows have moved, blocks that are new since the last question stand at the end of their table.
+    // If no rows have moved, blocks created since the last query are at the end of their table.
     if (next_known_shape_ != model_.next_shape_number) {
         for (std::size_t b = blocks.size(); b-- > 0 && blocks.shape[b] >= next_known_shape_;)
             block_of_shape_[blocks.shape[b]] = static_cast<Row>(b);

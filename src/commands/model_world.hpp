@@ -1,4 +1,4 @@
-// The model as scripts see it: tables of named fields, and handles that say when an object is gone.
+// The model as scripts see it: tables of named fields, and handles that know when their object was deleted.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -20,11 +20,11 @@ constexpr std::int32_t script_table(ObjectKind kind) {
     return kind == ObjectKind::global ? script::World::whole_model.table : static_cast<std::int32_t>(kind);
 }
 
-/// What scripts need of the session besides the model.
+/// Services of the session for scripts, beyond the model.
 class WorldHost {
 public:
     virtual ~WorldHost() = default;
-    /// What `command` does; gives what was printed when it is to be caught.
+    /// Runs `command`; returns the printed text if it is to be captured.
     virtual std::string run_text(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
     virtual void note(const std::string& message) = 0;   ///< said once
     virtual void warn_once_here(Diagnostic warning) = 0; ///< once for the command that runs
@@ -55,19 +55,18 @@ public:
     std::optional<Samples> history(const std::string& name) override;
     std::string command(const std::string& text, const std::string& chunk, int line, bool caught) override;
 
-    /// The tests of named ranges are kept from one question to the next until a command or a cycle has run.
+    /// Tests of named ranges are cached until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
 
 private:
     /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
     double* history_value(Row sub_contact, const std::string& name);
-    /// What a sub-contact has for itself by that name: history, a field, a property that its object holds.
+    /// An own value of a sub-contact by name: history, a field, a property of its object.
     std::optional<double> own_value(Row sub_contact, const std::string& name);
     /// False when it has nothing of that name that can be set.
     bool set_own_value(Row sub_contact, const std::string& name, double value);
-    Row row_of(const script::Handle& object) const; ///< no_row when it is gone
-    /// What belongs to a block is known by the number of the block's shape and its place in the shape: it outlives whatever
-    /// happens to other blocks.
+    Row row_of(const script::Handle& object) const; ///< no_row when it was deleted
+    /// Parts of a block are identified by the number of the block's shape and an index in it: changes of other blocks do not matter.
     Row block_of_shape(std::uint32_t shape) const;
     Row living_row(const script::Handle& object) const;
     script::Handle handle(ObjectKind kind, Row row) const;

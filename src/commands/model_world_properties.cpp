@@ -1,4 +1,4 @@
-// What scripts ask by the name of a property, and of named ranges.
+// Script access by the name of a property, and to named ranges.
 #include "commands/materials.hpp"
 #include "commands/model_world.hpp"
 
@@ -31,7 +31,7 @@ bool ModelWorld::in_range(const std::string& name, const std::variant<script::Ha
         const Row row = living_row(*object);
         return test_of(name, kind)(model_, kind, row);
     }
-    // A place is tested as a gridpoint that stands there.
+    // A place is tested as a gridpoint at that place.
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
     if (host_.asks_for_objects(*host_.range_phrase(name)))
         throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name), "give a pointer to an object",
@@ -107,7 +107,7 @@ bool ModelWorld::set_own_value(Row sub_contact, const std::string& name, double 
 
 void ModelWorld::set_property(const Owner& owner, const std::string& name, double value) {
     if (const auto* material = std::get_if<Material>(&owner)) {
-        // The command itself, so that its checks and its way to the contacts are the same.
+        // Runs the command itself, for the same checks and the same search for contacts.
         const bool joint = name.starts_with('j');
         host_.run_text(fmt::format("prop {} {} {} {}", joint ? "jmat" : "mat", material->number, name, value), "script",
                        1, false);

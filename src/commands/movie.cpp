@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t usual_interval = 100;
 
-/// What a movie line says.
+/// Settings of a movie line.
 struct MovieLine {
     bool on = true;
     std::string file;

@@ -32,7 +32,7 @@ template <class Visit> bool for_cells(const Box& box, int exponent, double most,
     for (double x = low.x(); x <= high.x(); ++x)
         for (double y = low.y(); y <= high.y(); ++y)
             for (double z = low.z(); z <= high.z(); ++z) {
-                // Cells of one key are told apart by the boxes in them.
+                // Cells with equal keys are distinguished by their boxes.
                 const auto part = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
                 visit(part(x) * 0x9e3779b97f4a7c15ull ^ part(y) * 0xc2b2ae3d27d4eb4full ^
                       part(z) * 0x165667b19e3779f9ull);

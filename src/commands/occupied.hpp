@@ -1,4 +1,4 @@
-// Which blocks are where a new one shall stand.
+// Finds blocks at the place of a new one.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -11,8 +11,8 @@
 
 namespace kaya {
 
-/// Boxes of the blocks in grids of cells, one grid for each size (a power of two), so that a new block is compared with
-/// its neighbours only. Derived from the model; made anew when blocks went or moved.
+/// Boxes of the blocks in grids of cells, one grid for each size (a power of two), so that a new block is compared with its neighbours
+/// only. Derived from the model; rebuilt when blocks were deleted or moved.
 class Occupied {
 public:
     /// The first of the blocks before `row` that has more than a thousandth of the smaller volume in common with it;
@@ -29,12 +29,12 @@ private:
     std::map<int, Grid> grids_; ///< by exponent of the cell's width
     std::vector<Box> boxes_;    ///< by row
     std::int64_t cycle_ = 0;
-    std::int32_t made_ = 0; ///< number of the block that comes next
+    std::int32_t made_ = 0; ///< number of the next block
 };
 
 class Session;
 
-/// Warns, the first time in a model, when one of the blocks from `first` on stands where another is.
+/// Warns once per model when one of the blocks from `first` on occupies the place of another.
 void warn_of_overlaps(Session& session, Row first, const Place& place);
 
 } // namespace kaya

@@ -21,7 +21,7 @@ std::size_t columns_of(std::FILE* terminal) {
 
 Output::Output(std::FILE* results, std::FILE* messages)
     : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1) {
-    // What a long run prints can be read while it runs.
+    // Results of a long run can be read while it runs.
     std::setvbuf(results_, nullptr, _IOLBF, BUFSIZ);
     colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
 }
@@ -63,13 +63,13 @@ Output::Caught::~Caught() {
     if (text_.empty()) return;
     try {
         output_.print(text_);
-    } catch (const Diagnostic&) { // the end of the run says that results cannot be written
+    } catch (const Diagnostic&) { // the end of the run reports that results cannot be written
     }
 }
 
 void Output::message(const Diagnostic& diagnostic) {
     end_refresh();
-    // What was printed before the message must stand before it when both go to one terminal or file.
+    // Text printed before the message must appear before it when both go to one terminal or file.
     std::fflush(results_);
     const std::string text = render(diagnostic, colour_, terminal_);
     fmt::print(messages_, "{}\n", terminal_ ? fitted(text, columns_of(messages_)) : text);

@@ -1,4 +1,4 @@
-// Where a session's words go: results to one stream, messages to another, both to the log.
+// Output of a session: results to one stream, messages to another, both to the log.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-/// The code of the message that nobody reads the results any more.
+/// The code of the message for a closed reader of the results.
 inline constexpr const char* broken_pipe = "broken-pipe";
 
 /// Results (`list`, `print`) go to `results`, messages (errors, warnings, progress) to `messages`; the
@@ -29,7 +29,7 @@ public:
     /// A message in the form of base/diagnostic. Never throws: a message must not hide what it reports.
     void message(const Diagnostic& diagnostic);
 
-    /// A line about what the program is doing; left out when the session is quiet.
+    /// A progress note; omitted when the session is quiet.
     void say(std::string_view text);
 
     /// For the log only: the commands.
@@ -37,7 +37,7 @@ public:
 
     /// Shows `text` in place of the last progress line. Only on a terminal.
     void refresh(std::string_view text);
-    /// Takes the progress line away, so that the next line starts at the left.
+    /// Clears the progress line, so that the next line starts at the left.
     void end_refresh();
     bool on_terminal() const { return terminal_; }
 
@@ -46,7 +46,7 @@ public:
     void stop_log();
     bool logging() const { return static_cast<bool>(log_); }
 
-    /// As long as it lives, what is printed is kept and does not go out. What nobody takes is printed in the end.
+    /// While it exists, printed text is captured. Text that is not taken is printed in the end.
     class Caught {
     public:
         explicit Caught(Output& output) : output_(output), outer_(std::exchange(output.caught_, &text_)) {}
@@ -77,8 +77,8 @@ private:
     std::string log_name_;
     bool terminal_ = false;
     bool colour_ = false;
-    std::string* caught_ = nullptr; ///< what takes results now; null: the stream
-    std::size_t refreshed_ = 0;     ///< width of the progress line that stands there
+    std::string* caught_ = nullptr; ///< the present capture; null: the stream
+    std::size_t refreshed_ = 0;     ///< width of the present progress line
 };
 
 } // namespace kaya

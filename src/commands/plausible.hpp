@@ -1,4 +1,4 @@
-// What a deck may well say and hardly means: one warning each, and the run goes on.
+// Valid but implausible statements of a deck: one warning each, and the run continues.
 #pragma once
 
 #include "lang/commands/commands.hpp"
@@ -17,7 +17,7 @@ void doubt_elasticity(Session& session);
 void doubt_densities(Session& session);
 /// Weight that pulls up: a note, since some models count depth downwards.
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place);
-/// Damping that takes all force away from what moves.
+/// Damping that removes all force from moving bodies.
 void doubt_damping(Session& session, const lang::Damp& command);
 /// A run in which nothing can move.
 void doubt_empty_model(Session& session, const Place& place);

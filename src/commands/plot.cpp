@@ -44,7 +44,7 @@ std::string state_words(const Session& session, const Model& model, Row row) {
     if (joint != nullptr)
         for (std::size_t i = 0; i < joint->states.size(); ++i)
             if ((model.sub_contacts.state[row] & (1U << i)) != 0) words.push_back(joint->states[i]);
-    // What slips now has slipped, and that needs no word.
+    // "slipping now" implies "slipped", which is left out.
     std::erase_if(words, [&](const std::string& word) {
         return word.ends_with("-past") &&
                std::ranges::find(words, word.substr(0, word.size() - 4) + "now") != words.end();
@@ -61,7 +61,7 @@ ColourField joint_field(const Session& session, const std::string& word) {
     return field;
 }
 
-/// Blocks would hide what is between them and in them: then their edges are enough.
+/// Blocks would hide objects between and inside them: only their edges are drawn then.
 void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_only) {
     const Model& model = session.model;
     const Shown shown = shown_by(session, item);
@@ -91,7 +91,7 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
         else if (model.contacts.size() == 0)
             throw Diagnostic("there are no joints to draw yet", "contacts are found by 'cycle 0'");
         else add_joints(scene, model, shown, joint_field(session, item.field));
-        if (edges_only) return; // an item of its own shows the blocks
+        if (edges_only) return; // a separate item shows the blocks
         PlotItem outline = item;
         outline.kind = PlotItem::Kind::blocks;
         outline.field.clear();
@@ -212,7 +212,7 @@ std::string png_of(Session& session, const Drawing& drawing) {
     return session.painter->png(drawing);
 }
 
-/// The picture as the bytes of its file; the suffix says which kind.
+/// The picture as the bytes of its file; the suffix selects the format.
 std::string picture_of(Session& session, const PlotView& view, const std::string& suffix) {
     if (view.items.empty()) throw Diagnostic("there is nothing to draw", "name what the picture shows: plot add block");
     const auto is_chart = [](const PlotItem& item) { return item.kind >= PlotItem::Kind::histories; };
@@ -253,7 +253,7 @@ void write_picture(Session& session, const PlotView& view, const PlotLine& line)
         {view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
 }
 
-/// Writes what `bytes` gives. A picture is no reason to end a run: false, with a note, where there is none.
+/// Writes the result of `bytes`. A missing picture does not end a run: false, with a note.
 bool write_bytes(Session& session, const std::string& file, const std::function<std::string()>& bytes) {
     std::string content;
     try {

@@ -1,4 +1,4 @@
-// What the words of a plot line say.
+// Reads the words of a plot line.
 #include "commands/plot_views.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ private:
     }
     std::string take_text() { return at_ < words_.size() ? words_[at_++].text : std::string(); }
 
-    /// Numbers and texts go with the word in front of them.
+    /// Numbers and texts belong to the word before them.
     void leave_out() {
         const auto& word = words_[at_];
         if (!word.quoted && !number_at(at_)) line_.unknown.push_back(word.text);
@@ -85,7 +85,7 @@ private:
             line_.file = take_text();
     }
 
-    /// What goes for the whole picture.
+    /// Settings of the whole picture.
     bool read_setting() {
         Scene& scene = line_.view.settings;
         double value = 0;
@@ -164,7 +164,7 @@ private:
         return false;
     }
 
-    /// The next word is what their colours are, if it is a number among their fields.
+    /// The next word selects their colours, if it is a number among their fields.
     bool begin_members(PlotItem::Kind kind, ObjectKind objects, const char* usual) {
         begin(kind);
         item().field = usual;
@@ -180,7 +180,7 @@ private:
     }
     PlotItem& item() { return line_.items.back(); }
 
-    /// What belongs to the item in front of it; a colour or a cut without one is of blocks.
+    /// Details of the item before them; a colour or a cut without an item is for blocks.
     bool read_detail() {
         const bool colours =
             take({"contour", "colorby", "colourby", "color-by", "colour-by", "color", "colour", "by", "field"});
@@ -220,7 +220,7 @@ private:
         constexpr double degree = std::numbers::pi / 180;
         CutPlane& cut = item().cut.emplace();
         double dip = 0, direction = 0;
-        bool turned = false, given = false; // dip and dd after a normal are those of the picture
+        bool turned = false, given = false; // dip and dd after a normal belong to the picture
         for (bool more = true; more;) {
             more = true;
             if (take({"origin", "org", "point"})) take_vector(cut.origin);

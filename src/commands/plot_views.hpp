@@ -1,4 +1,4 @@
-// The pictures that plot lines describe, and what these lines say.
+// Pictures described by plot lines.
 #pragma once
 
 #include "lang/commands/commands.hpp"
@@ -62,30 +62,30 @@ struct PlotViews {
     std::vector<Movie> movies;
 };
 
-/// What one plot line asks for.
+/// Content of one plot line.
 struct PlotLine {
     enum class Task { draw, add, create, choose, clear, settings, write };
     Task task = Task::draw; ///< of `items`, at once
     std::string name;       ///< of a view
     std::string file;
     std::int64_t interval = 0; ///< cycles between the pictures of a movie; 0: one picture
-    PlotView view;             ///< the view that was current, with what the line changes
+    PlotView view;             ///< the current view, with the changes of the line
     std::vector<PlotItem> items;
-    std::vector<std::string> unknown; ///< words that say nothing to kaya
+    std::vector<std::string> unknown; ///< words without a meaning in kaya
 };
 
-/// Never throws for a word: what is not known stands in `unknown`. Values of scripts stand in the words already.
+/// Never throws for a word: unknown words are in `unknown`. Values of scripts are already inserted.
 PlotLine read_plot_line(const std::vector<lang::Plot::Item>& words, const std::string& range, const PlotView& current);
 
 class Session;
 
-/// The words with what scripts say for those that are late (@name). Throws Diagnostic for a name that nothing has.
+/// Replaces late words (@name) by the values of scripts. Throws Diagnostic for an unknown name.
 std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<lang::Plot::Item> words);
 
-/// Draws a view into a file whose suffix says which kind. False, with a note, when there is no picture: that is no reason to end a run.
+/// Draws a view into a file whose suffix selects the format. False, with a note, when there is no picture: that does not end a run.
 bool write_view(Session& session, const PlotView& view, const std::string& file);
 
-/// Draws curves into a PNG or SVG file and says so; the same where there is no picture. Another suffix becomes .png.
+/// Draws curves into a PNG or SVG file and reports it, or why there is no picture. Another suffix becomes .png.
 void write_chart(Session& session, const Chart& chart, const std::string& file);
 
 /// To be called after each cycle.

@@ -1,4 +1,4 @@
-// The program around a run: what the command line says, where words go, who follows the run, and the wish to stop it.
+// The program around a run: options of the command line, output, listeners, and requests to stop.
 #pragma once
 
 #include "base/door.hpp"
@@ -19,34 +19,34 @@
 
 namespace kaya {
 
-/// What the command line says.
+/// Options of the command line.
 struct Options {
     int threads = 0;                                  ///< 0: one for each core
     bool strict = false;                              ///< warnings are errors
     bool quiet = false;                               ///< results and messages only
     bool echo = false;                                ///< each command is shown before it runs
     bool trust = false;                               ///< scripts may use the whole of Lua: files, other programs
-    std::size_t script_memory = 0;                    ///< megabytes that scripts may take; 0: as much as there is
-    std::vector<std::filesystem::path> joint_folders; ///< in which joint models are looked for
+    std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no limit of its own
+    std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
 };
 
-/// How a command of a deck came to its end.
+/// How a command of a deck ended.
 struct Completion {
     enum class How {
         done,
         stopped, ///< by the user, after a cycle
-        cut_off, ///< by the user, inside of a script: nobody can do just that again
+        cut_off, ///< by the user, inside a script: a replay cannot repeat it
         failed
     };
     How how = How::done;
     std::int64_t cycle = 0; ///< after which it was stopped
 };
 
-/// Who follows a run: the journal, the report.
+/// A follower of a run: the journal, the report.
 class Listener {
 public:
     virtual ~Listener() = default;
-    /// Gets each command of decks after its run; those of scripts are part of the command that ran the script.
+    /// Called for each command of decks after its run; commands of scripts are part of the command that ran the script.
     virtual void executed(const lang::BoundCommand&, const Completion&) {}
     /// Called after each cycle.
     virtual void cycled() {}
@@ -58,7 +58,7 @@ class Program {
 public:
     Program(const Options& given, std::FILE* results, std::FILE* messages);
 
-    /// A listener hears of all that comes until it is forgotten.
+    /// Adds a listener; it is called until it is removed.
     void listen(Listener& listener) { listeners_.push_back(&listener); }
     void forget(Listener& listener) { std::erase(listeners_, &listener); }
     void tell_cycled() const;
@@ -72,7 +72,7 @@ public:
     /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.
     const std::string& output_file(const std::string& name);
 
-    /// Somebody has asked the run to stop, and it has not yet.
+    /// A stop was requested and has not happened yet.
     bool is_to_stop() const noexcept { return interrupted_; }
 
     Options options;
@@ -91,9 +91,9 @@ protected:
 
     RunNames names_;
     std::atomic<bool> interrupted_ = false;
-    bool stopped_inside_ = false;               ///< the command that runs was stopped where nobody can stop it again
-    std::optional<std::int64_t> stopped_after_; ///< cycle of the stop that is on its way up
-    int commands_of_scripts_ = 0;               ///< scripts that are giving commands at this moment, one in the other
+    bool stopped_inside_ = false; ///< the running command was stopped at a point that a replay cannot repeat
+    std::optional<std::int64_t> stopped_after_; ///< cycle of a stop that is being handled
+    int commands_of_scripts_ = 0;               ///< nested scripts that are giving commands
 
 private:
     std::vector<Listener*> listeners_;

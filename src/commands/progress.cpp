@@ -47,7 +47,7 @@ bool Progress::advanced() {
 
 void Progress::update() {
     const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    // About fifty looks a second, whatever a cycle costs.
+    // About fifty checks a second, whatever a cycle costs.
     const double since = now - seconds_;
     if (since < 0.01) stride_ = std::min<std::int64_t>(2 * stride_, 1 << 20);
     else if (since > 0.04) stride_ = std::max<std::int64_t>(stride_ / 2, 1);

@@ -11,11 +11,11 @@
 
 namespace kaya {
 
-/// At what a run is going to stop, as far as it can be told beforehand.
+/// The expected end of a run, as far as it is known.
 struct Target {
     std::optional<std::int64_t> cycle;  ///< number of the last cycle
     std::optional<double> time;         ///< model time
-    std::string task = {};              ///< what the run does, in front of the line
+    std::string task = {};              ///< the task, shown before the line
     std::optional<double> seconds = {}; ///< since the start of the run
 };
 
@@ -25,28 +25,28 @@ class Progress {
 public:
     Progress(Output& output, const Model& model, const Target& target);
 
-    /// To be called after each cycle. Looks at the clock seldom enough to cost nothing; returns whether it did.
+    /// Call after each cycle. Checks the clock rarely enough to cost nothing; returns whether it did.
     bool advanced();
 
-    /// Another task of the same run, and how long the run will still take where that is known.
+    /// Sets another task of the same run, and the remaining time where it is known.
     void expect(std::string task, std::optional<double> seconds_left);
 
-    /// Seconds since the start, at the last look at the clock.
+    /// Seconds from the start to the last check of the clock.
     double seconds() const { return seconds_; }
 
-    /// Takes the line away and says what was done.
+    /// Clears the line and reports what was done.
     void finish();
 
 private:
     void update();
     std::string line() const;
-    double left() const; ///< seconds, negative when it cannot be told
+    double left() const; ///< seconds, negative when unknown
 
     Output& output_;
     const Model& model_;
     Target target_;
     std::chrono::steady_clock::time_point start_;
-    std::int64_t done_ = 0; ///< cycles; a search for a factor of safety goes back to earlier ones
+    std::int64_t done_ = 0; ///< cycles; a search for a factor of safety returns to earlier ones
     double first_time_;
     std::int64_t until_check_ = 1, stride_ = 1; ///< cycles
     double seconds_ = 0, shown_ = 0;
@@ -56,7 +56,7 @@ private:
 /// The time of the model, with "(scaled)" after it where density scaling has changed masses.
 std::string time_text(const Model& model);
 
-/// What density scaling has done, in words; empty where it has changed no mass.
+/// The effect of density scaling, in words; empty if no mass was changed.
 std::string scaling_text(const Model& model);
 
 std::string duration_text(double seconds);

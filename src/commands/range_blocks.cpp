@@ -1,4 +1,4 @@
-// Range elements that look at the shape of blocks and bodies, at what is exposed, and at states of joints.
+// Range elements for the shape of blocks and bodies, for exposed faces, and for joint states.
 #include "commands/range_tests.hpp"
 
 #include "base/diagnostic.hpp"
@@ -47,7 +47,7 @@ Polyhedron outline_of(const Model& model, Row block) {
     return shape;
 }
 
-/// A test of one number of each block's shape, which is looked at once however many parts of the block are tested.
+/// A test of one number of each block's shape, computed once for all parts of the block.
 template <class Number> RangeTest by_shape(const RangeElement& e, Number number) {
     const auto known = std::make_shared<std::map<Row, bool>>();
     return on_blocks([low = e.low, high = e.high, number, known](const Model& model, Row block) {
@@ -57,7 +57,7 @@ template <class Number> RangeTest by_shape(const RangeElement& e, Number number)
     });
 }
 
-/// A body is convex when those of its faces that have all of it on one side close around its whole volume.
+/// A body is convex when its faces that have all of it on one side enclose its whole volume.
 bool is_convex(const Model& model, std::span<const Row> members) {
     Vec3 centroid = Vec3::Zero();
     double volume = 0, margin = 0;
@@ -126,7 +126,7 @@ RangeTest in_concave_body(const RangeElement&, RangeContext& context) {
     return on_blocks([concave](const Model&, Row block) { return (*concave)[block] != 0; });
 }
 
-/// A face on which another block lies is not on the surface, as for `bound stress`.
+/// A face covered by another block is not on the surface, as for `bound stress`.
 RangeTest on_surface(const RangeElement& e, RangeContext& context) {
     if (is_contact(context.kind))
         throw Diagnostic("'surface' picks faces and what is on them, but this command acts on " +

@@ -17,7 +17,7 @@ using lang::RangeElement;
 namespace {
 
 template <int axis> RangeTest along_axis(const RangeElement& e, RangeContext& context) {
-    // One value means what lies in that plane, also when the loads have moved it a little.
+    // One value selects a plane, with tolerance for a small motion under load.
     constexpr double plane_slack = 100; // a ten-thousandth of the model's size
     const double slack = context.tolerance * (e.low == e.high ? plane_slack : 1);
     const double low = std::min(e.low, e.high) - slack;
@@ -67,7 +67,7 @@ RangeTest in_cylinder(const RangeElement& e, RangeContext& context) {
     });
 }
 
-/// A plane figure in axes of its own: two along the plane, one across.
+/// A plane figure in its own axes: two along the plane, one across.
 struct FigurePlane {
     Vec3 origin, along, across, normal;
 
@@ -87,7 +87,7 @@ double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, c
     return (p - a - share * edge).norm();
 }
 
-/// Inside, or nearer to the outline than the tolerance. Counts the edges that a ray along the first axis crosses.
+/// Inside, or within the tolerance of the outline. Counts the edges crossed by a ray along the first axis.
 bool inside_outline(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p, double tolerance) {
     bool inside = false;
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-/// What an element needs to become a test.
+/// Context for turning an element into a test.
 struct RangeContext {
     const Model& model;
     const NamedRanges& named;
@@ -18,7 +18,7 @@ struct RangeContext {
     double tolerance;
     RangeExtras extras;
     bool whole = false;            ///< all corners of an object must lie inside
-    std::vector<std::string> open; ///< named ranges that are being looked into, against circles
+    std::vector<std::string> open; ///< named ranges being expanded, to detect cycles
 };
 
 inline bool is_contact(ObjectKind kind) { return kind == ObjectKind::contact || kind == ObjectKind::sub_contact; }
@@ -41,7 +41,7 @@ template <class Passes> RangeTest on_blocks(Passes passes, bool both = false) {
     };
 }
 
-/// Calls `passes` with the corners of an object, until one does not pass. What has no corners has its place.
+/// Calls `passes` with the corners of an object until one does not pass. Objects without corners use their place.
 template <class Passes> bool all_corners(const Model& model, ObjectKind kind, Row row, Passes passes) {
     const auto& position = model.gridpoints.position;
     const auto all = [&](const auto& rows) {
@@ -80,13 +80,13 @@ template <class Passes> RangeTest on_place(const RangeContext& context, Passes p
 /// Throws when the command does not act on contacts or sub-contacts.
 void needs_contacts(const lang::RangeElement& e, const RangeContext& context, const char* word, const char* hint = "");
 
-/// The test of a kind of element. The rows stand where the tests do: range_shapes.cpp has the places in space, range_blocks.cpp what
-/// looks at blocks, bodies and joints, ranges.cpp the others.
+/// The test of a kind of element. range_shapes.cpp has the spatial ones, range_blocks.cpp those of blocks, bodies and joints, ranges.cpp
+/// the others.
 struct RangeEntry {
     lang::RangeElement::Kind kind;
     RangeTest (*test)(const lang::RangeElement& e, RangeContext& context);
 };
-std::span<const RangeEntry> tests_of_places(); ///< these ask for nothing but a place
+std::span<const RangeEntry> tests_of_places(); ///< these need only a place
 std::span<const RangeEntry> tests_of_faces();  ///< orientation
 std::span<const RangeEntry> tests_of_blocks();
 

@@ -6,7 +6,7 @@ namespace kaya {
 
 namespace {
 
-/// `{}` stands for one value after the other.
+/// Each `{}` stands for the next value.
 struct Wording {
     std::string_view hint;
     std::string_view message = {}; ///< empty: as it is

@@ -5,7 +5,7 @@
 
 namespace kaya {
 
-/// The mistake with its hint; its message, too, where that takes a word of a deck.
+/// The error with its hint; the message too, where it contains a word of a deck.
 Diagnostic worded(const Advised& mistake);
 
 } // namespace kaya

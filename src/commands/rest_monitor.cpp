@@ -11,11 +11,11 @@ namespace kaya {
 
 namespace {
 
-/// Marks that are kept; with one more, every other goes and the stride doubles.
+/// Number of marks kept; beyond it every second one is dropped and the stride doubles.
 constexpr std::size_t most_marks = 8;
 /// A body that keeps this part of its mean velocity from one span to the next does not slow down.
 constexpr double kept_velocity = 0.9;
-/// Less displacement than this part of what its springs give under the forces on it is a body at rest.
+/// A body is at rest when its displacement is below this part of the elastic deformation of its springs under the forces on it.
 constexpr double quiet_part = 0.1 / 16;
 /// So is one that gains less than this part of its displacement since the run began: its springs still settle.
 constexpr double settling_part = 0.02;
@@ -87,7 +87,7 @@ void RestMonitor::sample() {
 }
 
 std::optional<MovingBody> RestMonitor::moving() const {
-    // Late marks only: what springs gave when the run began is no motion of now.
+    // Late marks only: ignore the elastic rebound at the start of the run.
     constexpr std::size_t least_marks = 4;
     constexpr double least_time = 25; // in largest stable steps; before, springs are still taking up their forces
     if (marks_.size() < least_marks || static_cast<double>(cycles_) * time_step_fraction(model_.settings) < least_time)

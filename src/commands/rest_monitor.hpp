@@ -1,4 +1,4 @@
-// Who moves on while the rest of a model is quiet.
+// Finds bodies that keep moving while the rest of a model is at rest.
 #pragma once
 
 #include "model/model.hpp"
@@ -17,14 +17,13 @@ struct MovingBody {
     double gained = 0; ///< displacement, length
 };
 
-/// The block that moves fastest and is not held; none when all stand. Of a deformable one the mean of its
-/// gridpoints.
+/// The fastest block that is not held; none when all are at rest. For a deformable one the mean of its gridpoints.
 std::optional<MovingBody> fastest_body(const Model& model);
 
 /// "block 5 at (1, 2, 3)"
 std::string body_text(const Model& model, const MovingBody& body);
 
-/// Looks at how far blocks have come at a few cycles of a run, the later the farther apart.
+/// Samples the displacements of blocks at a few cycles of a run, at increasing intervals.
 class RestMonitor {
 public:
     explicit RestMonitor(const Model& model);
@@ -34,8 +33,8 @@ public:
 
     std::int64_t cycles() const { return cycles_; }
 
-    /// The block that has gained most displacement lately, of those that are not held and do not slow down:
-    /// docs/theory/stopping.md. None when all come to rest, and when the run was too short to tell.
+    /// The block with the largest recent displacement among those that are not held and do not slow down: docs/theory/stopping.md. None
+    /// when all come to rest, and when the run was too short to tell.
     std::optional<MovingBody> moving() const;
 
 private:

@@ -12,7 +12,7 @@
 
 namespace kaya {
 
-/// A column of such a table: a field of the objects, or what no field has.
+/// A column of such a table: a field of the objects, or another value.
 struct ListColumn {
     using Text = std::function<std::string(Row)>;
 

@@ -35,7 +35,7 @@ void run_deferred(Session& session) {
     }
 }
 
-/// One cycle and what its hooks put off. Errors get the cycle, and the command that runs it.
+/// One cycle and the changes that its hooks deferred. Errors get the cycle and the command that runs it.
 void advance(Session& session) {
     struct Inside {
         bool& flag;
@@ -63,7 +63,7 @@ void advance(Session& session) {
     }
 }
 
-/// Cycles that nobody looks into may keep stresses where they are at hand.
+/// Cycles whose stresses are not read may cache them.
 class CycleRun {
 public:
     explicit CycleRun(Session& session) {
@@ -75,7 +75,7 @@ private:
     std::optional<Cycle::Unwatched> unwatched_;
 };
 
-/// Joined blocks have zones together or not at all; while a model is made they may get them one after the other.
+/// Joined blocks are all zoned or all rigid; during construction they may be zoned one after the other.
 void refuse_half_zoned(const Model& model) {
     const auto& blocks = model.blocks;
     std::map<std::int32_t, Row> bodies;
@@ -100,8 +100,7 @@ void make_ready(Session& session) {
     if (settle_forces(session)) session.cycle->prepare(); // forces are gathered anew
 }
 
-/// Throws Diagnostic when steps are so short that time stands still before the run has come to its time, or now: a sum
-/// of numbers of 16 digits does not change any more.
+/// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.
 void refuse_standing_still(const Limits& limits, const Clock& start, const Clock& now) {
     const double time = limits.time ? start.time + *limits.time : now.time;
     if (now.time_step == 0 || time + now.time_step != time) return;
@@ -111,13 +110,12 @@ void refuse_standing_still(const Limits& limits, const Clock& start, const Clock
                      Fault::run);
 }
 
-/// Whether a model at the ratio that was asked for is at rest: it is watched for a while after, and longer where
-/// a body seems to move on.
+/// Whether a model at the wanted ratio is at rest: it is observed for some more cycles, longer while a body seems to move.
 class Confirmation {
 public:
     /// To be called after each cycle in which the ratio is reached, and with `false` after others.
     enum class Answer { wait, rest, motion };
-    /// `whole` has seen the run from its beginning: a body that moves on slowly shows there.
+    /// `whole` has sampled the run from its beginning: a body that moves slowly shows there.
     Answer check(const Model& model, std::int64_t cycles_before, bool ratio_reached,
                  const RestMonitor* whole = nullptr) {
         if (!ratio_reached) {
@@ -167,7 +165,7 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
     return {};
 }
 
-/// Why the run stops here; empty when it goes on.
+/// The reason for stopping here; empty to continue.
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
     if (limits.cycles && now.cycle - start.cycle >= *limits.cycles) return counted(*limits.cycles, "cycle");

@@ -23,11 +23,10 @@ struct Limits {
     bool still = false;          ///< ratios and force count only when no body gains displacement any more
 };
 
-/// Lets joint models take up forces that scripts and commands have set, and warns of what they cannot carry. Whether forces
-/// are others now.
+/// Lets joint models take up forces set by scripts and commands, and warns of those that they cannot carry. Returns whether forces changed.
 bool settle_forces(Session& session);
 
-/// Why a run has ended, in words, and whether it was a ratio or a force that came below its limit.
+/// The reason for the end of a run, in words, and whether a ratio or a force fell below its limit.
 struct RunEnd {
     std::string why;
     bool at_rest = false;
@@ -36,17 +35,17 @@ struct RunEnd {
 /// Runs until a limit is reached; returns which. A watch sees every cycle.
 RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monitor = nullptr);
 
-/// What a number of cycles has shown.
+/// Result of a number of cycles.
 struct RestSpan {
     bool at_rest = false;             ///< the ratio was reached, and nothing moved on for a while; the span ended there
     double mean_ratio = 0;            ///< average ratio of unbalanced force, over the cycles
     std::int64_t cycles = 0;          ///< that were run
     std::optional<MovingBody> moving; ///< the ratio was reached, but this body moves on
-    bool fails = false;               ///< the watch for failure says so; the span ended there
+    bool fails = false;               ///< reported by the failure monitor; the span ended there
 };
 
-/// Cycles until the average ratio is not above `ratio` and no body gains displacement any more, or that
-/// many cycles are done; looking at bodies may take more. A watch sees every cycle.
+/// Cycles until the average ratio is at most `ratio` and no body gains displacement, or until that many cycles are done; checking bodies
+/// may take more. A monitor sees every cycle.
 RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress);
 
 /// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int most_runs = 1000;           ///< of one name in one folder
-constexpr std::size_t longest_stem = 200; ///< bytes: file systems take 255, and endings follow
+constexpr std::size_t longest_stem = 200; ///< bytes: file systems allow 255, and suffixes follow
 
 Descriptor opened(const fs::path& file) {
     try {

@@ -1,4 +1,4 @@
-// Two runs of one deck in one folder keep apart what they write by themselves.
+// Separate files for two runs of one deck in one folder.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -9,8 +9,8 @@
 
 namespace kaya {
 
-/// Names for the journal and the autosave. Each is held by a lock on a file .NAME.kaya-lock in the current folder, which goes
-/// with the run; of a run that was killed the lock is gone and the file is taken over.
+/// Names for the journal and the autosave. Each is held by a lock on a file .NAME.kaya-lock in the current folder, which is removed with
+/// the run; after a killed run the lock is free and the file is reused.
 class RunNames {
 public:
     RunNames() = default;

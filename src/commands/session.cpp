@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Commands take numbers, texts and vectors of scripts; a pointer means nothing to them.
+/// Commands accept numbers, texts and vectors of scripts; pointers have no meaning to them.
 lang::Value command_value(const script::Value& value, const std::string& expression, const Place& place) {
     if (const auto* truth = std::get_if<bool>(&value)) return *truth;
     if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
@@ -32,7 +32,7 @@ lang::Value command_value(const script::Value& value, const std::string& express
 
 bool calls_file(const lang::BoundCommand& command) {
     return command.spec->flow == lang::Flow::call;
-} // its commands stand for it
+} // its commands represent it
 
 } // namespace
 
@@ -123,7 +123,7 @@ std::string Session::run_text(const std::string& text, const std::string& chunk,
 }
 
 void Session::warn_once_here(Diagnostic far) {
-    if (said_once.insert("far:" + here()).second) warn(std::move(far)); // a loop may ask for many places
+    if (said_once.insert("far:" + here()).second) warn(std::move(far)); // a loop may query many places
 }
 
 const lang::RangePhrase* Session::range_phrase(const std::string& name) {
@@ -210,11 +210,11 @@ RangeExtras Session::range_extras(bool excavated) {
 }
 
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {
-    // What lies on the surface is told by contacts.
+    // Surface elements need contacts.
     if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_contacts(model, joints);
     RangeTest test = range_test(model, ranges, range, kind, range_extras(false));
     if (!test) return test;
-    constexpr int rows_between = 256; // two looks whether the user wants to stop
+    constexpr int rows_between = 256; // rows between two checks for interruption
     return [this, test = std::move(test), left = rows_between](const Model& of, ObjectKind of_kind, Row row) mutable {
         if (--left == 0) {
             left = rows_between;
@@ -255,7 +255,7 @@ std::string Session::symbol_text(const std::string& expression) {
 }
 
 void Session::clear() {
-    const bool by_script = scripts->running(); // which goes on in the new model
+    const bool by_script = scripts->running(); // the script continues in the new model
     if (by_script) scripts->refuse_while_awaited("new");
     model = Model{};
     ranges.clear();

@@ -17,13 +17,13 @@
 
 namespace kaya {
 
-/// What handlers get. It joins the three parts, which know nothing of each other: answers the interpreter and the scripts, and tells
-/// the listeners.
+/// The argument of handlers. It joins three parts that do not know each other: serves the interpreter and the scripts, and notifies the
+/// listeners.
 class Session : private lang::InterpreterHost, private WorldHost, public Program, public Deck, public Engine {
 public:
     explicit Session(const Options& options, std::FILE* results = stdout, std::FILE* messages = stderr);
 
-    /// Scripts go first: what they do at their end may still call the rest.
+    /// Scripts are destroyed first: their finalisers may still call the rest.
     ~Session() override;
 
     /// Runs a deck from its first line to its last. Throws lang::DeckErrors before the first command
@@ -33,7 +33,7 @@ public:
     /// Shows a warning; under `--strict` throws it as an error. The place of the running command is
     /// added when it has none.
     void warn(Diagnostic warning);
-    /// Shows a note at the running command, the first time that it is said.
+    /// Shows a note at the running command, once per text.
     void note_once(const std::string& message, const std::string& hint = {});
 
     /// Warns once of each joint or zone model that changes how the processor computes; it was put back.
@@ -41,44 +41,43 @@ public:
 
     /// The test of a range, of objects of that kind. Throws Diagnostic at the element that is wrong.
     RangeTest test_of(ObjectKind kind, const lang::RangePhrase& range);
-    /// What range elements read besides the model; `excavated`: the model is that of the blocks that fill can put back.
+    /// Inputs of range elements beyond the model; `excavated`: the model is that of the blocks that fill can put back.
     RangeExtras range_extras(bool excavated);
     /// Visible rows in a range, ascending. Warns when the range picks none.
     std::vector<Row> pick(ObjectKind kind, const lang::RangePhrase& range);
-    /// The same, hidden blocks and their parts included.
+    /// The same, including hidden blocks and their parts.
     std::vector<Row> pick_hidden_too(ObjectKind kind, const lang::RangePhrase& range);
 
-    /// What the journal and the autosave of the present deck begin with; says so when another run has the plain name.
+    /// The name prefix of the journal and the autosave of the present deck; reports when another run has the plain name.
     std::string run_name();
 
-    /// A file of a deck that is going to be read, see next_to_deck: the gate is asked, and it is kept in files_read.
+    /// A file of a deck to be read, see next_to_deck: asks the gate, and records it in files_read.
     std::filesystem::path input_file(const std::string& name);
 
     /// `print @x`: the value as FISH shows it.
     std::string symbol_text(const std::string& expression);
 
-    /// Back to the state of a new session; settings of the program (threads, log) stay, and so do scripts when one of them
-    /// asks for it.
+    /// Returns to the state of a new session; settings of the program (threads, log) stay, and so do scripts when one of them requests it.
     void clear();
 
-    /// Asks the run to stop after the present cycle, and scripts to stop at once. For signal handlers.
+    /// Requests a stop after the present cycle, and of scripts at once. For signal handlers.
     void interrupt() noexcept;
-    /// A script is where nothing reaches it, though somebody asked it to stop. For signal handlers.
+    /// A script runs at a point where a stop request cannot reach it. For signal handlers.
     bool is_deaf() const noexcept;
-    /// Throws Diagnostic when somebody asked for it.
+    /// Throws Diagnostic when a stop was requested.
     void stop_if_interrupted();
-    /// The same after a cycle, which a journal can tell and a replay do again.
+    /// The same after a cycle; a journal can record it and a replay repeat it.
     void stop_after_cycle();
-    /// Whether scripts of the deck act inside of cycles: they may read and write fields, print, or keep what no copy of the model knows.
+    /// Whether scripts of the deck act inside cycles: they may read and write fields, print, or keep data outside the model.
     bool scripts_act_in_cycles() const;
 
     VtkSeries vtk;                    ///< the picture series of this run
     PlotViews plots;                  ///< the pictures that `plot` has described
-    std::shared_ptr<Painter> painter; ///< what draws them; none: where it is looked for by itself
-    Autosave autosave{*this};         ///< what is kept when the run is cut off
+    std::shared_ptr<Painter> painter; ///< draws the pictures; null: searched automatically
+    Autosave autosave{*this};         ///< keeps the model when the run is cut off
 
 private:
-    // What the interpreter asks for and tells of.
+    // Services for the interpreter.
     void run(const lang::BoundCommand& command) override;
     lang::Value value(const std::string& expression, const Place& place) override;
     void deck_read(const lang::BoundFile& file, const lang::BareNames& names) override;
@@ -87,7 +86,7 @@ private:
     void after(const lang::BoundCommand& command) override;
     void failed(const lang::BoundCommand& command) override;
 
-    // What scripts ask for.
+    // Services for scripts.
     std::string run_text(const std::string& text, const std::string& chunk, int line, bool caught) override;
     void note(const std::string& message) override { note_once(message); }
     void warn_once_here(Diagnostic warning) override;

@@ -12,12 +12,12 @@ namespace {
 
 /// Part of the shear across the direction of slip that may be left.
 constexpr double left_over = 1e-3;
-/// Joints belong to what slides where they have slipped at least this part of the mean.
+/// Joints belong to the sliding surface when they have slipped at least this part of the mean.
 constexpr double sliding_part = 0.5;
 
 } // namespace
 
-/// Slip of a sub-contact: what it has lost over the shear force that it has now.
+/// Slip of a sub-contact: frictional work over its present shear force.
 double Slip::path(const SubContacts& subs, std::size_t row) const {
     const double force = subs.shear_force[row].norm(), lost = subs.frictional_work[row] - work_[row];
     return force > 0 && lost > 0 ? lost / force : 0;
@@ -52,7 +52,7 @@ bool Slip::has_turned_shear(const Model& model) const {
 
 namespace {
 
-/// Zones remember what those of `start` do. Columns beyond those of their zone model hold stresses, of cells that warp, and stay.
+/// Resets the history of zones to that of `start`. Columns beyond those of their zone model hold warp stresses and are kept.
 void forget_flow(Model& model, const Model& start, ZoneModels& laws) {
     model.zones.state = start.zones.state;
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {

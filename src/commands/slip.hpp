@@ -1,4 +1,4 @@
-// What slip does to joints: shear turns into its direction, and some joints remember it.
+// Effect of slip on joints: shear turns into the direction of slip, and some joints have a history.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -8,13 +8,14 @@
 
 namespace kaya {
 
-/// Looks at how far joints have slipped since it was made. Shear across the direction of slip fades as exp(-s/d), s the slip and d = shear stress
-/// over stiffness: docs/theory/slopes.md.
+/// Slip of joints since its construction. Shear across the direction of slip decays as exp(-s/d), s the slip and d = shear stress over
+/// stiffness: docs/theory/slopes.md.
 class Slip {
 public:
     explicit Slip(const Model& model) : work_(model.sub_contacts.frictional_work), ids_(model.sub_contacts.id) {}
 
-    /// Sub-contacts between what slides and what stays: they have slipped at least half as far as those that slip do in the mean. None when contacts are others now.
+    /// Sub-contacts between the sliding part and the rest: their slip is at least half the mean of those that slip. None when contacts have
+    /// changed.
     std::vector<Row> rows(const Model& model) const;
     /// Whether these have slipped so far that a thousandth of that shear is left.
     bool has_turned_shear(const Model& model) const;
@@ -26,8 +27,8 @@ private:
     std::vector<SubContactId> ids_;
 };
 
-/// Joints that are closed keep their forces and forget all else that slip has made of them; zones remember what those of `start`, the same
-/// model before it slid, do.
+/// Closed joints keep their forces and lose the rest of their slip history; zones get the history of `start`, the same model before it
+/// slid.
 void forget_slip(Model& model, const Model& start, JointRegistry& joints);
 
 } // namespace kaya

@@ -25,7 +25,7 @@ std::string end_text(std::string_view run, const RunEnd& end) {
     return fmt::format("{}: {}{}", run, end.at_rest ? "" : "stopped by ", end.why);
 }
 
-/// How near to rest a run has come, and who does not come to rest at all.
+/// Reports how close to rest a run is, and which body does not come to rest.
 void tell_rest(Session& session, const RestMonitor& monitor, bool still, const Place& place) {
     const Clock& clock = session.model.clock;
     std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
@@ -69,7 +69,7 @@ void set_damping(Settings& settings, lang::Damp::Kind kind, const lang::Damp& co
 
 } // namespace
 
-/// Fewer are counted to look at the model, not to move a boundary.
+/// Fewer cycles are run to inspect the model, not to move a boundary.
 constexpr std::int64_t many_cycles = 1000;
 
 void run(Session& session, const lang::CycleCommand& command) {
@@ -86,7 +86,7 @@ void run(Session& session, const lang::Solve& command) {
     Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
                   command.force,  {},           command.still};
     if (command.clock) limits.clock = *command.clock * 60;
-    // Equilibrium is what `solve` looks for unless a limit says what else to wait for.
+    // `solve` looks for equilibrium unless a limit gives another end.
     if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time)
         limits.ratio = 1e-5;
     if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
@@ -113,7 +113,7 @@ void run(Session& session, const lang::Damp& command) {
         return std::tuple(stiffness_damping(settings), settings.contact_damping, time_step_fraction(settings));
     };
     const auto before = stiff_part();
-    // A line says all of the damping; only dashpots that are taken away leave the rest as it is.
+    // A line defines all of the damping; removing dashpots alone leaves the rest unchanged.
     settings.contact_damping = command.contact.value_or(0);
     if (command.kind) set_damping(settings, *command.kind, command);
     else if (settings.contact_damping > 0) settings.damping = Damping::none;

@@ -40,7 +40,7 @@ std::string line_text(const Vec3& direction, const Vec3& up) {
     return fmt::format("{:.1f}/{:.1f}", trend, std::asin(std::clamp(-direction.dot(up), -1.0, 1.0)) * degrees);
 }
 
-/// A body, and what holds it.
+/// A body and its supports.
 struct Held {
     BodyStability body;
     double mass = 0;
@@ -172,7 +172,7 @@ private:
         });
     }
 
-    /// Of water on a joint: exactly, also where a part of it lies above the table.
+    /// Water pressure on a joint: exact, also where a part of it lies above the table.
     template <class Push> void add_water(Row contact, const WaterPressure& water, const Push& push) const {
         if (model_.settings.water == Water::none) return;
         for (const auto& polygon : joint_polygons(model_, contact)) {
@@ -210,7 +210,7 @@ private:
         if (answer.factor) answer.mode = SlidingMode::turning;
     }
 
-    /// Body by body against those that stay; when some have left, those after them again.
+    /// Each body against those that stay; when some have been removed, the remaining ones again.
     void assess() {
         std::vector<char> gone(bodies_.size(), 0);
         for (int stage = 1;; ++stage) {

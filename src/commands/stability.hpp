@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// A rigid body, or a block with zones taken as rigid.
+/// A rigid body; a zoned block counts as rigid.
 struct BodyStability {
     std::vector<Row> blocks;
     bool fixed = false; ///< a velocity is prescribed on it
@@ -18,8 +18,8 @@ struct BodyStability {
     int stage = 0; ///< 0: its neighbours hold it; else the round in which it becomes free
 };
 
-/// All bodies by their first blocks. Body by body against those that stay; when some have left (factor below 1), those after them again.
-/// Throws Diagnostic when a block has no density.
+/// All bodies by their first blocks. Each body against those that stay; when some have been removed (factor below 1), the remaining ones
+/// again. Throws Diagnostic when a block has no density.
 std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws);
 
 } // namespace kaya

@@ -31,7 +31,7 @@ constexpr std::array<Strength, 3> strengths{{
     {"tension", "stress", divided, Reduced::tension},
 }};
 
-/// A law with this property divides its strength by it, and nothing else of it is touched.
+/// A law with this property divides its strength by it; its other properties are unchanged.
 constexpr std::string_view own_factor = "strength-factor";
 
 /// By the whole name of the property; no number where there is none.

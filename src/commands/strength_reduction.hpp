@@ -1,4 +1,4 @@
-// What a factor of safety divides: strengths of joint models, by their properties.
+// Strengths of joint models that a factor of safety divides, by their properties.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -14,7 +14,7 @@ namespace kaya {
 
 using Reduced = lang::Solve::Reduced;
 
-/// What a command asks to be reduced.
+/// The selection of a command.
 class Asked {
 public:
     explicit Asked(const lang::Solve& command);
@@ -28,11 +28,11 @@ private:
 std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
                                            const Asked& asked);
 
-/// A warning where a joint's tensile strength is above cohesion/tan(friction), at which its Coulomb line ends: points that it
-/// then holds in tension press others together, whose friction grows. None where it has no such strength.
+/// A warning where a joint's tensile strength is above cohesion/tan(friction), the end of its Coulomb line: points held in tension press
+/// others together, whose friction increases. None without such a strength.
 std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set);
 
-/// Whether a joint with these values keeps less strength after failure: a value "x-residual" is below "x".
+/// Whether a joint with these values loses strength at failure: a value "x-residual" is below "x".
 bool loses_strength(const JointModel& joint, const std::vector<double>& values);
 
 } // namespace kaya

@@ -21,22 +21,22 @@ namespace kaya {
 
 namespace {
 
-/// Below this the model counts as at rest when the command does not say.
+/// Ratio of a model at rest when the command gives none.
 constexpr double default_ratio = 1e-5;
 /// Cycles after which a model that cannot fail ought to be at rest.
 constexpr std::int64_t patience = 100000;
 constexpr std::int64_t shortest_span = 100;
-/// A trial lowers the strength in so many steps, over half a span; one that begins anew comes nearly to rest after each.
+/// A trial lowers the strength in this many steps over half a span; a trial from the beginning comes nearly to rest after each.
 constexpr int lowering_steps = 10;
 constexpr double calm = 1e-3;
-/// Spans that one trial may take, the part of its unbalanced force that each should take away, and how many in a row may
-/// fail to: near the limit a block sticks and slips, and the force goes up and down.
+/// Spans of one trial, the part of its unbalanced force that each should remove, and how many in a row may fail to: near the limit a block
+/// sticks and slips, and the force fluctuates.
 constexpr int spans = 12;
 constexpr double gain = 0.1;
 constexpr int most_without_gain = 2;
-/// Spans over which a trial is watched for motion that goes on.
+/// Spans over which a trial is observed for continuing motion.
 constexpr double window_part = 2.0 / 3, patient_window_part = 5;
-/// A model that has failed slides on with its strength divided by so much more, so that it does not take long.
+/// A failed model slides on with its strength divided by this additional factor, to save time.
 constexpr double shove = 1.1;
 constexpr int spans_of_sliding = 3;
 /// Dashpots of contacts in trials, of critical damping.
@@ -55,11 +55,11 @@ StrengthTrials::StrengthTrials(Session& session, const lang::Solve& command, con
         throw Diagnostic("without damping a model never comes to rest, and no factor of safety can be found",
                          "write before it, for example: damp local")
             .at(command.place);
-    // Local damping holds back what slides on (docs/theory/damping.md); no damping of bodies stills what friction shakes.
+    // Local damping holds back sliding bodies (docs/theory/damping.md); no damping of bodies stops vibrations excited by friction.
     if (damping_ == Damping::local) session.model.settings.damping = Damping::combined;
     session.model.settings.contact_damping = std::max(dashpots_, dashpots);
     start_ = session.model;
-    start_.settings.energy = true; // a failing trial is known by its account
+    start_.settings.energy = true; // a failing trial is detected by its energy account
     start_.unreduced = static_cast<std::uint8_t>((asked_(Reduced::friction) ? 0 : keep_friction) |
                                                  (asked_(Reduced::cohesion) ? 0 : keep_cohesion) |
                                                  (asked_(Reduced::tension) ? 0 : keep_tension));
@@ -79,10 +79,10 @@ bool StrengthTrials::stands(double factor) {
     const bool warm = warm_ && stable_ && factor > stable_->factor, from_motion = sliding_.has_value();
     if (from_motion) stop_sliding(factor);
     else go_to(warm ? *stable_ : State{start_, {}, 1});
-    // A model that does not stand as it is must not begin to slide on the way to more strength.
+    // A model that is unstable at present must not begin to slide on the way to more strength.
     const double first = warm ? stable_->factor : factor > 1 ? 1 : 0.5 * factor;
     Outcome outcome;
-    // Step by step: joints that are past their peak do not get it back, and a blow carries them over it.
+    // Step by step: a sudden reduction could push joints past their peak, irreversibly.
     for (int step = 1; step < lowering_steps && !outcome.tired && !from_motion; ++step) {
         const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
         lower(lowered);
@@ -103,7 +103,7 @@ bool StrengthTrials::stands(double factor) {
     return outcome.at_rest;
 }
 
-/// What became of a trial, for the person who waits and for those that come after it.
+/// Reports the trial and keeps its end state for later trials.
 void StrengthTrials::keep_end(const Outcome& outcome, double factor, const std::optional<FailureMode>& mode) {
     session_.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", factor,
                                     outcome.at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"),
@@ -150,7 +150,7 @@ void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, Failu
     outcome.tired = true;
 }
 
-/// A bolt across a joint that slips is far softer than all that a span knows: nobody can tell how long a block goes on.
+/// A bolt across a slipping joint is far softer than a span accounts for: how long a block keeps moving is unknown.
 bool StrengthTrials::goes_to_its_end() const { return patient_ && session_.model.structures.stand(); }
 
 void StrengthTrials::go_to(const State& state) {
@@ -161,7 +161,7 @@ void StrengthTrials::go_to(const State& state) {
 /// Lets the model slide on from the end of the last trial that failed, with less strength, until shear that loading had locked into
 /// its joints has turned into the direction of slip. Whether it did without toppling, and neither joints nor zones are weaker or stronger by it.
 bool StrengthTrials::slides_without_trace() {
-    if (!failed_ || start_.structures.stand()) return false; // bolts take up load on the way
+    if (!failed_ || start_.structures.stand()) return false; // bolts take up load during motion
     for (const Row row : property_sets_in_use(session_.model)) {
         const auto& set = session_.model.joint_properties[row];
         if (loses_strength(session_.joints.get(set.model), set.values)) return false;
@@ -200,13 +200,13 @@ void StrengthTrials::stop_sliding(double factor) {
         for (const Row row : slipping_) column[row] *= sliding_->factor / factor;
 }
 
-/// At the rate of the trials so far; none where that is not known.
+/// At the rate of the trials so far; none where that is unknown.
 std::optional<double> StrengthTrials::seconds_left() const {
     if (trials_ == 0 || expected_ == 0) return std::nullopt;
     return progress_.seconds() / trials_ * expected_;
 }
 
-/// All strengths are those of the beginning, divided by the factor.
+/// Sets all strengths to the initial ones divided by the factor.
 void StrengthTrials::lower(double factor) {
     learn_whole_values();
     auto& sets = session_.model.joint_properties;
@@ -271,8 +271,7 @@ void StrengthTrials::check_strengths(const Place& place) {
                           .at(place));
 }
 
-/// How many cycles the model needs to come to rest when half of all its inner forces are taken away and nothing
-/// can fail.
+/// The number of cycles in which the model comes to rest when half of all its inner forces are removed and nothing can fail.
 std::int64_t StrengthTrials::characteristic_span(const Place& place) {
     Model& model = session_.model;
     const ElasticJoints strong(session_);

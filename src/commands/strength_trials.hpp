@@ -17,7 +17,7 @@
 
 namespace kaya {
 
-/// Trials of one model; each begins with the model as it was in the beginning, and so does what comes after the last.
+/// Trials of one model; each begins with its initial state, which is restored after the last.
 class StrengthTrials {
 public:
     StrengthTrials(Session& session, const lang::Solve& command, const Limits& limits);
@@ -25,32 +25,32 @@ public:
     StrengthTrials(const StrengthTrials&) = delete;
     StrengthTrials& operator=(const StrengthTrials&) = delete;
 
-    /// Whether the model comes to rest with its strength divided by the factor. It stands when the ratio is reached; it
-    /// fails when its unbalanced force does not get smaller from one span to the next. Begins where the last trial that
-    /// stood with less came to rest, or where the first one began.
+    /// Whether the model comes to rest with its strength divided by the factor. It is stable when the ratio is reached; it fails when its
+    /// unbalanced force does not decrease from one span to the next. Starts where the last stable trial with more strength came to rest, or
+    /// where the first one started.
     bool stands(double factor);
 
-    /// How many more trials there will be, for the person who waits.
+    /// The expected number of further trials, for the progress line.
     void expect(int more) { expected_ = more; }
-    /// Whether the last trial that failed was ended because motion went on.
+    /// Whether the last failed trial was ended early because motion continued.
     bool failed_early() const { return failed_early_; }
     /// From now on trials are watched over three times as many cycles before they end early.
     void be_patient() { patient_ = true; }
-    /// From now on no trial ends in haste, and each begins where the first one did; or, where joints and zones remember nothing of
-    /// their motion, with the forces that it has left behind.
+    /// From here on no trial ends early, and each starts where the first one did; or, where joints and zones have no history, with the
+    /// forces left by their motion.
     void begin_anew();
     /// Whether trials begin where the model has slid on to.
     bool slides() const { return sliding_.has_value(); }
     void forget_sliding() { sliding_.reset(); }
-    /// Whether the last trial that stood began anywhere else than the first.
+    /// Whether the last stable trial started elsewhere than the first.
     bool has_warm_answer() const { return warm_ && stable_.has_value(); }
-    /// What moved in the last trial that failed; "" when none did.
+    /// The moving bodies of the last failed trial; "" without motion.
     const std::string& mechanism() const { return mechanism_; }
-    /// How that trial failed; none where it did on the way to its factor.
+    /// The failure mode of that trial; none where it failed before it reached its factor.
     const std::optional<FailureMode::Shares>& mode() const { return mode_; }
 
 private:
-    /// How a trial stands so far.
+    /// State of a trial.
     struct Outcome {
         std::int64_t cycles = 0;
         bool at_rest = false, tired = false, goes_on = false; ///< tired: the force out of balance does not get smaller

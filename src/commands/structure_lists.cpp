@@ -20,7 +20,7 @@ std::string state_text(std::uint8_t state, const char* now, const char* before) 
 
 std::string limit_text(double value) { return std::isinf(value) ? "-" : number_text(value); }
 
-/// Properties that some number has, and those of cables unless there are only others.
+/// Properties that any number has, and those of cables unless only others are given.
 std::string properties_text(const Structures& structures) {
     const bool cables = structures.members.empty() || !structures.cables.empty();
     std::vector<StructureProperty> shown;

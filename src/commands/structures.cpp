@@ -14,7 +14,7 @@ namespace {
 
 Grip grip_of(lang::StructureBeam::Grip grip) { return static_cast<Grip>(grip); }
 
-/// Refuses elements that are so short that places of the model cannot tell their ends apart.
+/// Refuses elements too short for the resolution of the model's coordinates.
 void check_lengths(const Model& model, const NewBeam& wanted, const Place& place) {
     double extent = model_size(model), shortest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < wanted.places.size(); ++k) {
@@ -27,7 +27,7 @@ void check_lengths(const Model& model, const NewBeam& wanted, const Place& place
         .at(place);
 }
 
-/// Something is wrong with a beam, none of whose nodes lies in the rock; its middle may be free.
+/// Warns of a beam without a node in the rock; its middle may be free.
 void warn_of_free_beam(Session& session, const NewBeam& wanted, const Span& nodes, std::int32_t number,
                        const Place& place) {
     const Model& model = session.model;
@@ -135,7 +135,7 @@ void run(Session& session, const lang::StructureProperty& command) {
         const auto found = std::ranges::find(structure_properties(), item.name, &StructureProperty::name);
         properties.*found->value = item.value;
     }
-    // Friction alone is a strength; the cohesion next to it is then none.
+    // Friction alone is a strength, with cohesion zero.
     const auto given = [&](const char* name) {
         return std::ranges::any_of(command.items, [name](const auto& item) { return item.name == name; });
     };

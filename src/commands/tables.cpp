@@ -1,4 +1,4 @@
-// table, and what a history of a boundary condition needs of one.
+// table, and tables for histories of boundary conditions.
 #include "commands/tables.hpp"
 #include "base/whole_file.hpp"
 #include "commands/handlers.hpp"
@@ -54,7 +54,7 @@ public:
 private:
     static constexpr std::string_view blanks = " \t,";
 
-    /// Goes to the next word of the file; none at its end.
+    /// Advances to the next word of the file; none at its end.
     void next_word() {
         word_ = {};
         while (line_ < lines_.size()) {

@@ -1,4 +1,4 @@
-// Numbered tables, and what a history of a boundary condition needs of them.
+// Numbered tables, and tables for histories of boundary conditions.
 #pragma once
 
 #include "commands/session.hpp"
@@ -8,13 +8,13 @@
 
 namespace kaya {
 
-/// Throws Diagnostic when the table is not there, holds no pair, or its x go back.
+/// Throws Diagnostic when the table does not exist, is empty, or its x decrease.
 void check_table(Session& session, std::int64_t number);
 
-/// Throws Diagnostic when there is no FISH variable or function of that name.
+/// Throws Diagnostic when no FISH variable or function has that name.
 void check_symbol(Session& session, const std::string& name);
 
-/// Looks again at the tables and functions of all loads and velocities that change with time, before a run.
+/// Checks the tables and functions of all time-dependent loads and velocities again, before a run.
 void check_time_functions(Session& session);
 
 } // namespace kaya

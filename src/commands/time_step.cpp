@@ -31,7 +31,7 @@ bool has_velocity_history(const Model& model) {
     return false;
 }
 
-/// What a longer step costs: bodies that allow a shorter one get more mass.
+/// Cost of a longer step: bodies with a shorter stable step get more mass.
 struct AddedMass {
     double step = 0;
     double part = 0; ///< of the mass that moves

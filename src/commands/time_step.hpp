@@ -1,4 +1,4 @@
-// What users are told of the time step.
+// Notes and tables about the time step.
 #pragma once
 
 #include "commands/session.hpp"
@@ -7,17 +7,17 @@
 
 namespace kaya {
 
-/// Warns, once in a session, of a step from the deck that is longer than what is surely stable. The model must be prepared.
+/// Warns, once in a session, when the step of the deck exceeds the stable bound. The model must be prepared.
 void warn_of_long_step(Session& session);
 
-/// Says once that cycles are counted while something moves at a velocity that the deck gives.
+/// Notes once that cycles are counted while a boundary moves at a velocity given by the deck.
 void note_counted_cycles(Session& session);
 
-/// What mass longer steps take, with what `mscale part` needs for them; empty when nothing is elastic. The model must be prepared.
+/// The added mass that longer steps need, with the arguments of `mscale part`; empty when nothing is elastic. The model must be prepared.
 std::string added_mass_table(const Model& model);
 
-/// Says once that little mass would let the step be far longer, where nothing is driven and true masses count for nothing.
-/// The model must be prepared.
+/// Notes once that a little added mass would allow a much longer step, where nothing is driven and true masses do not matter. The model
+/// must be prepared.
 void note_added_mass(Session& session);
 
 } // namespace kaya

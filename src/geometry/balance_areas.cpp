@@ -49,8 +49,7 @@ double sum(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 /// Where the areas change the second moments by less there is nothing to be had.
 constexpr double least_effect = 1e-9;
 
-/// No point may lose more than three quarters of its area, or come to own four times as much: the part of a change, in
-/// parts of the area, that keeps to this.
+/// Limits a relative change of area so that no point loses more than three quarters of its area or quadruples it.
 double allowed_part(double change) { return change < -0.75 ? -0.75 / change : change > 3 ? 3 / change : 1; }
 
 /// Axes about the centre in which the overlap's own second moments are the unit matrix.
@@ -89,8 +88,8 @@ void balance_four(std::vector<OverlayPoint>& points, double whole, const Axes& a
 /// The same for any number of points: the smallest changes of their areas that do it.
 void balance_many(std::vector<OverlayPoint>& points, double whole, const Axes& axes,
                   std::vector<SampleGroup>& samples) {
-    // The second moments u u, v v, u v less what they are to be: 1, 1, 0. (The root of 2 makes a sum of squares that
-    // does not depend on the axes.)
+    // The second moments u u, v v, u v minus their targets 1, 1, 0. (The root of 2 makes a sum of squares that does not depend on the
+    // axes.)
     samples.clear();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     Eigen::Matrix<double, 3, 2> mixed = Eigen::Matrix<double, 3, 2>::Zero();
@@ -121,8 +120,8 @@ void balance_many(std::vector<OverlayPoint>& points, double whole, const Axes& a
     spread(1, 0) = spread(0, 1);
     const Vec3 wrong = mean - Vec3(1, 1, 0);
     if (wrong.norm() < 1e-12) return;
-    // Changes of the areas, in parts of them, that keep their sum and centre: the functions less their projections on
-    // 1, x and y in the scalar product weighted with the areas.
+    // Relative changes of the areas that keep their sum and centre: the functions minus their projections on 1, x and y in the scalar
+    // product weighted with the areas.
     const Eigen::Matrix<double, 3, 2> slope = mixed * spread.inverse();
     Mat3 effect = Mat3::Zero();
     for (auto& s : samples) {

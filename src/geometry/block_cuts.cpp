@@ -39,8 +39,7 @@ struct Piece {
     bool inside = false;
 };
 
-/// Parts of one piece of rock in and around a convex part of the tunnel; only the rock itself when the two
-/// do not meet.
+/// Parts of one piece of rock in and around a convex part of the tunnel; only the rock itself when they do not intersect.
 std::vector<Piece> carve(const Polyhedron& rock, const std::vector<Plane>& planes, int id, double thinnest,
                          int& slivers) {
     std::vector<Piece> pieces;

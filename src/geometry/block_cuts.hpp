@@ -1,4 +1,4 @@
-// Cutting many blocks at once by something else than a joint set: a tunnel outline, or into even parts.
+// Cutting many blocks by other means than a joint set: a tunnel outline, or into equal parts.
 #pragma once
 
 #include "geometry/joint_set.hpp"
@@ -12,18 +12,17 @@ namespace kaya {
 struct TunnelOutline {
     std::vector<Vec3> first, second;
     bool radial = false; ///< also cuts the rock around along the planes through the axis and each corner
-    int id = 0;          ///< kept on the faces that are cut
+    int id = 0;          ///< stored on the cut faces
 };
 
 struct TunnelCut {
     CutBlocks blocks;
     std::vector<bool> inside;   ///< for each piece: within the outline
-    std::vector<int> swallowed; ///< blocks that lie within the outline as a whole and were not cut
+    std::vector<int> swallowed; ///< blocks entirely within the outline, not cut
 };
 
-/// Cuts the outline out of the blocks. Blocks are cut no farther than needed: a piece of rock is
-/// cut by a side of the tunnel only where that side parts it from the inside.
-/// Throws Diagnostic when the outline is no solid (see make_prism).
+/// Cuts the outline out of the blocks. Blocks are cut no more than necessary: a side of the tunnel cuts a piece of rock only where it
+/// separates the piece from the inside. Throws Diagnostic when the outline is not a solid (see make_prism).
 TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
                      const ProgressCallback& progress = {});
 

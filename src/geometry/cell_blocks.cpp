@@ -42,7 +42,7 @@ CellBlock directed(const std::array<int, 8>& corner, const std::array<bool, 3>& 
     return cells;
 }
 
-/// Blocks with six faces, as they are admitted: those with the finest edges first, whatever their order in the list.
+/// Blocks with six faces in the order of admission: finest edges first, independent of their order in the list.
 struct Candidate {
     std::size_t block;
     std::array<int, 8> corner;
@@ -64,7 +64,7 @@ std::vector<Candidate> candidates(const std::vector<Polyhedron>& blocks, const s
         double least = std::numeric_limits<double>::infinity();
         for (const auto& row : one.edges)
             for (const GridEdge& edge : row) least = std::min(least, EdgeParts(field, edge.from, edge.to).mean());
-        constexpr double grain = 1e6; // what differs by rounding only is equal
+        constexpr double grain = 1e6; // values that differ by rounding only are equal
         one.finest = std::round(grain * least);
         result.push_back(std::move(one));
     }
@@ -74,7 +74,7 @@ std::vector<Candidate> candidates(const std::vector<Polyhedron>& blocks, const s
     return result;
 }
 
-/// Directions go on through the faces that two blocks of cells share.
+/// Continues directions through faces shared by two blocks of cells.
 void go_on(const std::vector<Candidate>& admitted, const std::vector<std::vector<int>>& numbers, EdgeClasses& classes) {
     struct Side {
         const GridEdge* across;

@@ -14,16 +14,16 @@ namespace kaya {
 
 /// The grid of a block.
 struct CellBlock {
-    std::array<int, 8> corner; ///< as hexahedron_corners; cells' long diagonals go from corner 0 to corner 7
+    std::array<int, 8> corner; ///< as hexahedron_corners; long diagonals of cells run from corner 0 to corner 7
     GridPlaces places;
 };
 
-/// Grids for the blocks with six faces of four corners, other places of the result are empty. Edges that lie opposite each other in a face of such a block
-/// are divided alike and have one direction, and so are those opposite of these in the next block, and on, as long as that leaves cells near
-/// the size that is asked for: the mean of their parts says in how many, the lowest of them the direction, which goes on through a face to the next
-/// block. Diagonals of faces go from where both directions begin to where both end, so they are the same on both sides; since directions go on,
-/// gridpoints of a row have equal shares of the faces around them. `numbers` are those of the blocks' vertices, `given` the divisions of edges that
-/// are divided already. What blocks get does not depend on their order.
+/// Grids for the blocks with six faces of four corners; other entries of the result are empty. Opposite edges of a face of such a block
+/// have equal divisions and one direction, and so have the edges opposite to these in the next block, and so on, as long as the cells stay
+/// near the requested size: the mean of their parts gives the number, the lowest edge the direction, which continues through a face into
+/// the next block. Diagonals of faces run from the start of both directions to the end of both, so they are the same on both sides; since
+/// directions continue, gridpoints of a row have equal shares of the faces around them. `numbers` are those of the blocks' vertices,
+/// `given` the divisions of edges that are divided already. The result does not depend on the order of the blocks.
 std::vector<std::optional<CellBlock>> cell_blocks(const std::vector<Polyhedron>& blocks,
                                                   const std::vector<std::vector<int>>& numbers,
                                                   std::map<SharedEdge, std::vector<double>> given,

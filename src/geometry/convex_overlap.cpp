@@ -53,7 +53,7 @@ void ConvexClip::clip_faces() {
         const int first = old_faces_[f].first;
         const int last = f + 1 < old_faces_.size() ? old_faces_[f + 1].first : static_cast<int>(old_corners_.size());
         const std::size_t begun = corners_.size();
-        int left = -1, entered_first = -1; // cuts where the loop goes above the plane and comes back
+        int left = -1, entered_first = -1; // cuts where the loop crosses the plane upward and back
         for (int i = first; i < last; ++i) {
             const int a = old_corners_[static_cast<std::size_t>(i)];
             const int b = old_corners_[static_cast<std::size_t>(i + 1 < last ? i + 1 : first)];
@@ -66,7 +66,7 @@ void ConvexClip::clip_faces() {
             if (a_below) {
                 left = cut;
             } else if (left >= 0) {
-                // The cap goes along this edge the other way round.
+                // The cap uses this edge in the opposite direction.
                 cuts_[static_cast<std::size_t>(cut)].next = left;
                 left = -1;
             } else {
@@ -137,7 +137,7 @@ void OverlapGradient::add(const OverlapGradient& other, double weight) {
 
 namespace {
 
-/// Takes the integrals of pressure n and x x n over a face, the pressure being linear and given at the corners.
+/// Adds the integrals of pressure n and x x n over a face; the pressure is linear and given at the corners.
 template <class Pressure>
 void push(const ConvexClip& part, std::size_t face, double sense, const Pressure& pressure, OverlapGradient& sum) {
     const Vec3& a = part.corner(face, 0);

@@ -1,4 +1,4 @@
-// The common part of two convex polyhedra: one is clipped by the faces of the other.
+// The intersection of two convex polyhedra: one is clipped by the faces of the other.
 #pragma once
 
 #include "base/vector.hpp"
@@ -10,14 +10,14 @@
 
 namespace kaya {
 
-/// Where a face of a clipped polyhedron comes from.
+/// Origin of a face of a clipped polyhedron.
 enum class FaceOrigin : std::uint8_t {
     subject, ///< it was there before
     clipper, ///< a face of the other polyhedron
-    inner    ///< a plane between parts of the common part
+    inner    ///< a plane between parts of the intersection
 };
 
-/// What lies below it: normal . x <= reach.
+/// The points below a plane: normal . x <= reach.
 struct HalfSpace {
     Vec3 normal; ///< outward
     double reach;
@@ -25,7 +25,7 @@ struct HalfSpace {
     double depth(const Vec3& x) const { return reach - normal.dot(x); }
 };
 
-/// A convex polyhedron that is clipped face by face. It keeps its memory from one use to the next.
+/// A convex polyhedron that is clipped face by face. It reuses its memory.
 class ConvexClip {
 public:
     void clear();
@@ -34,7 +34,7 @@ public:
     void begin_face() { faces_.push_back({static_cast<int>(corners_.size()), FaceOrigin::subject}); }
     void add_corner(int vertex) { corners_.push_back(vertex); }
 
-    /// Keeps what lies below a plane, whose normal may have any length.
+    /// Keeps the part below a plane, whose normal may have any length.
     void clip(const HalfSpace& plane, FaceOrigin origin);
 
     bool empty() const { return faces_.empty(); }
@@ -86,8 +86,8 @@ struct OverlapMoments {
 /// Exact integrals by tetrahedra over the faces (Tonon 2005). No volume where the polyhedron is empty.
 OverlapMoments moments_of(const ConvexClip& part);
 
-/// An integral over the common part of two bodies, and what moves the second body so that it shrinks: minus its gradient
-/// for translations and for rotations about the origin.
+/// An integral over the intersection of two bodies, and minus its gradient for translations and rotations (about the origin) of the second
+/// body.
 struct OverlapGradient {
     double value = 0;
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
@@ -98,15 +98,14 @@ struct OverlapGradient {
 /// The volume. `second` says whether the subject is the second body.
 OverlapGradient volume_gradient(const ConvexClip& part, double volume, bool second);
 
-/// Kept for its memory only.
+/// Scratch memory only.
 struct DepthScratch {
     ConvexClip piece;
     std::vector<double> least; ///< depth of the part below each face
 };
 
-/// The integral of the depth below the surface of one body, the distance to the nearest of its faces. `of_subject`: that
-/// of the body that was clipped; `second` says whether this is the second one. `faces` are those of the body whose depth
-/// counts.
+/// The integral of the depth below the surface of one body, the distance to the nearest of its faces. `of_subject`: of the body that was
+/// clipped; `second`: it is the second one. `faces` are those of the body whose depth counts.
 OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
                                bool second, DepthScratch& scratch);
 

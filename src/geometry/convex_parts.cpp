@@ -26,7 +26,7 @@ struct Fragment {
 
 struct Sides {
     std::vector<Fragment> front, back;
-    int split = 0; ///< fragments that lie on both sides
+    int split = 0; ///< fragments on both sides
 };
 
 /// The part of the polygon on the side `sign` of the plane.
@@ -56,7 +56,7 @@ Sides sort_sides(const std::vector<Fragment>& fragments, const Plane& plane, dou
     Sides sides;
     for (const Fragment& fragment : fragments) {
         const auto [low, high] = reach(fragment, plane);
-        if (low >= -near && high <= near) continue; // in the plane: the node itself stands for it
+        if (low >= -near && high <= near) continue; // in the plane: represented by the node itself
         if (low >= -near) {
             sides.front.push_back(fragment);
         } else if (high <= near) {
@@ -128,7 +128,7 @@ std::vector<Fragment> fragments_of(const Surface& surface) {
     return fragments;
 }
 
-/// The given vertices again, bit for bit, where the cutting has come back to them.
+/// Restores the given vertices bit for bit where cutting has returned to them.
 void snap(Polyhedron& part, const std::vector<Vec3>& vertices, double near) {
     for (Vec3& v : part.vertices)
         for (const Vec3& given : vertices)
@@ -151,7 +151,7 @@ bool covers(const Surface& surface, const Surface::Face& face, const Vec3& point
     return false;
 }
 
-/// Parts forget which joint made a face; the given face that covers it knows.
+/// Cutting loses the joint set of a face; the given face that covers it still has it.
 void restore_joint_sets(std::vector<Polyhedron>& parts, const Surface& surface, double near) {
     for (const auto& given : surface.faces) {
         if (given.joint_set == 0) continue;

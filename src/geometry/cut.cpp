@@ -55,7 +55,7 @@ struct EdgePoint {
     int vertex = 0; ///< its number among old and new vertices
 };
 
-/// The vertices of the polyhedron with those that the cut adds after them.
+/// The vertices of the polyhedron, followed by those of the cut.
 struct CutVertices {
     std::vector<Vec3> points;
     std::vector<Side> sides;
@@ -179,7 +179,7 @@ double thickness(const Polyhedron& polyhedron) {
 
 Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest, double nearest) {
     Cut result;
-    // Most planes miss most blocks, so first look without storing anything.
+    // Most planes miss most blocks, so this first pass stores nothing.
     double highest = 0, lowest = 0;
     bool any_above = false, any_below = false, any_near = false;
     for (const Vec3& vertex : polyhedron.vertices) {

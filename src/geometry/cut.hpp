@@ -9,7 +9,7 @@ namespace kaya {
 enum class CutOutcome {
     cut,    ///< two pieces
     above,  ///< the plane misses; all of the polyhedron is on the side of the normal
-    below,  ///< the plane misses; all of it is on the other side
+    below,  ///< no intersection; all of it is on the other side
     sliver, ///< refused: a piece would be thinner than allowed
     corner, ///< refused: it would pass too near to a vertex
 };
@@ -20,12 +20,11 @@ struct Cut {
     Polyhedron below; ///< on the other side; empty unless cut
 };
 
-/// Cuts by `plane`. The two pieces have the cut as their last face, with the same vertices bit for bit
-/// and in opposite order; it remembers `joint_set`. Where an edge crosses the plane depends on the two
-/// ends of the edge and on the plane alone, so neighbours that share an edge keep sharing it.
-/// A piece thinner than `thinnest` is not made (outcome sliver); the polyhedron stays whole then, and also where a vertex lies nearer to
-/// the plane than `nearest` and not on it, or an edge of the cut would be shorter than that (outcome corner): no piece gets a new edge
-/// shorter than `nearest`.
+/// Cuts by `plane`. The two pieces have the cut as their last face, with the same vertices bit for bit and in opposite order; the face
+/// stores `joint_set`. The intersection of an edge with the plane depends on the ends of the edge and on the plane alone, so neighbours
+/// keep sharing edges. A piece thinner than `thinnest` is not created (outcome sliver) and the polyhedron stays whole; so it does where a
+/// vertex is nearer to the plane than `nearest` and not on it, or an edge of the cut would be shorter than that (outcome corner): no piece
+/// gets a new edge shorter than `nearest`.
 Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest = 0, double nearest = 0);
 
 /// The least distance between a face and the vertex farthest from it: the thickness of a plate, the

@@ -44,8 +44,7 @@ std::vector<std::array<int, 4>> delaunay(const std::vector<Vec3>& points) {
     for (const auto cell : triangulation.finite_cell_handles()) {
         std::array<int, 4> t;
         for (int i = 0; i < 4; ++i) t[i] = cell->vertex(i)->info();
-        // Pairs of exchanges bring the lowest number first and keep the orientation, so that the order of the
-        // list is one of numbers and not of storage.
+        // Even permutations bring the lowest number first and keep the orientation, so the order of the list does not depend on storage.
         const auto lowest = std::min_element(t.begin(), t.end()) - t.begin();
         if (lowest != 0) {
             std::swap(t[0], t[lowest]);

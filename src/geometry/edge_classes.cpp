@@ -8,8 +8,8 @@
 namespace kaya {
 namespace {
 
-/// Edges of cells may be that much longer than they should be, or shorter by as much where there are several of them. Beside a row that
-/// gets wider there is room for tetrahedra and another row.
+/// Edges of cells may be longer than requested by this factor, or shorter where there are several of them. Next to a row that gets wider
+/// there is room for tetrahedra and another row.
 constexpr double most_off = 2.5;
 
 bool divided_alike(const std::vector<double>& a, const std::vector<double>& b) {
@@ -105,7 +105,7 @@ bool EdgeClasses::unite(const GridEdge& a, const GridEdge& b) {
     edges_.parent[other] = top;
     edges_.turned[other] = turned;
     Class &to = classes_[top], &from = classes_[other];
-    to.parts.add(std::exchange(from.parts, {}), turned); // nobody asks for them any more
+    to.parts.add(std::exchange(from.parts, {}), turned); // no longer needed
     to.least = std::min(to.least, from.least);
     to.most = std::max(to.most, from.most);
     if (!to.given && from.given) to.given = turned ? turned_over(*from.given) : *from.given;

@@ -1,4 +1,4 @@
-// Edges of blocks that are divided alike, since they lie opposite each other in a face of cells. Private to geometry.
+// Edges of blocks with equal divisions, since they are opposite edges of a face of cells. Private to geometry.
 #pragma once
 
 #include "geometry/edge_field.hpp"
@@ -16,7 +16,7 @@ using SharedEdge = std::array<int, 2>;
 /// An edge of a block's grid along one of its axes.
 struct GridEdge {
     SharedEdge edge;
-    bool turned;   ///< the axis goes from its higher end to its lower one
+    bool turned;   ///< the axis runs from its higher end to its lower one
     Vec3 from, to; ///< along the axis
 };
 using GridEdges = std::array<std::array<GridEdge, 4>, 3>; ///< by axis
@@ -24,18 +24,18 @@ using GridEdges = std::array<std::array<GridEdge, 4>, 3>; ///< by axis
 /// Classes of edges, each with one direction and one division.
 class EdgeClasses {
 public:
-    /// Edges that are divided already, from their lower end: where points stand on a unit length, with its ends.
+    /// Edges that are divided already, from their lower end: positions of the points on a unit length, with its ends.
     EdgeClasses(std::map<SharedEdge, std::vector<double>> given, const EdgeField& field)
         : given_(std::move(given)), field_(field) {}
 
     /// Makes one class of the four edges of each axis. False, and nothing happens, when edges of a class would have to have opposite directions, or
     /// cells much longer or shorter than they should be, because the row of blocks gets wider and wider.
     bool admit(const GridEdges& grid);
-    /// An edge that goes on where another ends has its direction, if that leads to no contradiction. `turned`: they begin at the same place.
+    /// An edge that continues another has its direction, unless that leads to a contradiction. `turned`: they begin at the same place.
     void follow(const GridEdge& a, const GridEdge& b, bool turned);
 
     /// Of an axis, by one of its edges, with everything admitted.
-    bool is_turned(const GridEdge& edge); ///< the axis goes against the direction of the class
+    bool is_turned(const GridEdge& edge); ///< the axis is against the direction of the class
     std::vector<double> division(const GridEdge& edge);
 
 private:
@@ -54,7 +54,7 @@ private:
         std::pair<int, bool> root(int number);
     };
     int member(const GridEdge& edge);
-    std::pair<int, bool> root(const GridEdge& edge); ///< and whether the axis goes against it
+    std::pair<int, bool> root(const GridEdge& edge); ///< and whether the axis is against it
     bool can_admit(const std::array<GridEdge, 4>& row);
     bool unite(const GridEdge& a, const GridEdge& b);
 

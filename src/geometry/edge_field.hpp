@@ -9,7 +9,8 @@
 
 namespace kaya {
 
-/// Around the centre the edge changes linearly up to the distance, beyond it at the same rate (a quarter of the way at least) until it is `edge`.
+/// The edge length varies linearly from the centre to the distance, and beyond it at the same rate (at least a quarter of the distance)
+/// until it is `edge`.
 struct EdgeField {
     double edge = 0;     ///< far from the centre; everywhere when the distance is 0
     double distance = 0; ///< from the centre
@@ -35,7 +36,7 @@ private:
     double at_radius(double r) const;
 };
 
-/// Into how many parts the field divides an edge, or several edges in the mean.
+/// Number of parts into which the field divides an edge, or several edges on average.
 class EdgeParts {
 public:
     EdgeParts() = default;
@@ -45,16 +46,16 @@ public:
     double mean() const { return edges_ ? sum_ / edges_ : 0; }
     double total() const { return sum_; }
     int edges() const { return edges_; }
-    /// Where n + 1 points that divide the edges in n parts stand on a unit length.
+    /// Positions on a unit length of n + 1 points that divide the edges in n parts.
     std::vector<double> division(int n, bool turned = false) const;
 
 private:
     double sum_ = 0;
     int edges_ = 0;
-    std::vector<double> along_; ///< parts up to equal steps of the length; empty where all parts are alike
+    std::vector<double> along_; ///< parts up to equal steps of the length; empty if all parts are equal
 };
 
-/// The next whole number, at least 1. Odd numbers of halves go one way whatever rounding does to them.
+/// The nearest whole number, at least 1. Half-integers always round in the same direction, whatever rounding errors do.
 int whole_parts(double parts);
 
 } // namespace kaya

@@ -96,7 +96,7 @@ std::vector<Triangle> delaunay_triangles(const std::vector<Vec2>& points, const 
     }
     for (std::size_t i = 0; i < loop.size(); ++i)
         triangulation.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);
-    // Points of one edge can make triangles of no area outside of the outline: what has its place in the loop only and turns against it.
+    // Points of one edge can form triangles without area outside the outline: those that exist in the loop only and turn against it.
     std::vector<int> place(points.size(), -1);
     for (std::size_t i = 0; i < loop.size(); ++i) place[loop[i]] = static_cast<int>(i);
     std::vector<Triangle> triangles;
@@ -181,7 +181,7 @@ private:
         return best > start;
     }
 
-    /// Takes the other diagonal of two triangles where that makes the worse one better.
+    /// Swaps the diagonal of two triangles where that improves the worse one.
     bool turn_edges() {
         std::vector<std::array<int, 4>> edges; // lower, higher point, triangle, corner opposite
         for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -216,7 +216,7 @@ private:
 /// A lattice of equilateral triangles with rows along the longest edge.
 struct Lattice {
     double clearance; ///< from the outline, in parts of the edge
-    bool on_edge;     ///< goes on from the points of the longest edge; else centred on the face
+    bool on_edge;     ///< continues from the points of the longest edge; else centred on the face
 };
 
 std::vector<Vec2> lattice_points(const Drawing& drawing, double edge, const Lattice& lattice) {
@@ -252,7 +252,7 @@ std::vector<Vec2> lattice_points(const Drawing& drawing, double edge, const Latt
 
 /// In the drawing's plane.
 Spacing spacing_on(const Drawing& drawing, const FaceOutline& outline, const EdgeField& field) {
-    /// Parts of edges that are shorter than that part of the field's are fine ones, which a neighbour has brought.
+    /// Edge parts shorter than this part of the field's length are fine ones, imposed by a neighbour.
     constexpr double fine = 0.55;
     Spacing spacing{[&drawing, field](const Vec3& p) {
                         return field.at(drawing.in_space({p.x(), p.y()}));
@@ -291,7 +291,7 @@ std::vector<Vec2> graded_points_of(const Drawing& drawing, const Spacing& spacin
 
 FaceMesh mesh_face(const FaceOutline& outline, const EdgeField& field) {
     const Drawing drawing(outline);
-    /// Where the worst triangle is above this there is no need to look for better ones: angles of 35 degrees or so.
+    /// Above this quality of the worst triangle no better ones are needed: angles of some 35 degrees.
     constexpr double good = 0.85;
     constexpr std::array trials{Lattice{0.6, true},  Lattice{0.6, false}, Lattice{0.5, true},
                                 Lattice{0.5, false}, Lattice{0.75, true}, Lattice{0.75, false}};

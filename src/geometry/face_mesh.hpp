@@ -20,8 +20,8 @@ struct FaceMesh {
     std::vector<std::array<int, 3>> triangles; ///< anticlockwise
 };
 
-/// Well shaped triangles with edges close to what the field says, but growing from where the outline is divided in shorter ones. They follow from the outline as it is given and from nothing else: who wants the same
-/// ones on both sides of a face begins at the same corner and walks in the same direction.
+/// Well-shaped triangles with edges close to the field's length, growing from shorter parts of the outline. They depend on the outline as
+/// given only: for equal triangles on both sides of a face, start at the same corner and use the same direction.
 FaceMesh mesh_face(const FaceOutline& outline, const EdgeField& field);
 
 } // namespace kaya

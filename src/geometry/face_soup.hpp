@@ -1,4 +1,4 @@
-// What all readers of surface files collect, and how surfaces are made of it. Private to geometry.
+// Faces collected by all readers of surface files, and the surfaces made from them. Private to geometry.
 #pragma once
 
 #include "geometry/surface_files.hpp"
@@ -11,7 +11,7 @@ struct FaceSoup {
     std::vector<std::vector<Vec3>> loops;
 };
 
-/// Joins equal corners, leaves out faces that shrink to a line, and separates what hangs not together.
+/// Merges equal corners, drops faces that shrink to a line, and separates unconnected parts.
 void add_surfaces(const FaceSoup& soup, std::vector<NamedSurface>& surfaces);
 
 /// Refuses a file without any face.

@@ -64,7 +64,7 @@ void FlatOverlap::project(const ConvexFace& face1, const ConvexFace& face2) {
         second_.push_back({axis_u_.dot(*x - origin_), axis_v_.dot(*x - origin_)});
 }
 
-/// Leaves what `above_` does not call above (Sutherland and Hodgman 1974). The new edge lies on the second face or not.
+/// Keeps the part that `above_` does not mark (Sutherland and Hodgman 1974). The new edge lies on the second face or not.
 void FlatOverlap::cut(bool of_second) {
     if (std::none_of(above_.begin(), above_.end(), [](double h) { return h > 0; })) return;
     polygon_.swap(old_);

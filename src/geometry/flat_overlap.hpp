@@ -1,4 +1,4 @@
-// The common part of two convex bodies whose faces lie nearly flat on each other: a wedge over a polygon.
+// The intersection of two convex bodies with nearly parallel faces: a wedge over a polygon.
 #pragma once
 
 #include "geometry/convex_overlap.hpp"
@@ -14,15 +14,15 @@ struct ConvexFace {
     Vec3 outward = Vec3::Zero();
 };
 
-/// The wedge between two faces, over the part of the polygon that they have in common on which the closure, the distance
-/// by which one face lies below the other, is positive. The sides of the bodies count as upright on the polygon: that is
-/// exact as the closure over the size of the polygon, and the angle between the faces, go to zero.
+/// The wedge between two faces, over the part of their common polygon where the closure, the distance by which one face lies below the
+/// other, is positive. The sides of the bodies count as perpendicular to the polygon: exact in the limit of small closure over the size of
+/// the polygon and small angle between the faces.
 class FlatOverlap {
 public:
-    /// Looks at two faces that face each other. False if they have nothing in common.
+    /// Intersects two opposite faces. False if they have nothing in common.
     bool find(const ConvexFace& face1, const ConvexFace& face2);
 
-    /// Greatest closure over the first face, also beyond the second; of the last find, whatever it gave.
+    /// Greatest closure over the first face, also beyond the second, of the last find, whatever it returned.
     double deepest_below() const { return deepest_below_; }
     /// The integrals of the closure (volume), and of half its square (the depth below one face).
     const OverlapGradient& volume() const { return volume_; }
@@ -30,7 +30,7 @@ public:
     const OverlapMoments& moments() const { return moments_; }
     double area() const { return area_; }       ///< on which the closure is positive
     double deepest() const { return deepest_; } ///< greatest closure there
-    /// Corners of the wedge, those of both faces.
+    /// Corners of the wedge, on both faces.
     const std::vector<Vec3>& vertices() const { return vertices_; }
     Vec3 longest_edge() const;
 

@@ -1,4 +1,4 @@
-// Where a point of a mesh may go. Private to geometry.
+// Admissible motion of a mesh point. Private to geometry.
 #pragma once
 
 #include "base/vector.hpp"

@@ -14,8 +14,8 @@ namespace {
 
 /// From one lattice to the next finer one.
 constexpr double level_ratio = 0.7071067811865476;
-/// Nearer than that part of their mean edge two points of different lattices may not be. Of one lattice none are, but rounding can put one
-/// that stands where boxes meet in both of them.
+/// Least distance of two points of different lattices, in parts of their mean edge. Points of one lattice keep it, but rounding can create
+/// one twice where boxes meet.
 constexpr double least_distance = 0.72, same_lattice = 0.3;
 
 struct Candidate {
@@ -28,7 +28,7 @@ double distance(const Candidate& a, const Candidate& b) {
     return 0.5 * (a.level == b.level ? same_lattice : least_distance) * (a.edge + b.edge);
 }
 
-/// Looks for the places of lattice points in boxes that are divided until edges are nearly even in each.
+/// Finds lattice points in boxes that are divided until edges are nearly uniform in each.
 class Search {
 public:
     Search(const Vec3& low, const Vec3& high, const Spacing& spacing,
@@ -105,7 +105,7 @@ private:
     StopPoints stops_;
 };
 
-/// Points that keep their distance, the finest first.
+/// Points that keep their distance, finest first.
 class Kept {
 public:
     explicit Kept(double cell) : cell_(cell) {}

@@ -1,4 +1,4 @@
-// Points whose distances vary from place to place. Private to geometry.
+// Points with spatially varying distances. Private to geometry.
 #pragma once
 
 #include "base/vector.hpp"
@@ -24,8 +24,8 @@ struct Spacing {
     static constexpr double growth = 0.35;
 };
 
-/// Lattice points of many sizes in a box, each where its size is wanted, and none too near to another. A body-centred cubic lattice; in a box
-/// without height a triangular one. `fits` says whether a point may stand at a place where edges are that long.
+/// Lattice points of many sizes in a box, each where its size is required, and none too near to another. A body-centred cubic lattice; a
+/// triangular one in a box without height. `fits` decides whether a point may lie at a place with edges of that length.
 std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing,
                                 const std::function<bool(const Vec3&, double)>& fits);
 

@@ -18,13 +18,13 @@ struct Grid3d {
         std::vector<int> faces; ///< of a rigid block
         std::vector<int> zones; ///< of a deformable block; either this or faces
         std::string group;
-        int material = 0; ///< 0: the file says nothing
+        int material = 0; ///< 0: not given in the file
     };
     struct JointSet {
         int number = 0;
         std::vector<std::array<int, 2>> blocks; ///< pairs that the set separates
     };
-    double tolerance = 0; ///< gridpoints nearer than this are one; 0 when the file says nothing
+    double tolerance = 0; ///< closer gridpoints are merged; 0 when not given in the file
     std::map<int, Vec3> gridpoints;
     std::map<int, std::vector<int>> faces; ///< gridpoint numbers around each face
     std::map<int, std::array<int, 4>> zones;
@@ -36,8 +36,8 @@ struct Grid3d {
 /// numbers that are used twice or never defined.
 Grid3d read_grid3d(std::string_view text, const std::string& file);
 
-/// Tetrahedra and hexahedra of gmsh's .msh, ASCII 2.2 or 4.1; hexahedra become six zones. Each volume of the geometry is a block;
-/// its physical group says group, region and material. Throws Diagnostic with file and line.
+/// Tetrahedra and hexahedra of gmsh's .msh, ASCII 2.2 or 4.1; hexahedra become six zones. Each volume of the geometry is a block; its
+/// physical group gives group, region and material. Throws Diagnostic with file and line.
 Grid3d read_msh(std::string_view text, const std::string& file);
 
 /// Reads either, by the suffix.
@@ -47,8 +47,7 @@ bool is_msh(const std::string& path);
 /// The text of a grid; numbers are written so that they read back bit for bit.
 std::string write_grid3d(const Grid3d& grid);
 
-/// The outside of one block, not yet checked. Faces that it shares with another block know the joint set
-/// of the two.
+/// The surface of one block, unchecked. Faces shared with another block have the joint set of the two.
 Surface surface_of(const Grid3d& grid, const Grid3d::Block& block);
 
 /// The zones of a deformable block as a mesh of the polyhedron that was made of its surface.

@@ -123,7 +123,7 @@ struct Reader {
         };
         if (const std::string_view next = words.peek(); same_word(next, "slot")) {
             words.next_in_line();
-            words.next_in_line(); // blocks have one group here, whatever the slot
+            words.next_in_line(); // blocks have one group in kaya, whatever the slot
         }
         take_line();
         for (std::string_view next = words.peek(); !next.empty() && next[0] >= '0' && next[0] <= '9';

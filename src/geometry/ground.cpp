@@ -16,7 +16,7 @@ namespace kaya {
 
 namespace {
 
-/// A triangle whose plan is smaller than this part of its area stands upright.
+/// A triangle whose plan area is smaller than this part of its area is vertical.
 constexpr double upright = 1e-9;
 constexpr std::size_t most_cells = 4096; ///< along one axis
 

@@ -14,15 +14,14 @@ namespace kaya {
 class Ground {
 public:
     Ground() = default;
-    /// Triangles as they are; those that stand upright are left out. Throws Diagnostic when none is left or a number is not
-    /// finite.
+    /// Triangles as given, without vertical ones. Throws Diagnostic when none is left or a number is not finite.
     Ground(std::vector<Vec3> corners, std::vector<std::array<int, 3>> triangles);
 
     /// The same from a save file: empty when a triangle names a corner that is not there.
     static Ground restored(std::vector<Vec3> corners, std::vector<std::array<int, 3>> triangles);
 
-    /// Delaunay triangles of points in the plan; neighbours in `lines` stay neighbours, as contour lines and edges of benches
-    /// ask for. Of points at the same place of the plan the highest counts. Throws Diagnostic when they lie on one line.
+    /// Delaunay triangles of points in plan; neighbours in `lines` stay neighbours, as needed for contour lines and bench edges. Among
+    /// points with equal plan position the highest counts. Throws Diagnostic when they lie on one line.
     static Ground of_points(const std::vector<std::vector<Vec3>>& lines);
 
     const std::vector<Vec3>& corners() const { return corners_; }

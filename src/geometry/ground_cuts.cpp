@@ -113,7 +113,7 @@ private:
         return patches;
     }
 
-    /// A piece that no cut reaches any more lies where most of its middle does.
+    /// A piece that no cut reaches belongs to the side with most of its middle.
     void keep(Polyhedron body, bool above) {
         if (pieces_.size() >= most_pieces)
             throw Diagnostic(fmt::format("the surface would cut a block into more than {} pieces", most_pieces),
@@ -125,7 +125,7 @@ private:
         keep(std::move(body), middle.z() > ground_.height_beyond(middle.x(), middle.y()));
     }
 
-    /// Both parts of a cut go on; false when the plane misses.
+    /// Both parts of a cut are processed further; false when the plane misses.
     bool halve(const Polyhedron& body, const Plane& plane, int depth) {
         Cut parts = cut(body, plane, id_, thinnest_);
         if (parts.outcome == CutOutcome::sliver) ++result_.blocks.slivers;
@@ -135,8 +135,8 @@ private:
         return true;
     }
 
-    /// Whether all patches are the lower envelope of their planes (a ridge; `sign` 1) or the upper one (a valley; -1) within the body. At its
-    /// top or bottom the surface is only known to lie beyond.
+    /// Whether all patches form the lower envelope of their planes (a ridge; `sign` 1) or the upper one (a valley; -1) within the body. At
+    /// its top or bottom the surface is only known to lie beyond.
     bool is_envelope(const std::vector<Patch>& all, const std::vector<const Patch*>& planes, const Span& z,
                      int sign) const {
         for (const Patch& patch : all)
@@ -218,7 +218,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec3 &a = ground_.corners()[static_cast<std::size_t>(corners[k])],
                            &b = ground_.corners()[static_cast<std::size_t>(corners[(k + 1) % 3])];
-                // A fold between planes, seen once.
+                // A fold between planes, counted once.
                 const auto across = std::ranges::find_if(patches, [&](const Patch& other) {
                     const auto& t = ground_.triangles()[static_cast<std::size_t>(other.triangle)];
                     return other.triangle > patch.triangle && std::ranges::find(t, corners[k]) != t.end() &&
@@ -244,7 +244,7 @@ private:
         std::ranges::stable_sort(edges, std::ranges::greater(), &Edge::length);
         for (const Edge& edge : edges)
             if (halve(body, {Vec3(-edge.along.y(), edge.along.x(), 0).normalized(), edge.from}, depth)) return;
-        // What is left is thinner than any fold: its middle decides, or the plane of the largest patch.
+        // The rest is thinner than any fold: its middle decides, or the plane of the largest patch.
         const Patch& largest =
             *std::ranges::max_element(patches, {}, [](const Patch& p) { return plan_area(p.outline); });
         Cut parts = cut(body, largest.plane, id_, thinnest_);
@@ -270,7 +270,7 @@ GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& gro
         report_progress(progress, block, blocks.size());
         auto pieces = cutter.pieces_of(blocks[block]);
         if (pieces.size() < 2) continue;
-        // Cuts that only parted what lies on one side are not wanted.
+        // Cuts between pieces on one side are removed.
         const bool above = pieces.front().above;
         if (std::ranges::all_of(pieces, [above](const auto& piece) { return piece.above == above; })) continue;
         result.blocks.parents.push_back(static_cast<int>(block));

@@ -13,9 +13,9 @@ struct GroundCut {
     std::vector<bool> above; ///< for each piece: above the surface
 };
 
-/// Cuts each block into convex pieces that lie above or below the surface, as few as its folds ask for: deep rock stays in one
-/// piece. Blocks that the surface does not reach stay whole, and so does what lies outside of its plan.
-/// Pieces are not thinner than `thinnest`. Throws Diagnostic when there would be more than any machine can hold.
+/// Cuts each block into convex pieces above or below the surface, as few as its folds require: deep rock stays in one piece. Blocks that
+/// the surface does not reach stay whole, and so does rock outside its plan. Pieces are not thinner than `thinnest`. Throws Diagnostic when
+/// there would be too many pieces for any machine.
 GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
                         const ProgressCallback& progress = {});
 

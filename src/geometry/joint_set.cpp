@@ -107,7 +107,7 @@ std::vector<Plane> joint_planes(const JointSet& set) {
 
 CutBlocks cut_blocks(const std::vector<Polyhedron>& blocks, const JointSet& set, double thinnest,
                      const ProgressCallback& progress) {
-    // Far more than any model of today can be run with; what is beyond is a slip of the pen and would fill the memory.
+    // Far more than any present model can run with; larger numbers are typing errors and would fill the memory.
     constexpr std::size_t most_planes = 20000, most_pieces = 5000000;
     const std::vector<Plane> planes = planes_through(blocks, joint_planes(set));
     if (planes.size() > most_planes)

@@ -28,7 +28,7 @@ struct JointSet {
 /// (spacing must be above 0 as soon as there are two joints).
 std::vector<Plane> joint_planes(const JointSet& set);
 
-/// What became of the blocks.
+/// Result for the blocks.
 struct CutBlocks {
     struct Piece {
         Polyhedron polyhedron;

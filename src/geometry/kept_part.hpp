@@ -6,8 +6,8 @@
 
 namespace kaya {
 
-/// Corners in order; those of height 0 or less stay. `height(corner)` is the distance above the plane, `between(a, b, part)` the corner
-/// at that part of the way from a to b. Empty when less than a triangle is left.
+/// Corners in order; those of height 0 or less are kept. `height(corner)` is the distance above the plane, `between(a, b, part)` the point
+/// at that part of the edge from a to b. Empty when less than a triangle is left.
 template <class Corner, class Height, class Between>
 std::vector<Corner> kept_part(const std::vector<Corner>& polygon, Height&& height, Between&& between) {
     std::vector<Corner> kept;

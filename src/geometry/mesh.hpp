@@ -18,21 +18,20 @@ struct TetMesh {
         int face;                  ///< index into Polyhedron::faces
     };
     std::vector<BoundaryTriangle> boundary;
-    int per_cell = 0; ///< tetrahedra of a cell, which stand one after the other; 0: there are no cells
+    int per_cell = 0; ///< tetrahedra of a cell, which are consecutive; 0: no cells
 };
 
-/// A six-faced block with eight vertices and four-cornered faces, cut into cells of six tetrahedra each (Kuhn), so many along each of
-/// the block's own axes, which are those of its edges that come nearest
-/// to x, y and z; every cell is `ratio` times as long as the one before it in the direction of growing x, y or z. Nothing when the
-/// polyhedron is not of that kind or a tetrahedron would have no volume.
+/// A six-faced block with eight vertices and four-cornered faces, divided into cells of six tetrahedra each (Kuhn), with the given numbers
+/// along each of the block's own axes, its edges nearest to x, y and z; every cell is `ratio` times as long as the one before it in the
+/// direction of growing x, y or z. None when the polyhedron is of another kind or a tetrahedron would have no volume.
 std::optional<TetMesh> hexahedron_mesh(const Polyhedron& polyhedron, const std::array<int, 3>& parts,
                                        const std::array<double, 3>& ratio = {1, 1, 1});
 
-/// A conforming mesh of any convex polyhedron with edges close to `edge`, or to the polyhedron's own where
-/// those are shorter. Bricks and the like are cut in cells where that gives good shapes; other shapes get triangles on their faces, and
-/// Delaunay tetrahedra of well spread points behind them, improved by moving points and by exchanging
-/// tetrahedra until no flat one is left. The polyhedron's vertices are points of the mesh, bit for bit. MeshPlan is the same for many blocks.
-/// Throws Diagnostic when the edge is not above 0 or the mesh would be larger than memory. `progress` is called now and then, with 0.
+/// A conforming mesh of any convex polyhedron with edges close to `edge`, or to the polyhedron's own where those are shorter. Bricks and
+/// similar shapes are divided into cells where that gives good shapes; other shapes get triangles on their faces, and Delaunay tetrahedra
+/// of evenly spread points behind them, improved by moving points and exchanging tetrahedra until no flat one is left. The polyhedron's
+/// vertices are points of the mesh, bit for bit. MeshPlan does the same for many blocks. Throws Diagnostic when the edge is not above 0 or
+/// the mesh would exceed the memory. `progress` is called from time to time, with 0.
 TetMesh make_mesh(const Polyhedron& polyhedron, double edge, const ProgressCallback& progress = {});
 
 /// Shapes with no angle below this are good enough to stop trying; degrees.

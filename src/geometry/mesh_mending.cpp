@@ -16,7 +16,7 @@ using Tet = ChangeableTets::Tet;
 
 /// Below this part of a fair angle an edge is divided, on the surface too.
 constexpr double poor = 0.8;
-/// What that has to be worth in the sine of the worst angle, and how often it is done in a block.
+/// Least gain in the sine of the worst angle, and how often it is done in a block.
 constexpr double gain_of_division = 0.01;
 constexpr int most_divisions = 2;
 
@@ -47,7 +47,7 @@ int worst_own(const ChangeableTets& tets) {
 
 double quality_of_worst(const ChangeableTets& tets) { return tets.quality(tets.tets[worst_own(tets)]); }
 
-/// Whether what is new in other blocks is as good as it must be, or as the worst of what has gone there.
+/// Whether new tetrahedra of other blocks are good enough, or no worse than those they replace.
 bool others_are_fair(const ChangeableTets& before, const ChangeableTets& now) {
     std::vector<double> least(1 + static_cast<std::size_t>(*std::ranges::max_element(now.block)), least_of_others);
     const std::size_t count = before.tets.size();
@@ -81,7 +81,7 @@ bool divide_at_worst(Neighbourhood& around, double enough, const ProgressCallbac
     return best_quality > start;
 }
 
-/// A block and those that have an edge with it.
+/// A block and those that share an edge with it.
 class Edges {
 public:
     explicit Edges(const MeshedBlocks& together) : together_(together) {

@@ -20,7 +20,7 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-/// Edges are divided from 1.25 of the asked length on, since triangles with long edges beside short ones are sharp.
+/// Edges longer than 1.25 of the requested length are divided, since triangles with long and short edges are sharp.
 constexpr double long_edge = 0.25;
 
 SharedEdge shared_edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -29,7 +29,7 @@ SharedEdge shared_edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; 
 struct Outline {
     std::vector<int> corners;
     bool turned = false;   ///< against the loop that it was made of
-    std::size_t begin = 0; ///< where in the loop the first corner stands
+    std::size_t begin = 0; ///< index of the first corner in the loop
 };
 
 Outline outline_of(const std::vector<int>& loop) {
@@ -73,7 +73,7 @@ struct MeshPlan::Parts {
     const std::vector<Polyhedron>& blocks;
     EdgeField field;
     SharedPlaces places;
-    std::map<std::vector<int>, FaceMesh> faces;        ///< that are there, by their outline
+    std::map<std::vector<int>, FaceMesh> faces;        ///< existing faces, by their outline
     std::map<SharedEdge, std::vector<Vec3>> divisions; ///< of edges that are divided, from the lower end
     std::vector<std::optional<CellBlock>> cells;
 
@@ -91,8 +91,8 @@ struct MeshPlan::Parts {
     BlockSurface surface(std::size_t block) const;
 };
 
-/// A face of another mesh, with corners, points between them and points inside in this order; without corners when not all of them are vertices
-/// of blocks here.
+/// A face of another mesh: corners, points between them and points inside, in this order; without corners when not all of them are vertices
+/// of these blocks.
 struct OrderedFace {
     std::vector<int> corners;
     std::vector<std::vector<Vec3>> between; ///< of corner i and the one after it
@@ -191,7 +191,7 @@ void MeshPlan::Parts::take_face(const MeshedFace& face) {
     if (count == 0 || faces.contains(ordered.corners)) return;
     for (std::size_t i = 0; i < count; ++i)
         if (ordered.corners[i] > ordered.corners[(i + 1) % count]) std::ranges::reverse(ordered.between[i]);
-    // An edge that two faces divide differently is divided as the first says, and the second face is not taken.
+    // An edge that two faces divide differently takes the division of the first, and the second face is rejected.
     const auto edge_at = [&](std::size_t i) {
         return shared_edge(ordered.corners[i], ordered.corners[(i + 1) % count]);
     };
@@ -274,7 +274,7 @@ BlockSurface MeshPlan::Parts::surface(std::size_t block) const {
     return surface;
 }
 
-/// Whether the cells meet what is there.
+/// Whether the cells fit existing faces.
 bool MeshPlan::Parts::cells_fit(std::size_t block, const TetMesh& mesh) const {
     const double tolerance = 4 * places.tolerance();
     for (const MeshedFace& face : faces_of(mesh, blocks[block].faces.size())) {
@@ -292,7 +292,7 @@ bool MeshPlan::Parts::cells_fit(std::size_t block, const TetMesh& mesh) const {
     return true;
 }
 
-/// Cells are for blocks whose shape is good for them, or no better for other tetrahedra.
+/// Cells are for blocks with a suitable shape, or for which other tetrahedra are no better.
 bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
     const Polyhedron& p = blocks[block];
     const auto corner = hexahedron_corners(p);
@@ -312,7 +312,7 @@ bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
     } catch (const Diagnostic&) { return true; }
 }
 
-/// Whether cells that go on from those of other blocks are as good for the block as its own would be.
+/// Whether cells continued from other blocks are as good for the block as its own would be.
 bool MeshPlan::Parts::stays_good(std::size_t block) const {
     const double angle = worst_angle(grid_mesh(blocks[block], cells[block]->corner, cells[block]->places));
     if (angle >= good_angle) return true;
@@ -321,7 +321,7 @@ bool MeshPlan::Parts::stays_good(std::size_t block) const {
     } catch (const Diagnostic&) { return true; }
 }
 
-/// Where the points of edges that are divided stand on a unit length, with its ends.
+/// Positions of the points of divided edges on a unit length, with its ends.
 std::map<SharedEdge, std::vector<double>> MeshPlan::Parts::divisions_along() const {
     std::map<SharedEdge, std::vector<double>> along;
     for (const auto& [ends, points] : divisions) {
@@ -390,7 +390,7 @@ TetMesh MeshPlan::mesh(std::size_t block, const ProgressCallback& progress) cons
 
 void MeshPlan::mend(std::vector<TetMesh>& meshes, const ProgressCallback& progress) const {
     const auto& numbers = parts_->places.numbers();
-    // What cells have stays, and what is there already.
+    // The divisions of cells and of existing meshes are kept.
     std::set<SharedEdge> staying;
     for (std::size_t b = 0; b < meshes.size(); ++b) {
         if (!meshes[b].tetrahedra.empty() && meshes[b].per_cell == 0) continue;

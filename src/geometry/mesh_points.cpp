@@ -19,8 +19,8 @@ std::vector<int> common_faces(const MeshPoints& points, const std::vector<int>& 
 }
 
 double lattice_cell(double edge) {
-    // Edges of the lattice's tetrahedra are 1 and sqrt(3)/2 cells long, in the ratio 3 to 4.
-    // Between the lattice and the faces they are longer; with these cells the mean of all is what is asked for.
+    // Edges of the lattice's tetrahedra are 1 and sqrt(3)/2 cells long, in the ratio 3 to 4. Between the lattice and the faces they are
+    // longer; with these cells the mean of all is the requested length.
     return 0.93 * edge / ((3 + 4 * std::sqrt(0.75)) / 7);
 }
 

@@ -14,7 +14,7 @@ bool has(const TetMesh::BoundaryTriangle& triangle, int point) {
     return std::ranges::find(triangle.points, point) != triangle.points.end();
 }
 
-/// The faces that each point lies on, rising.
+/// The faces that contain each point, ascending.
 std::vector<std::vector<int>> faces_of_points(const TetMesh& mesh) {
     std::vector<std::vector<int>> faces(mesh.points.size());
     for (const auto& t : mesh.boundary)
@@ -57,7 +57,7 @@ void turn_triangles(TetMesh& mesh, int a, int b, int c, int d) {
     std::ranges::replace(at_d->points, a, c);
 }
 
-/// Points whose tetrahedra have all been taken out. Those of the surface have some.
+/// Removes points without tetrahedra. Those of the surface have some.
 void leave_out_unused(TetMesh& mesh) {
     std::vector<int> number(mesh.points.size(), -1);
     for (const Tet& t : mesh.tetrahedra)
@@ -124,7 +124,7 @@ void Neighbourhood::give_back() {
     for (std::size_t member = 0; member < members_.size(); ++member) give_back(member);
 }
 
-/// Of a point that is no vertex.
+/// For a point that is not a vertex.
 Motion Neighbourhood::motion_of(const std::vector<int>& faces) const {
     const Polyhedron& block = together_.blocks[middle_];
     if (faces.empty()) return {};

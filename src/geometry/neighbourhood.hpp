@@ -1,4 +1,4 @@
-// A block of tetrahedra and the zones of other blocks that touch it, as one mesh that can be changed. Private to geometry.
+// A block of tetrahedra and the adjacent zones of other blocks, as one mesh that can be changed. Private to geometry.
 #pragma once
 
 #include "base/vector.hpp"
@@ -14,7 +14,7 @@
 
 namespace kaya {
 
-/// Blocks whose meshes have the same triangles where they meet.
+/// Blocks whose meshes share their triangles.
 struct MeshedBlocks {
     const std::vector<Polyhedron>& blocks;
     const std::vector<std::vector<int>>& numbers; ///< of their vertices
@@ -55,7 +55,7 @@ private:
     std::vector<TetMesh>& meshes_;
     std::size_t middle_;
     std::vector<Member> members_;
-    std::size_t given_ = 0;               ///< tetrahedra that were there before any change
+    std::size_t given_ = 0;               ///< tetrahedra before any change
     std::map<Vec3, int, ByPlace> places_; ///< of points on the surface between the vertices
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 /// A convex polygon of few corners: a triangle cut by three lines has six at most.
 struct SmallPolygon {
-    std::array<Vec2, 8> corners; // what is beyond `size` is not set
+    std::array<Vec2, 8> corners; // entries beyond `size` are not set
     int size = 0;
 
     SmallPolygon() = default;
@@ -79,8 +79,8 @@ int vertex_at(const PlaneMesh& mesh, int triangle, const Vec2& p, double toleran
     return -1;
 }
 
-/// Finds the point at a place among those made so far. Few points are looked through; for many there is a grid with
-/// cells much larger than the tolerance.
+/// Finds the point at a place among those created so far. Few points are searched directly; for many there is a grid with cells much larger
+/// than the tolerance.
 class PointFinder {
 public:
     PointFinder(const std::vector<OverlayPoint>& points, double tolerance)
@@ -160,7 +160,7 @@ void sweep_of(const PlaneMesh& mesh, std::vector<std::pair<double, int>>& order,
     for (const auto& entry : order) items.emplace_back(mesh, entry.second);
 }
 
-/// Cuts a triangle in n^2 equal ones whose edges are about `edge` long.
+/// Divides a triangle into n^2 equal ones with edges of about `edge`.
 template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, Call call) {
     std::array<double, 3> lengths{(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()};
     std::sort(lengths.begin(), lengths.end());
@@ -174,8 +174,8 @@ template <class Call> void for_parts(const std::array<Vec2, 3>& c, double edge, 
         }
 }
 
-/// For each triangle of side 1 the one of side 2 that lies on it, as on both sides of a cut: such faces are their own
-/// overlay. False where there is one without.
+/// For each triangle of side 1 the coinciding one of side 2, as on both sides of a cut: such faces are their own overlay. False if any has
+/// none.
 bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance,
                        std::vector<int>& opposite_triangles) {
     const std::size_t few = 16; // of more the sweep is as quick
@@ -202,7 +202,7 @@ bool lie_on_each_other(const PlaneMesh& side1, const PlaneMesh& side2, double to
     return true;
 }
 
-/// The parts of the triangles of side 1 that lie on one of side 2, and their points.
+/// The parts of the triangles of side 1 within one of side 2, and their points.
 class Pieces {
 public:
     Pieces(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result,
@@ -288,7 +288,7 @@ void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, d
     Pieces pieces(side1, side2, tolerance, edge, result, scratch.ring);
     sweep_of(side1, scratch.order, sweep1);
 
-    // To the last bit what the sweep would give.
+    // The same result as the sweep, to the last bit.
     if (lie_on_each_other(side1, side2, tolerance, opposite_triangles)) {
         for (const auto& one : sweep1) pieces.add(one, opposite_triangles[one.triangle], SmallPolygon(one.corners));
     } else {

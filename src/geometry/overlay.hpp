@@ -1,4 +1,4 @@
-// The common refinement of two triangulations in a plane: where sub-contacts lie and what they own.
+// The common refinement of two triangulations in a plane: places and areas of sub-contacts.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,9 +17,8 @@ struct PlaneMesh {
     std::vector<std::array<int, 3>> triangles;
 };
 
-/// A vertex of the overlay. Its area is a third of the overlay's triangles around it, so that the areas
-/// sum to the overlap and sum(area * f) is the integral of any f that is linear in each triangle of
-/// both sides: tractions are passed on consistently whatever the two meshes are.
+/// A vertex of the overlay. Its area is a third of the overlay's triangles around it, so that the areas sum to the overlap and sum(area *
+/// f) is the integral of any f that is linear in each triangle of both sides: tractions are transferred consistently for any two meshes.
 struct OverlayPoint {
     Vec2 place;
     double area = 0;
@@ -27,7 +26,7 @@ struct OverlayPoint {
         Vec2::Zero(); ///< of that area, weighted with the linear function that is 1 here and 0 at all other points
     int vertex1 = -1; ///< the point of side 1 that lies here, or -1
     int vertex2 = -1;
-    int triangle1 = 0; ///< triangles that hold the point, with its barycentric weights where it is no vertex
+    int triangle1 = 0; ///< triangles that contain the point, with its barycentric weights unless it is a vertex
     int triangle2 = 0;
     std::array<double, 3> weights1{}, weights2{};
 };
@@ -37,9 +36,8 @@ struct Overlay {
     Eigen::Matrix2d second_moment = Eigen::Matrix2d::Zero(); ///< of the overlap about the origin, exact
 };
 
-/// Points closer than `tolerance` are one point; pieces thinner than it are left out. With `edge` above 0 the
-/// triangles of the overlay are cut in smaller ones with edges of about that length.
-/// What was in `result` is lost, its memory is used.
+/// Points closer than `tolerance` are merged; thinner pieces are dropped. With `edge` above 0 the triangles of the overlay are divided into
+/// smaller ones with edges of about that length. The contents of `result` are replaced, its memory is reused.
 void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result);
 
 /// How a face of a rigid block is cut in triangles for its contacts.
@@ -55,11 +53,10 @@ PlaneMesh radial_mesh(const PlaneMesh& mesh, FaceTriangles triangles);
 /// The triangle of a mesh that holds a place, or the nearest one, with its barycentric weights (0 to 1).
 int triangle_at(const PlaneMesh& mesh, const Vec2& place, std::array<double, 3>& weights);
 
-/// Shares the areas anew so that the second moments of the points come as near to those of the overlap as the points
-/// allow. A square whose corners own 1/3, 1/6, 1/3, 1/6 of it, as its two triangles have it, resists tilting about one
-/// diagonal more than about the other; with a quarter each it does not. With a point in the middle it resists as a
-/// continuous joint does. The sum of areas and their centre stay. For faces that do not bend: the areas are no longer
-/// those of the triangles.
+/// Redistributes the areas so that the second moments of the points come as close to those of the overlap as the points allow. A square
+/// whose corners own 1/3, 1/6, 1/3, 1/6 of it, as from its two triangles, resists tilting about one diagonal more than about the other;
+/// with a quarter each it does not. With a point in the middle it resists as a continuous joint does. The sum of areas and their centre are
+/// kept. For faces that do not bend: the areas are no longer those of the triangles.
 void balance_areas(Overlay& overlay);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// Overlays one after another: a contact search makes very many, and all of them use the same memory.
+// Scratch memory for consecutive overlays: a contact search makes very many.
 #pragma once
 
 #include "geometry/overlay.hpp"
@@ -12,7 +12,7 @@
 
 namespace kaya {
 
-/// What the functions below keep for its memory only: no result depends on it.
+/// Scratch memory of the functions below: no result depends on it.
 struct OverlayScratch {
     /// A line through a point, with its direction of length 1; a line too short to have one is 0.
     struct Line {
@@ -28,7 +28,7 @@ struct OverlayScratch {
         SweepItem(const PlaneMesh& mesh, int t);
         void find_sides(double tolerance);
     };
-    /// Four points, one in each place of a vector register; those that are not there weigh nothing.
+    /// Four points, one in each lane of a vector register; missing ones have no weight.
     struct SampleGroup {
         static constexpr std::size_t size = 4;
         using Four = Eigen::Array4d;
@@ -45,7 +45,7 @@ struct OverlayScratch {
     std::vector<Vec2> left;      ///< of it
 };
 
-/// As those of overlay.hpp, which have memory of their own.
+/// As in overlay.hpp, which allocate their own memory.
 void overlay(const PlaneMesh& side1, const PlaneMesh& side2, double tolerance, double edge, Overlay& result,
              OverlayScratch& scratch);
 void balance_areas(Overlay& overlay, OverlayScratch& scratch);

@@ -53,7 +53,7 @@ Polygon polygon_of(const std::vector<Vec3>& outline) {
 /// The polygon so far outside of another. Throws Diagnostic where an edge vanishes or the outside meets itself.
 Polygon outside_of(const Polygon& polygon, double distance) {
     const auto offsets = CGAL::create_exterior_skeleton_and_offset_polygons_2(distance, polygon);
-    // One of them is the frame around all.
+    // One of them is the outer frame.
     std::vector<Polygon> found;
     for (const auto& offset : offsets) found.push_back(*offset);
     std::ranges::sort(found, [](const Polygon& a, const Polygon& b) {
@@ -71,7 +71,7 @@ Polygon outside_of(const Polygon& polygon, double distance) {
 
 SectionVector vector_of(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
 
-/// What lies inside of each edge.
+/// The region inside each edge.
 std::vector<PitStrip> strips_of(const Polygon& crest, const PitProfile& profile, double beyond) {
     const auto skeleton = CGAL::create_interior_straight_skeleton_2(crest);
     if (!skeleton) throw Diagnostic("the outline of the pit has no inside that can be divided", "look at its corners");
@@ -106,7 +106,7 @@ std::vector<PitStrip> strips_of(const Polygon& crest, const PitProfile& profile,
     }
     for (std::size_t e = 0; e < strips.size(); ++e) {
         PitStrip &before = strips[(e + strips.size() - 1) % strips.size()], &after = strips[e];
-        // Cotangent of half the angle inside: (1 + cos turn)/sin turn of the way around, as seen from within.
+        // Cotangent of half the interior angle: (1 + cos turn)/sin turn of the outline, seen from inside.
         const double shrinks =
             std::tan(0.5 * std::atan2(cross(before.along, after.along), before.along.dot(after.along)));
         before.edge.shrinks[1] = after.edge.shrinks[0] = shrinks;
@@ -129,7 +129,7 @@ std::pair<std::size_t, double> nearest_place(const std::vector<PitStrip>& strips
 } // namespace
 
 Ground pit_surface(const std::vector<Vec3>& outline, const PitDesign& design) {
-    // A ramp that goes clockwise is one that goes the other way in a mirror.
+    // A clockwise ramp is an anticlockwise one in a mirror.
     const double mirror = design.ramp && design.ramp->clockwise ? -1 : 1;
     std::vector<Vec3> seen = outline;
     for (Vec3& p : seen) p.x() *= mirror;

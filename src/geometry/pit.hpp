@@ -13,7 +13,7 @@ namespace kaya {
 
 struct PitRamp {
     double width = 0;    ///< length
-    double gradient = 0; ///< how far it goes down over its length
+    double gradient = 0; ///< its descent over its length
     std::array<double, 2> from{};
     bool clockwise = false; ///< seen from above
 };
@@ -27,10 +27,10 @@ struct PitDesign {
     std::optional<PitRamp> ramp;
 };
 
-/// The surface within the crest: each edge has its own faces and berms, which meet those of its neighbours on the straight skeleton
-/// of the crest. The ramp lies along the wall and moves what is below it inward by its width; it begins with a part as long as it is wide, in which it
-/// comes up to its width, and is level around corners. Throws Diagnostic where the outline crosses itself or is not level, the walls meet
-/// above the floor, an edge vanishes on the way outward from a toe, or the ramp finds no room.
+/// The surface within the crest: each edge has its own faces and berms, which meet those of its neighbours on the straight skeleton of the
+/// crest. The ramp runs along the wall and shifts the surface below it inward by its width; it begins with a part as long as it is wide, in
+/// which it reaches its width, and is level around corners. Throws Diagnostic where the outline crosses itself or is not level, the walls
+/// meet above the floor, an edge vanishes outward from a toe, or the ramp finds no room.
 Ground pit_surface(const std::vector<Vec3>& outline, const PitDesign& design);
 
 /// A design and its outline as text: a word and its numbers to a line, then the points of the outline. docs/commands/cut.md

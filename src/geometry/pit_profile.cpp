@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    /// How far from a corner the ramp is level: so that it lies on one height where two edges meet.
+    /// Level distance of the ramp from a corner, so that it has one height where two edges meet.
     double room_at_corner(std::size_t e, std::size_t end, double height) const {
         return std::max(0.0, (profile_.last_at(height) + ramp_.width) * edges_[e].shrinks[end]);
     }
@@ -88,7 +88,7 @@ private:
             return std::max(-profile_.depth(), height_ - ramp_.gradient * (s - start));
         };
         const auto has_room = [&](double s) { return s <= edge.length - room_at_corner(e, 1, height_at(s)); };
-        // The farther it goes, the deeper it is, and the more the corner takes.
+        // The farther it runs, the deeper it is, and the more the corner takes.
         double end = start, too_far = edge.length + profile_.width() + 2 * ramp_.width;
         if (has_room(start)) {
             for (int i = 0; i < 100; ++i) {
@@ -115,7 +115,7 @@ private:
     }
 
     void add(std::size_t e, const RampPart& part) {
-        // A level of a berm is a part's end: there the ramp goes from one face to the next.
+        // A part ends at the level of a berm: there the ramp passes from one face to the next.
         std::vector<double> ends{part.from};
         for (const double knot : profile_.knots()) {
             const double level = profile_.height(knot), drop = part.height[0] - part.height[1];

@@ -18,7 +18,7 @@ public:
     const std::vector<double>& knots() const { return knots_; }
     /// Height at a distance, 0 or less.
     double height(double distance) const;
-    /// Where the wall comes down to a height, and where it leaves it: on a berm its two sides.
+    /// Distances at which the wall reaches a height and leaves it: the two sides of a berm.
     double first_at(double height) const;
     double last_at(double height) const;
     /// The same with a ramp of that height whose width there is `shift`.
@@ -40,11 +40,11 @@ struct RampPart {
 struct CrestEdge {
     double length = 0;
     std::array<double, 2> shrinks{};
-    double until = 0; ///< distance inward at which an edge beside it or it itself vanishes
+    double until = 0; ///< inward distance at which it or an adjacent edge vanishes
 };
 
-/// The parts of all edges that the ramp runs along, for a ramp that begins on edge `first` at the distance `at` along it and
-/// follows the edges in their order. Throws Diagnostic where it finds no room.
+/// The parts of all edges that the ramp follows, for a ramp that begins on edge `first` at the distance `at` along it and follows the edges
+/// in order. Throws Diagnostic where it finds no room.
 std::vector<std::vector<RampPart>> ramp_parts(const PitProfile& profile, const PitRamp& ramp,
                                               const std::vector<CrestEdge>& edges, std::size_t first, double at);
 

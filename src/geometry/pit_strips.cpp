@@ -23,7 +23,7 @@ using Plan = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Parts, CGAL::Exa
 constexpr double rounding = 1e-9;  ///< of coordinates in a strip, as a part of the pit
 constexpr double near_part = 1e-7; ///< corners nearer than this part of the pit are one
 
-/// Corners of all strips; those of neighbours on their common line are one.
+/// Corners of all strips; those of neighbours on their common line are merged.
 class Corners {
 public:
     explicit Corners(double near) : near_(near) {}
@@ -106,7 +106,7 @@ private:
             line(s[e], 0, s[e], std::max(inner, profile_.last_at(height[e])) + std::max(shift[0], shift[1]));
     }
 
-    /// Where the wall comes to a height at one end of a part whose middle lies at another: on the same face.
+    /// Where the wall reaches a height at one end of a part whose middle is at another height: on the same face.
     double outer_edge(double height, double middle) const {
         return height > middle ? profile_.last_at(height) : profile_.first_at(height);
     }

@@ -12,7 +12,7 @@ namespace kaya {
 
 using SectionVector = Eigen::Vector2d;
 
-/// What lies nearer to one edge of the crest than to the others, by the straight skeleton.
+/// The region nearer to one edge of the crest than to the others, by the straight skeleton.
 struct PitStrip {
     SectionVector from = SectionVector::Zero(), along = SectionVector::Zero(); ///< the edge; the pit lies to the left
     CrestEdge edge;

@@ -38,8 +38,7 @@ bool crosses_itself(const std::vector<Vec2>& outline) {
     return false;
 }
 
-/// True when the corner `i` of the outline left over can be cut off: it is convex and no other corner
-/// lies in the triangle.
+/// True when corner `i` of the remaining outline can be cut off: it is convex and no other corner lies in the triangle.
 bool is_ear(const std::vector<Vec2>& drawing, const std::vector<int>& left, std::size_t i) {
     const std::size_t count = left.size();
     const Vec2 &a = drawing[left[(i + count - 1) % count]], &b = drawing[left[i]], &c = drawing[left[(i + 1) % count]];
@@ -73,7 +72,7 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& vertices, 
         const std::size_t count = left.size();
         std::size_t ear = 0;
         while (ear < count && !is_ear(drawing, left, ear)) ++ear;
-        // Only corners in line with their neighbours are left when there is no ear; any will do.
+        // Without an ear only collinear corners are left; any will do.
         ear %= count;
         const auto at = [&](std::size_t i) { return face.vertices[left[i % count]]; };
         triangles.push_back({at(ear + count - 1), at(ear), at(ear + 1)});

@@ -17,7 +17,7 @@ double signed_area(const std::vector<Vec2>& polygon) {
     return 0.5 * twice;
 }
 
-/// Leaves what lies on the left of the line from a to b (Sutherland and Hodgman 1974).
+/// Keeps the part left of the line from a to b (Sutherland and Hodgman 1974).
 void clip(std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b, double tolerance, OverlayScratch& scratch) {
     const Vec2 along = b - a; // heights are times its length
     const double squared = along.squaredNorm(), near = tolerance * tolerance * squared;

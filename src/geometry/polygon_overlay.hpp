@@ -1,4 +1,4 @@
-// The common part of two convex polygons in a plane, and the places that stand for it in a joint between rigid blocks.
+// The intersection of two convex polygons in a plane, and the places that represent it in a joint between rigid blocks.
 #pragma once
 
 #include "geometry/overlay_scratch.hpp"
@@ -19,8 +19,8 @@ void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, 
 void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result,
                        OverlayScratch& scratch);
 
-/// Only the corners, each with its third of the triangles around it: the mean over the fans from all corners, so that none of
-/// them matters. Sums of area and area x are exact; second moments are too large, three times those of a parallelogram.
+/// Corners only, each with its third of the triangles around it: the mean over the fans from all corners, so that no corner is preferred.
+/// Sums of area and area x are exact; second moments are too large, three times those of a parallelogram.
 void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result);
 
 } // namespace kaya

@@ -46,7 +46,7 @@ double sharpest_edge(const Polyhedron& p) {
     return least * 180 / std::numbers::pi;
 }
 
-/// Tetrahedra of positive volume in the place of those that are there; nothing when some cannot be made good.
+/// Replaces the tetrahedra by ones of positive volume; none when some cannot be improved.
 std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface& surface, MeshPoints points,
                                 std::vector<Tet> tetrahedra, bool new_points, const ProgressCallback& progress) {
     improve(points, tetrahedra, new_points, progress);
@@ -61,7 +61,7 @@ std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface
         if (!(part > 1e-13 * wanted)) return std::nullopt;
         volume += part;
     }
-    // What far coordinates have lost shows in the volume.
+    // The loss of digits at far coordinates shows in the volume.
     double area = 0, far = 0;
     for (const auto& t : surface.triangles) {
         const Vec3& a = points.points[t.points[0]];
@@ -73,8 +73,8 @@ std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface
     return TetMesh{std::move(points.points), std::move(tetrahedra), surface.triangles};
 }
 
-/// The points with faces and edges a little convex: no four points lie in one plane, so signs need no exact arithmetic, which takes longer
-/// than all the rest.
+/// The points with faces and edges made slightly convex: no four points are coplanar, so signs need no exact arithmetic, which would
+/// dominate the time.
 std::vector<Vec3> bulged(const std::vector<Vec3>& points) {
     constexpr double bulge = 1e-5;
     Vec3 low = points.front(), high = low;
@@ -178,8 +178,8 @@ TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, 
         double clearance;
         bool centre;
     };
-    // How far lattice points keep from the surface decides on the layer next to it; which distance is best
-    // depends on how the lattice happens to meet the faces.
+    // The distance of lattice points from the surface decides on the layer next to it; which distance is best depends on how the lattice
+    // meets the faces.
     constexpr std::array trials{Trial{0.6, false}, Trial{0.6, true},  Trial{0.5, true},
                                 Trial{0.7, true},  Trial{0.45, true}, Trial{0.8, true}};
     // No mesh has larger angles than those between the block's faces.
@@ -196,14 +196,14 @@ TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, 
         tried.push_back(points.points);
         consider(try_points(polyhedron, surface, std::move(points), progress));
     }
-    // New points in the place of what is bad.
+    // New points instead of bad ones.
     const auto with_points = [&](const TetMesh& mesh) {
         MeshPoints points = surface.points;
         for (std::size_t i = points.points.size(); i < mesh.points.size(); ++i) points.add(mesh.points[i], {});
         return improved(polyhedron, surface, std::move(points), mesh.tetrahedra, true, progress);
     };
     if (best && best_angle < fair_angle * part) consider(with_points(*best));
-    // What is bad still may have short edges of its own: points inside that crowd there.
+    // Bad regions may still have short edges of their own, where points inside are crowded.
     const Spacing crowded = spacing_in(polyhedron, surface, field, Shorter::at_all);
     for (const double clearance : {0.6, 0.5, 0.7}) {
         if (best_angle >= fair_angle * part || crowded.finer.empty()) break;

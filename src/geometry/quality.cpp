@@ -44,7 +44,7 @@ const Description& description_of(Ailment ailment) {
 }
 
 int open_edges(const Polyhedron& polyhedron) {
-    // Each use of an edge counts 1 or -1 by its way; a good edge has one of each.
+    // Each use of an edge counts 1 or -1 by its direction; a good edge has one of each.
     std::map<std::array<int, 2>, std::array<int, 2>> uses;
     for (const auto& face : polyhedron.faces)
         for (std::size_t i = 0; i < face.vertices.size(); ++i) {
@@ -108,7 +108,7 @@ std::vector<Vec3> edges_of(const Polyhedron& polyhedron) {
     return edges;
 }
 
-/// How far two convex blocks lie in one another along an axis of unit length; below 0 they are apart.
+/// Overlap of two convex blocks along a unit axis; negative when they are apart.
 double depth_along(const Vec3& axis, const Polyhedron& a, const Polyhedron& b) {
     const auto span = [&](const Polyhedron& p) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -123,8 +123,8 @@ double depth_along(const Vec3& axis, const Polyhedron& a, const Polyhedron& b) {
     return std::min(a_high - b_low, b_high - a_low);
 }
 
-/// The least way that takes two convex blocks out of one another: along the normal of a face or across two edges. As soon
-/// as it is found to be less than `enough` the search ends.
+/// The shortest translation that separates two convex blocks: along the normal of a face or across two edges. The search ends as soon as it
+/// is below `enough`.
 double depth_of_overlap(const Polyhedron& a, const Polyhedron& b, double enough) {
     double depth = std::numeric_limits<double>::infinity();
     for (const auto* p : {&a, &b})
@@ -159,8 +159,8 @@ double common_volume(const Polyhedron& a, const Polyhedron& b) {
     return moments_of(part).volume;
 }
 
-/// What two blocks have in common over the volume of the smaller one. Where they only touch, round-off of the coordinates
-/// makes slivers whose volume has no meaning: the depth bounds it.
+/// The common volume of two blocks over the volume of the smaller one. Where they only touch, rounding of the coordinates makes slivers
+/// whose volume has no meaning: the depth bounds it.
 double common_share(const Polyhedron& a, const Polyhedron& b, double smaller_volume) {
     constexpr double closed = 1e-6; // of the size of the smaller one
     const double extent = std::min(extent_of(a), extent_of(b));
@@ -189,7 +189,7 @@ std::string_view name_of(Ailment ailment) { return description_of(ailment).name;
 std::string_view remedy_for(Ailment ailment) { return description_of(ailment).remedy; }
 
 std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits) {
-    // The other numbers of a surface without an inside mean nothing.
+    // For an open surface the other numbers have no meaning.
     if (quality.open_edges > 0) return {Ailment::open};
     if (quality.volume <= 0) return {Ailment::inverted};
     std::vector<Ailment> found;

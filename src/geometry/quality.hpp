@@ -1,4 +1,4 @@
-// The block doctor: numbers that tell which blocks will make trouble, and what to do about them.
+// Block quality: numbers that identify blocks that will cause problems, and what to do about them.
 #pragma once
 
 #include "geometry/polyhedron.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// What a block's shape is like. Lengths in the model's unit.
+/// Shape measures of a block. Lengths in the model's unit.
 struct BlockQuality {
     double volume = 0;    ///< below 0 when the faces look inward
     double extent = 0;    ///< greatest distance between two vertices
@@ -19,7 +19,7 @@ struct BlockQuality {
     double smallest_face = 0; ///< area
     double worst_warp = 0;    ///< greatest distance of a vertex from the plane of its face
     double worst_bulge = 0;   ///< greatest distance of a vertex outside the plane of another face
-    int open_edges = 0;       ///< edges that do not belong to exactly two faces that run opposite ways
+    int open_edges = 0;       ///< edges that do not belong to exactly two faces of opposite direction
 };
 
 BlockQuality block_quality(const Polyhedron& polyhedron);
@@ -37,13 +37,12 @@ struct QualityLimits {
 enum class Ailment { open, inverted, concave, warped, tiny, needle, thin, short_edge };
 
 std::string_view name_of(Ailment ailment);    ///< one word for a table
-std::string_view remedy_for(Ailment ailment); ///< one sentence: what it does and what helps
+std::string_view remedy_for(Ailment ailment); ///< one sentence: the effect and the remedy
 
-/// What ails a block, the gravest first; nothing for a healthy one.
+/// Defects of a block, the most serious first; none for a good one.
 std::vector<Ailment> ailments_of(const BlockQuality& quality, double mean_volume, const QualityLimits& limits = {});
 
-/// Pairs of blocks that lie in one another: boxes overlap and more than `share` of the smaller volume is
-/// common. Equal blocks have a share of 1.
+/// Pairs of overlapping blocks: boxes overlap and more than `share` of the smaller volume is common. Equal blocks have a share of 1.
 struct OverlappingBlocks {
     int first = 0, second = 0; ///< places in the list, first < second
     double share = 0;          ///< common volume over the smaller volume

@@ -99,7 +99,7 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
     const auto n = static_cast<std::size_t>(columns), m = static_cast<std::size_t>(rows);
     if (heights.size() != n * m)
         throw Diagnostic(fmt::format("{} has {} heights, and its header says {}", file, heights.size(), n * m));
-    // Heights are those of the middles of cells.
+    // Heights are at the centres of cells.
     const double x0 = header.contains("xllcenter") ? header["xllcenter"] : need("xllcorner") + 0.5 * size;
     const double y0 = header.contains("yllcenter") ? header["yllcenter"] : need("yllcorner") + 0.5 * size;
     const double none = header.contains("nodata_value") ? header["nodata_value"] : -9999;

@@ -1,4 +1,4 @@
-// Wavefront files: numbered vertices and faces; objects and groups are blocks of their own.
+// Wavefront files: numbered vertices and faces; each object and group is a block.
 #include "geometry/face_soup.hpp"
 #include "geometry/words.hpp"
 
@@ -43,7 +43,7 @@ std::vector<NamedSurface> read_obj(std::string_view text, const std::string& fil
             add_surfaces(soup, surfaces);
             soup = {std::string(words.next_in_line()), {}};
         }
-        words.skip_line(); // normals, textures and the like are of no use to blocks
+        words.skip_line(); // normals, textures and other records are ignored
     }
     add_surfaces(soup, surfaces);
     need_surfaces(surfaces, file);

@@ -1,4 +1,4 @@
-// Polygon files: a header that says what follows, then vertices and faces as text or binary.
+// Polygon files: a header with the layout, then vertices and faces as text or binary.
 #include "base/diagnostic.hpp"
 #include "geometry/face_soup.hpp"
 #include "geometry/words.hpp"
@@ -75,7 +75,7 @@ Header read_header(std::string_view bytes, const std::string& file) {
             Element element;
             element.name = words.next_in_line();
             const long long count = words.integer_in_line("the number of elements");
-            // Every element takes at least one byte, so a larger count is a lie and must not be believed.
+            // Every element takes at least one byte, so a larger count is wrong.
             if (count < 0 || static_cast<unsigned long long>(count) > bytes.size())
                 words.fail(
                     fmt::format("{} elements '{}' are more than the file can hold", count, element.name.substr(0, 30)));
@@ -97,7 +97,7 @@ Header read_header(std::string_view bytes, const std::string& file) {
     return header;
 }
 
-/// The numbers of the body, one after the other, whichever way they are stored.
+/// The numbers of the body in order, for either encoding.
 class Body {
 public:
     Body(std::string_view bytes, const Header& header, const std::string& file)

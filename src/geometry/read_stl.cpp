@@ -24,8 +24,8 @@ std::uint32_t triangle_count(std::string_view bytes) {
     return count;
 }
 
-/// A binary file has exactly the length that its count asks for; text files may begin like binary
-/// ones and the other way round, so only this is certain.
+/// A binary file has exactly the length given by its count; text files may begin like binary ones and vice versa, so only this test is
+/// certain.
 bool is_binary(std::string_view bytes) {
     return bytes.size() >= header_bytes &&
            bytes.size() == header_bytes + triangle_bytes * static_cast<std::size_t>(triangle_count(bytes));

@@ -30,7 +30,7 @@ double size_of_loops(const std::vector<std::vector<Vec3>>& loops) {
     return size_of(all);
 }
 
-/// One convex polyhedron from faces that are known to be good.
+/// One convex polyhedron from valid faces.
 Polyhedron single(const std::vector<std::vector<Vec3>>& loops) { return make_from_faces(loops).parts.front(); }
 
 /// Place around a square of half width 1, from its right side anticlockwise; `step` counts `count` steps per
@@ -46,7 +46,7 @@ Eigen::Vector2d on_square(int step, int count) {
     }
 }
 
-/// Shares of the way from the wall to the outline at which rings begin: 0, ..., 1.
+/// Fractions of the distance from the wall to the outline at which rings begin: 0, ..., 1.
 std::vector<double> ring_shares(int rings, double ratio) {
     std::vector<double> shares{0};
     double thickness = 1;

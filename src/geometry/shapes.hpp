@@ -12,8 +12,8 @@ namespace kaya {
 /// Throws Diagnostic: different numbers of corners, sides that cross each other, no volume.
 Solid make_prism(const std::vector<Vec3>& first, const std::vector<Vec3>& second);
 
-/// Any polyhedron from its faces, corners in order around each face, either way round.
-/// `joint_sets` gives the joint set of each face, or is empty.
+/// Any polyhedron from its faces, corners in order around each face, in either direction. `joint_sets` gives the joint set of each face, or
+/// is empty.
 Solid make_from_faces(const std::vector<std::vector<Vec3>>& loops, const std::vector<int>& joint_sets = {},
                       const Flatness& flatness = {});
 
@@ -41,7 +41,7 @@ struct TunnelBlocks {
     double ratio = 1;                          ///< thickness of each ring over that of the ring inside it
 };
 std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel);
-/// The rock in its hole: a prism for each slice along the axis, whose sides lie on the blocks of the first ring.
+/// The rock in the tunnel: a prism for each slice along the axis, whose sides are faces of the first ring of blocks.
 std::vector<Polyhedron> make_tunnel_core(const TunnelBlocks& tunnel);
 
 } // namespace kaya

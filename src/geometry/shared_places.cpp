@@ -10,7 +10,7 @@ namespace {
 
 /// In parts of the size of all blocks together.
 constexpr double same_place = 1e-8;
-/// In units of the last place of the coordinates, which are what remains of a place far from the origin.
+/// In units of the last place of the coordinates: the resolution of a place far from the origin.
 constexpr double noise = 64;
 
 } // namespace

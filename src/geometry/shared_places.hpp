@@ -10,12 +10,12 @@
 
 namespace kaya {
 
-/// Numbers rise with x, then y, then z of the places. What is nearer than the tolerance to a place is that place.
+/// Numbers increase with x, then y, then z of the places. Points within the tolerance of a place are that place.
 class SharedPlaces {
 public:
     explicit SharedPlaces(const std::vector<Polyhedron>& blocks);
 
-    /// Numbers of a block's vertices; those of a block whose own vertices lie closer than the tolerance are all different, too.
+    /// Numbers of a block's vertices; distinct even for a block whose own vertices are closer than the tolerance.
     const std::vector<std::vector<int>>& numbers() const { return numbers_; }
     const Vec3& place(int number) const { return places_[number]; }
     double tolerance() const { return tolerance_; }

@@ -139,7 +139,7 @@ double warp(const Surface& surface, const Surface::Face& face) {
 Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double near) {
     std::vector<Vec3> corners;
     for (const auto& loop : loops) corners.insert(corners.end(), loop.begin(), loop.end());
-    // Corners are sorted into cells as wide as `near`: what is near enough lies in one of 27 cells.
+    // Corners are sorted into cells as wide as `near`: points within that distance lie in one of 27 cells.
     using Cell = std::array<std::int64_t, 3>;
     const auto cell_of = [&](const Vec3& v) {
         Cell cell{};

@@ -1,4 +1,4 @@
-// A closed surface as users give it: faces turned either way, perhaps not quite flat, perhaps concave.
+// A closed surface given by users: faces of either orientation, perhaps not quite flat, perhaps concave.
 #pragma once
 
 #include "geometry/polyhedron.hpp"
@@ -10,7 +10,7 @@ namespace kaya {
 
 struct Surface {
     struct Face {
-        std::vector<int> vertices; ///< in order around the face, either way round
+        std::vector<int> vertices; ///< in order around the face, in either direction
         int joint_set = 0;
         std::string name; ///< as messages call it: "face 3"
     };
@@ -18,21 +18,20 @@ struct Surface {
     std::vector<Face> faces;
 };
 
-/// What to do with faces that are not flat. Lengths are shares of the surface's size (the diagonal of
-/// its box).
+/// Treatment of faces that are not flat. Lengths are relative to the surface's size (the diagonal of its box).
 struct Flatness {
-    double mended = 1e-3;          ///< warp up to this is taken out by moving vertices
+    double mended = 1e-3;          ///< smaller warp is removed by moving vertices
     bool triangulate_rest = false; ///< faces warped more become triangles; otherwise they are refused
-    double triangulated = 0;       ///< without that: those warped up to this become triangles
+    double triangulated = 0;       ///< otherwise, faces with smaller warp become triangles
 };
 
-/// A solid as convex parts: one for a convex body, several that belong together for a concave one.
+/// A solid as convex parts: one for a convex body, several for a concave one.
 struct Solid {
     std::vector<Polyhedron> parts;
-    int turned_faces = 0;                  ///< faces that were given the other way round than the first
+    int turned_faces = 0;                  ///< faces given in the opposite direction of the first
     bool anticlockwise = false;            ///< all faces were given anticlockwise seen from outside
     std::vector<std::string> triangulated; ///< faces that became triangles because they are warped
-    double mended_by = 0;                  ///< longest way that a vertex was moved to make faces flat, a length
+    double mended_by = 0;                  ///< largest displacement of a vertex that made faces flat, a length
 };
 
 /// Joins corners nearer to each other than `near` (a length) and names the faces "face 1", ...
@@ -41,8 +40,8 @@ Surface surface_from_loops(const std::vector<std::vector<Vec3>>& loops, double n
 /// The separate closed surfaces that share no edge, in the order of their first faces.
 std::vector<Surface> separate(const Surface& surface);
 
-/// Checks and mends one closed surface, turns its faces outward and splits it when concave. Throws
-/// Diagnostic that names the face: repeated, open, without area, crossing itself or another, warped.
+/// Checks and repairs one closed surface, orients its faces outward and splits it when concave. Throws Diagnostic that names the face:
+/// repeated, open, without area, crossing itself or another, warped.
 Solid solid_from_surface(const Surface& surface, const Flatness& flatness = {});
 
 } // namespace kaya

@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// With more faces than this a surface is a fine net, which nobody has drawn face by face.
+/// A surface with more faces than this is a fine mesh, not drawn face by face.
 inline constexpr std::size_t fine_net = 1000;
 
 /// Diagonal of the box around the vertices.
@@ -17,8 +17,8 @@ double size_of(const std::vector<Vec3>& vertices);
 /// then have less than three corners or no area, name a corner twice, or repeat another face.
 void check_faces(Surface& surface);
 
-/// Makes all faces run the way of the first one; returns how many were turned. Refuses open edges,
-/// edges of more than two faces, and surfaces that fall apart.
+/// Gives all faces the orientation of the first one; returns how many were turned. Refuses open edges, edges of more than two faces, and
+/// unconnected surfaces.
 int turn_alike(Surface& surface);
 
 /// Turns all faces outward when they are inward; returns whether they were. Refuses a surface without volume.
@@ -27,8 +27,8 @@ bool turn_outward(Surface& surface);
 /// The warp of a face: greatest distance of its vertices from its mean plane.
 double warp(const Surface& surface, const Surface::Face& face);
 
-/// Joins neighbouring faces of one joint set that lie in one plane (to a millionth of the size, the
-/// digits of single precision), as triangulated files have them; leaves out corners in mid-edge.
+/// Merges coplanar neighbouring faces of one joint set (to a millionth of the size, the digits of single precision), as found in
+/// triangulated files; drops corners inside edges.
 void merge_flat_neighbours(Surface& surface);
 
 /// Makes faces flat by moving vertices, or splits them, or refuses. Returns the longest move.

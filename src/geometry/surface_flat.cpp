@@ -1,4 +1,4 @@
-// Faces that are to be flat: joining the pieces of one plane, mending small warp, splitting large.
+// Faces that should be flat: merging coplanar pieces, removing small warp, splitting large.
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/surface_checks.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using HalfEdge = std::pair<int, int>;
 
-/// Which face lies left of each half-edge.
+/// The face to the left of each half-edge.
 std::map<HalfEdge, int> half_edges_of(const Surface& surface) {
     std::map<HalfEdge, int> result;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
@@ -27,7 +27,7 @@ std::map<HalfEdge, int> half_edges_of(const Surface& surface) {
     return result;
 }
 
-/// Faces that lie in the plane of `seed` and hang together with it, not yet in a group.
+/// Faces connected to `seed` in its plane that are not in a group yet.
 std::vector<int> plane_mates(const Surface& surface, const std::map<HalfEdge, int>& half_edges, int seed,
                              const std::vector<bool>& grouped, double near) {
     const Vec3 normal = mean_normal(surface, surface.faces[seed]);
@@ -137,7 +137,7 @@ double worst_warp(const Surface& surface) {
     return worst;
 }
 
-/// One sweep: every vertex goes to the mean of its projections on the planes of its faces.
+/// One sweep: moves every vertex to the mean of its projections on the planes of its faces.
 void pull_to_planes(Surface& surface) {
     std::vector<Vec3> move(surface.vertices.size(), Vec3::Zero());
     std::vector<int> count(surface.vertices.size(), 0);
@@ -153,7 +153,7 @@ void pull_to_planes(Surface& surface) {
         if (count[v]) surface.vertices[v] += move[v] / count[v];
 }
 
-/// What to do with a face that is not flat. Two triangles with the diagonal that stands out keep a block convex.
+/// Advice for a face that is not flat. Two triangles with the diagonal that stands out keep a block convex.
 std::string advice_for(const Surface& surface, const Surface::Face& face) {
     if (face.vertices.size() != 4) return "correct the corners, or give triangles instead";
     const auto corner = [&](std::size_t i) -> const Vec3& { return surface.vertices[face.vertices[i]]; };

@@ -58,8 +58,7 @@ double least_height(const Vec3& a, const Vec3& b, const Vec3& c) {
     return longest > 0 ? twice_area(a, b, c) / longest : 0;
 }
 
-/// Triangles of a convex polygon some of whose corners lie on a line: the ear with the best shape goes first, as long as
-/// what is left is no line.
+/// Triangles of a convex polygon with some collinear corners: the ear with the best shape is cut first, as long as the rest is not a line.
 void cut_polygon(const std::vector<Vec3>& points, std::vector<int> polygon, double tolerance,
                  std::vector<Triangle>& triangles) {
     const auto at = [&](int corner) { return points[static_cast<std::size_t>(corner)]; };
@@ -103,7 +102,7 @@ bool in_one_plane(const SurfaceMesh& mesh, std::size_t one, std::size_t other) {
     return area_vector(mesh, mesh.triangles[other]).normalized().dot(normal) >= 1 - 0.5 * angle * angle;
 }
 
-/// Longest-side bisection that keeps neighbours together.
+/// Longest-side bisection that stays conforming.
 class Refinement {
 public:
     Refinement(SurfaceMesh& mesh, double edge) : mesh_(mesh), edge_(edge) {
@@ -116,7 +115,7 @@ public:
                 while (length_of(side_of(t, k)) > edge_ * edge_ && is_border(side_of(t, k))) halve(side_of(t, k));
     }
     void run() {
-        // Halves stand behind their wholes, so that the loop comes to them too.
+        // Halves are appended, so the loop reaches them too.
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
             while (length_of(longest_of(t)) > edge_ * edge_) halve_longest(t);
     }
@@ -132,7 +131,7 @@ private:
         return (mesh_.points[static_cast<std::size_t>(s.first)] - mesh_.points[static_cast<std::size_t>(s.second)])
             .squaredNorm();
     }
-    /// All sides stand in one order, also where lengths are the same.
+    /// A strict order of all sides, also for equal lengths.
     bool longer(const Side& a, const Side& b) const { return std::pair(length_of(a), a) > std::pair(length_of(b), b); }
     Side longest_of(std::size_t t) const {
         Side best = side_of(t, 0);
@@ -150,7 +149,7 @@ private:
     void unlink(std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k) std::erase(sides_[side_of(t, k)], t);
     }
-    /// Halves the longest side of the last triangle on the way from neighbour to neighbour along ever longer sides.
+    /// Halves the longest side of the last triangle on the path from neighbour to neighbour along ever longer sides.
     void halve_longest(std::size_t t) {
         Side longest = longest_of(t);
         for (bool found = true; found;) {
@@ -189,8 +188,8 @@ private:
     std::map<Side, std::vector<std::size_t>> sides_;
 };
 
-/// Turns sides between triangles of one plane into the other diagonals of their quadrangles, where the angles across from them sum to
-/// more than half a turn (Lawson 1977). The smallest angle does not become smaller.
+/// Swaps sides between coplanar triangles for the other diagonals of their quadrilaterals where the opposite angles sum to more than half a
+/// turn (Lawson 1977). The smallest angle does not decrease.
 class Turning {
 public:
     explicit Turning(SurfaceMesh& mesh) : mesh_(mesh) {}
@@ -205,7 +204,7 @@ private:
         return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
     }
 
-    /// Looks at each side between two triangles once; each triangle changes once at most.
+    /// Checks each side between two triangles once; each triangle changes at most once.
     bool turn_sides() {
         std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -317,8 +316,8 @@ void cut_at_corners(SurfaceMesh& mesh, double tolerance) {
 }
 
 void refine(SurfaceMesh& mesh, double edge) {
-    // Halves of narrow triangles are narrow. Diagonals are turned on the way, and those that can be are halved late, where they have
-    // to be: a long strip keeps no points that lie near to its border.
+    // Halves of narrow triangles are narrow. Diagonals are swapped meanwhile, and swappable ones are halved late, only if necessary: a long
+    // strip keeps no points near its border.
     constexpr double diagonal = 1.5;
     Turning(mesh).run();
     for (double most = std::max(edge, 0.5 * longest_side(mesh));; most = std::max(edge, 0.5 * most)) {

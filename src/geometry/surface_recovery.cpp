@@ -1,4 +1,5 @@
-// Edges are recovered as in a plane triangulation: what crosses one is turned until it is there (Sloan 1993, Computers & Structures 47).
+// Edges are recovered as in a plane triangulation: edges that cross one are swapped until it exists (Sloan 1993, Computers & Structures
+// 47).
 #include "geometry/surface_recovery.hpp"
 
 #include <Eigen/Geometry>
@@ -31,7 +32,7 @@ public:
     }
     bool has(int a, int b) const { return opposite_.contains({a, b}) || opposite_.contains({b, a}); }
 
-    /// Turns edges until there is one from a to b; each turn adds a flat tetrahedron. False when that does not come to an end.
+    /// Swaps edges until the edge from a to b exists; each swap adds a flat tetrahedron. False when that does not end.
     bool recover(int a, int b, std::vector<Tet>& tetrahedra) {
         std::deque<Edge> crossing = edges_across(a, b);
         std::size_t tries = 100 + 20 * crossing.size() * crossing.size();

@@ -98,7 +98,7 @@ Filling best_filling(const ChangeableTets& mesh, int a, int b, const std::vector
     return filling;
 }
 
-/// Tetrahedra around an edge, those of each block by themselves.
+/// Tetrahedra around an edge, by block.
 std::vector<std::vector<int>> by_block(const ChangeableTets& mesh, const std::vector<int>& tets) {
     std::vector<std::vector<int>> sides;
     for (const int t : tets) {

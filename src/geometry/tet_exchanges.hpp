@@ -10,21 +10,21 @@
 
 namespace kaya {
 
-/// What is made better: the shape as a whole, the least angle between faces, the worse of both.
+/// Quality measure: the shape as a whole, the least angle between faces, the worse of both.
 enum class Measure { shape, both, angle };
 
-/// What an exchange or a move has to gain.
+/// Least gain of an exchange or a move.
 constexpr double least_gain = 1e-3;
 
-/// Where blocks meet, those of block 0 are made better. Others may get worse for that, but not below this, if they are not there already.
+/// Where blocks meet, those of block 0 are improved. Others may get worse, but not below this, unless they are worse already.
 constexpr double least_of_others = 0.31; // the sine of 18 degrees
 
-/// Tetrahedra of one block, or of blocks that meet. Dead ones keep their place until the end.
+/// Tetrahedra of one block, or of adjacent blocks. Deleted ones keep their index until the end.
 class ChangeableTets {
 public:
     using Tet = std::array<int, 4>;
 
-    /// Points on faces stay, others may go anywhere.
+    /// Points on faces are fixed, others may move freely.
     ChangeableTets(MeshPoints mesh_points, const std::vector<Tet>& given);
 
     void add(const Tet& t, int of_block);
@@ -36,7 +36,7 @@ public:
     double quality(const Tet& t) const;
     double worst_of(const std::vector<int>& numbers) const;
 
-    /// Whether anything has changed around a tetrahedron since it was looked at last.
+    /// Whether anything around a tetrahedron has changed since its last check.
     bool fresh(int number) const {
         return std::ranges::any_of(tets[number], [&](int v) { return changed_at_[v] > seen_[number]; });
     }
@@ -52,9 +52,9 @@ public:
     std::vector<bool> alive;
     std::vector<std::vector<int>> at_point;
     std::vector<Motion> motions; ///< of each point
-    /// Of points.faces: those where edges may be turned, on all sides at once.
+    /// Indices in points.faces where edges may be swapped, on all sides at once.
     std::vector<int> open_faces;
-    /// What has happened to triangles of the surface: the edge from a to b was turned into that from c to d, or divided at c when d is -1.
+    /// Changes of triangles of the surface: the edge from a to b was swapped for that from c to d, or divided at c when d is -1.
     std::vector<std::array<int, 4>> surface_changes;
 
 private:
@@ -62,8 +62,8 @@ private:
     std::vector<std::size_t> changed_at_, seen_; ///< points, tetrahedra
 };
 
-/// Takes the edge out of the mesh when the tetrahedra that fill the ring around it are better (Klincsek 1980; de l'Isle and George 1995). An edge
-/// in a face that is open gives way to the one across, if that is better on each side.
+/// Removes the edge from the mesh when the tetrahedra that fill the ring around it are better (Klincsek 1980; de l'Isle and George 1995).
+/// An edge in an open face is swapped for the opposite diagonal, if that is better on each side.
 bool remove_edge(ChangeableTets& mesh, int a, int b);
 
 /// Three tetrahedra around a new edge instead of two with a common triangle, the one opposite that corner of the first.

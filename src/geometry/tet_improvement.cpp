@@ -18,9 +18,9 @@ using Tet = ChangeableTets::Tet;
 
 /// Tetrahedra below this are worked on; body-centred ones have 0.95.
 constexpr double wanted_quality = 0.45;
-/// And those with an angle between two faces below 25 degrees or above 155; new points are for those below 18 or above 162.
+/// Also those with an angle between two faces below 25 degrees or above 155; new points are for those below 18 or above 162.
 constexpr double wanted_sine = 0.42;
-/// What a new point has to be worth: it makes ten tetrahedra or so of one.
+/// Least gain of a new point, which replaces one tetrahedron by some ten.
 constexpr double gain_of_point = 0.02;
 constexpr int most_rounds = 12;
 constexpr std::size_t most_tries = 100;     ///< in all rounds, for each tetrahedron; a dozen is much
@@ -38,8 +38,8 @@ double mean_edge_at(const ChangeableTets& mesh, int point) {
     return count ? sum / count : 0;
 }
 
-/// The worst of the tetrahedra at a point; any number up to the floor when it is not above that. Those of other blocks count where they are worse than
-/// they may be.
+/// The worst quality of the tetrahedra at a point; any value up to the floor when it is not above that. Those of other blocks count where
+/// they are below their limit.
 class WorstAt {
 public:
     WorstAt(const ChangeableTets& mesh, int point) : mesh_(mesh) {
@@ -66,7 +66,7 @@ public:
 private:
     struct Corner {
         Tet tet;
-        double least; ///< of what is of another block
+        double least; ///< of tetrahedra of other blocks
         bool own;
     };
     const ChangeableTets& mesh_;
@@ -131,7 +131,7 @@ public:
         take(number);
     }
 
-    /// Takes in the tetrahedron beyond the worst side until all are good enough or none can be taken.
+    /// Adds the tetrahedron beyond the worst side until all are good enough or none can be added.
     void grow(double wanted) {
         constexpr std::size_t most = 40;
         while (tets_.size() < most) {
@@ -227,7 +227,7 @@ private:
     std::vector<Side> sides_;
 };
 
-/// A new point in the place of a bad tetrahedron and of those around it.
+/// A new point replaces a bad tetrahedron and those around it.
 bool insert_point(ChangeableTets& mesh, int number, double wanted) {
     Hole hole(mesh, number);
     hole.grow(wanted);
@@ -238,7 +238,7 @@ bool insert_point(ChangeableTets& mesh, int number, double wanted) {
     return true;
 }
 
-/// Tries all exchanges that would take one tetrahedron out.
+/// Tries all exchanges that would remove one tetrahedron.
 bool exchange_around(ChangeableTets& mesh, int number) {
     const Tet t = mesh.tets[number];
     for (int i = 0; i < 4; ++i)
@@ -249,9 +249,9 @@ bool exchange_around(ChangeableTets& mesh, int number) {
     return false;
 }
 
-/// Goes on while the worst get better, below what is wanted.
+/// Continues while the worst improve, below the wanted quality.
 void climb(ChangeableTets& mesh, double wanted, bool new_points, const ProgressCallback& progress) {
-    // What is exchanged is looked at again in the same round, and neighbourhoods can take turns at being the better one.
+    // Exchanged tetrahedra are checked again in the same round, and neighbourhoods can alternate in being the better one.
     const std::size_t most_tried = most_tries * (mesh.tets.size() + 1);
     std::size_t tried = 0;
     for (int round = 0; round < most_rounds; ++round) {
@@ -289,7 +289,7 @@ void improve(MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, bo
     improve_by(Measure::shape, wanted_quality, false);
     improve_by(Measure::both, wanted_sine, false);
     if (new_points) improve_by(Measure::angle, good_sine, true);
-    // A point whose tetrahedra have all been taken out is none.
+    // A point without tetrahedra is dropped.
     MeshPoints kept;
     std::vector<int> number(mesh.points.points.size(), -1);
     for (std::size_t p = 0; p < mesh.points.points.size(); ++p) {

@@ -10,16 +10,16 @@
 
 namespace kaya {
 
-/// Moves points inside and exchanges tetrahedra around badly shaped ones while the worst of each neighbourhood gets better, as long as
-/// there is an end to it. The surface stays as it is. Tetrahedra without volume are taken out where they can be.
+/// Moves points inside and exchanges tetrahedra around badly shaped ones while the worst of each neighbourhood improves, for a limited
+/// number of rounds. The surface is unchanged. Tetrahedra without volume are removed where possible.
 void improve(MeshPoints& points, std::vector<std::array<int, 4>>& tetrahedra, bool new_points,
              const ProgressCallback& progress = {});
 
 /// The sine of an angle that is good enough.
 constexpr double good_sine = 0.309;
 
-/// The same for tetrahedra of block 0 whose least sine of an angle between faces is not that wanted, in a mesh whose points on faces have ways of
-/// their own.
+/// The same for tetrahedra of block 0 whose least sine of a dihedral angle is below `wanted`, in a mesh whose points on faces have their
+/// own admissible motion.
 void improve_angles(ChangeableTets& mesh, double wanted, const ProgressCallback& progress);
 
 } // namespace kaya

@@ -46,7 +46,7 @@ std::string_view Words::next_in_line() {
         return word;
     }
     const std::size_t begin = at_;
-    // Brackets are words of their own.
+    // Brackets are separate words.
     static constexpr std::string_view brackets = "[]{}";
     if (brackets.find(text_[at_]) != std::string_view::npos) return text_.substr(at_++, 1);
     while (at_ < text_.size() && text_[at_] != '\n' && !blank(text_[at_]) &&

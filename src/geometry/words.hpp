@@ -23,12 +23,12 @@ public:
     /// The next word without taking it.
     std::string_view peek();
     void skip_line();
-    /// Goes on to the line of the next word without taking it.
+    /// Advances to the line of the next word without reading it.
     void skip_to_word();
 
     double number(std::string_view what); ///< next word of the text as a finite number
     long long integer(std::string_view what);
-    double number_in_line(std::string_view what); ///< the same, and it must stand in this line
+    double number_in_line(std::string_view what); ///< the same, and it must be in this line
     long long integer_in_line(std::string_view what);
     Vec3 point(std::string_view what);
     void expect(std::string_view word); ///< refuses any other word; case does not matter

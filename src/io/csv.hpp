@@ -6,7 +6,7 @@
 
 namespace kaya {
 
-/// One cell. RFC 4180: quotes around what has a separator in it, and quotes doubled.
+/// One cell. RFC 4180: quoted if it contains a separator, with quotes doubled.
 std::string csv_cell(std::string_view text);
 
 /// A number with the fewest digits that give back the same bits; an empty cell for NaN.

@@ -13,7 +13,7 @@ namespace kaya {
 
 namespace {
 
-/// Led along a state it takes down all numbers and texts by their names.
+/// An archive that collects all numbers and texts of a state by name.
 class Inventory {
 public:
     std::map<std::string, std::vector<double>> numbers;
@@ -76,7 +76,7 @@ std::string about_numbers(const std::vector<double>& a, const std::vector<double
                        b[worst], worst);
 }
 
-/// Calls about(name, of a, of b) for each name of either map; what one of them does not have is null.
+/// Calls about(name, of a, of b) for each name of either map; null where one of them lacks it.
 template <class Value, class About>
 void both(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b, About about) {
     const Value* const none = nullptr;

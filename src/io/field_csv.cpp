@@ -34,7 +34,7 @@ std::string field_csv(const Model& model, ObjectKind kind) {
     std::string text;
     for (const Field& field : fields()) {
         if (field.kind != kind) continue;
-        // A vector is there by its components; without an object nothing tells what is one.
+        // A vector is written by its components; it is recognised by the first object.
         if (rows > 0 && std::holds_alternative<Vec3>(field.get(model, 0))) continue;
         text += fmt::format("{}{}", text.empty() ? "" : ",", csv_cell(field.name));
         columns.push_back(&field);

@@ -15,7 +15,7 @@ std::span<const ObjectKind> exported_kinds();
 /// by their numbers, an empty cell where there is none. Numbers have the fewest digits that give back the same bits.
 std::string field_csv(const Model& model, ObjectKind kind);
 
-/// What the columns are: table, field, kind of quantity, help.
+/// The description of the columns: table, field, kind of quantity, help.
 std::string field_list_csv();
 
 } // namespace kaya

@@ -72,7 +72,7 @@ Handle file_access_in_memory() {
     return access;
 }
 
-/// HDF5 takes two files in memory for one file when they have the same name.
+/// HDF5 identifies files in memory by their name.
 std::string unused_name() {
     static std::atomic<std::uint64_t> count{0};
     return "memory-" + std::to_string(count++);
@@ -101,8 +101,8 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Whether light compression pays: whole numbers always shrink, reals when a good part of them repeats
-/// the row before. Deflating what is noise would only make saving slow.
+/// Whether light compression pays: integers always shrink, reals when many rows repeat the row before. Deflating noise would only slow the
+/// save down.
 bool worth_compressing(Scalar type, const void* numbers, std::size_t rows, std::size_t per_row) {
     constexpr std::size_t smallest = 4096; // rows below which nothing is gained
     if (rows * per_row < smallest) return false;

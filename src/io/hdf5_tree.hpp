@@ -14,7 +14,7 @@
 
 namespace kaya {
 
-/// What the file holds is not what was looked for. The text names the place in the tree.
+/// The file does not hold the expected item. The text names the place in the tree.
 class TreeError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ public:
     void open_group(const std::string& name);
     void close_group();
 
-    /// A few numbers next to the data of the open group.
+    /// A few numbers stored with the open group.
     template <class T> void attribute(const std::string& name, const T* numbers, std::size_t count) {
         write_attribute(name, scalar_of<T>(), numbers, count);
     }

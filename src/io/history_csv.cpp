@@ -43,8 +43,7 @@ std::string column_title(const History& history) {
     const std::string head = fmt::format("{}:{}", history.number, history.label);
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
     const Field* field = sampled_field(source);
-    const std::string_view unit =
-        field ? field->unit : "-"; // what a joint model keeps has the unit that its table says
+    const std::string_view unit = field ? field->unit : "-"; // histories of a joint model have the unit of its table
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
     const char* rate = source.rate ? "/time" : "";
     if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);

@@ -168,7 +168,7 @@ Diagnostic unknown_state(const std::string& name, const RestoreArchive& archive,
     return refusal;
 }
 
-/// What can be done about a file that this program does not read.
+/// Advice for a file that this program does not read.
 Diagnostic other_format(const std::string& name, std::int32_t version, const std::string& writer) {
     Diagnostic refusal = unusable(name, fmt::format("it has format {}{}, and this program reads formats {} to {}",
                                                     version, writer, first_kept_format, save_format_version));
@@ -211,7 +211,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
     } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }
-    ModelEdit(fresh, Change::lists); // what the cycle derives from the tables is not in the file
+    ModelEdit(fresh, Change::lists); // derived data of the cycle is not in the file
     model = std::move(fresh);
     return extras;
 }

@@ -13,7 +13,7 @@ namespace kaya {
 /// Raised when what is stored gets another meaning. What is added to the state needs no number: a save that does not have it is
 /// restored with what a new model holds.
 inline constexpr std::int32_t save_format_version = 14;
-/// The first format that is read for good: those before were of programs that were never released.
+/// The first format that stays readable: earlier ones belong to unreleased programs.
 inline constexpr std::int32_t first_kept_format = 10;
 /// The state hash of formats before was another function of the state.
 inline constexpr std::int32_t first_comparable_format = 14;
@@ -21,7 +21,7 @@ inline constexpr std::int32_t first_comparable_format = 14;
 /// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
 inline constexpr std::string_view remark_item = "remark";
 
-/// What stands besides the model in a save file; the model does not depend on it.
+/// Parts of a save file beyond the model; the model does not depend on them.
 struct SaveExtras {
     struct Item {
         std::string name;
@@ -43,8 +43,8 @@ std::string save_image(Model& model, const SaveExtras& extras);
 /// Writes it whole or not at all (base/whole_file.hpp). Throws Diagnostic (Fault::run).
 void save_state(Model& model, const std::string& path, const SaveExtras& extras);
 
-/// The other way. The model is built aside, checked (model/consistency.hpp, state hash) and handed over
-/// at the end: when anything is wrong Diagnostic is thrown and `model` is as it was. `name` is for messages.
+/// Reads an image. The model is built separately, checked (model/consistency.hpp, state hash) and moved at the end: on any error Diagnostic
+/// is thrown and `model` is unchanged. `name` is for messages.
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name);
 SaveExtras restore_state(Model& model, const std::string& path);
 

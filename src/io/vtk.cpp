@@ -259,7 +259,7 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
         throw Diagnostic(fmt::format("'{}' is not a name for VTK files", given_name),
                          "name the files without their ending: vtk write shear");
 
-    // The new time counts only when all files of it are there.
+    // The new time is added only when all its files are written.
     std::vector<double> times = times_[name];
     const std::size_t number = times.size();
     times.push_back(model.clock.time);

@@ -33,7 +33,7 @@ std::vector<std::string> unread_columns(const LoadPath& path) {
     return names;
 }
 
-/// What the bench has not used or has not got.
+/// Columns that the bench does not use, and inputs that it lacks.
 std::string remarks(const BenchOrder& order, const LoadPath& path) {
     std::string text;
     if (const auto names = unread_columns(path); !names.empty())

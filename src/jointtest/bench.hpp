@@ -1,4 +1,4 @@
-// The bench as a whole: a model, values, a path; files and a report come out.
+// The bench as a whole: a model, values and a path in; files and a report out.
 #pragma once
 
 #include "jointtest/curve_fit.hpp"
@@ -19,10 +19,10 @@ struct BenchOrder {
     std::filesystem::path path;                         ///< CSV file of the path
     std::vector<std::pair<std::string, double>> values; ///< property words and values
     std::vector<std::string> fitted;                    ///< properties to fit; none: a test
-    std::vector<std::string> offsets = {"opening"};     ///< measured columns whose zero is not known
+    std::vector<std::string> offsets = {"opening"};     ///< measured columns with unknown zero
     CurveSettings settings;
     std::function<void(const std::filesystem::path&)> before_writing; ///< may refuse a file; may be empty
-    /// Filled by whoever answers for tables while the bench runs.
+    /// Filled by the table callback while the bench runs.
     std::shared_ptr<std::set<std::string>> missed_tables = std::make_shared<std::set<std::string>>();
     std::filesystem::path output; ///< files are OUTPUT.csv and OUTPUT.gp; empty: PATH-MODEL in the working folder
 };
@@ -34,8 +34,8 @@ struct BenchReport {
     std::filesystem::path curve, figure; ///< the files that were written
 };
 
-/// Loads the model, leads it along the path (and fits it), writes curve and figure. Throws Diagnostic for a word that the
-/// model does not know, a value outside its limits, a wrong file, or a model that fails.
+/// Loads the model, runs it along the path (and fits it), writes curve and figure. Throws Diagnostic for a word unknown to the model, a
+/// value outside its limits, a wrong file, or a model that fails.
 BenchReport run_bench(JointRegistry& registry, const BenchOrder& order);
 
 } // namespace kaya

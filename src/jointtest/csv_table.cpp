@@ -21,8 +21,7 @@ std::string_view trimmed(std::string_view text) {
     return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// How the numbers of a file are parted, as the line of names shows. Spreadsheets of many countries write semicolons between
-/// and commas inside of numbers.
+/// Separators of a file, detected in the line of names. Spreadsheets of many countries write semicolons as separators and decimal commas.
 struct Style {
     char between = ',';
     bool decimal_comma = false;

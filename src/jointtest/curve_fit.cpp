@@ -41,7 +41,7 @@ double halton(std::size_t index, std::size_t dimension) {
     return sum;
 }
 
-/// Places to go down from: that of the values given, and the best of many others.
+/// Starting points: the given values, and the best of many others.
 std::vector<Eigen::VectorXd> places_to_start(const Residuals& residuals, const Eigen::VectorXd& given,
                                              std::size_t most) {
     constexpr std::size_t candidates = 40;
@@ -59,13 +59,13 @@ std::vector<Eigen::VectorXd> places_to_start(const Residuals& residuals, const E
     return places;
 }
 
-/// From all places to the lowest minimum; says how many came there.
+/// Minimises from all starting points; returns the lowest minimum and how many reached it.
 Minimum search(Residuals& residuals, const Eigen::VectorXd& given, std::size_t most, FitSearch& said) {
     std::vector<Minimum> found;
     for (const auto& t : places_to_start(residuals, given, most)) found.push_back(go_down(residuals, t, 1e-6));
     const auto best = *std::min_element(found.begin(), found.end(),
                                         [](const Minimum& a, const Minimum& b) { return a.squares < b.squares; });
-    // A thousandth of the sum is below what noise tells apart; 1e-4 of the largest value is an exact fit.
+    // A thousandth of the sum is below noise; 1e-4 of the largest value is an exact fit.
     const double same = 1.001 * best.squares + 1e-8 * residuals.values();
     double next = std::numeric_limits<double>::infinity();
     said.starts = found.size();
@@ -76,7 +76,7 @@ Minimum search(Residuals& residuals, const Eigen::VectorXd& given, std::size_t m
     return best;
 }
 
-/// What is left of each column decides on its weight; a column without noise must not take all of it.
+/// The residual of each column gives its weight; a column without noise must not dominate.
 bool weigh_by_noise(Residuals& residuals, const Minimum& at) {
     const JointCurve curve =
         follow_path(residuals.model, residuals.values_at(at.t), residuals.path, residuals.settings);
@@ -99,8 +99,8 @@ void settle_weights(Residuals& residuals, Minimum& minimum) {
         if (residuals.measured.size() > 1) minimum = go_down(residuals, minimum.t, 1e-10);
 }
 
-/// The search takes few steps of the path. What many would change is a correction that hardly depends on the
-/// values: it is found again until it moves by less than a tenth of a standard error.
+/// The search uses few steps along the path. The effect of many steps is a correction that hardly depends on the values: it is repeated
+/// until it changes by less than a tenth of a standard error.
 void correct_for_steps(Residuals& residuals, Minimum& minimum, const CurveSettings& many) {
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds && residuals.correct_steps(minimum.t, many) > 0.1; ++round) {
@@ -116,9 +116,8 @@ double student(int freedom) {
            (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
 }
 
-/// Covariance of the free numbers: the inverse of J^T J with residuals in units of their noise. What the
-/// curve does not depend on has NaN: directions whose singular value is a millionth of the largest tell
-/// nothing.
+/// Covariance of the free numbers: the inverse of J^T J with residuals in units of their noise. Numbers that do not affect the curve get
+/// NaN: directions with a singular value below a millionth of the largest.
 Eigen::MatrixXd covariance_of(const Residuals& residuals, const Eigen::VectorXd& t) {
     const Eigen::Index n = t.size();
     Eigen::MatrixXd jacobian(residuals.values(), n);
@@ -222,7 +221,7 @@ std::size_t property_of(const JointModel& model, const std::string& name) {
                                   : fmt::format("did you mean '{}'?", near));
 }
 
-/// Where the search begins; fills in what is looked for.
+/// Initial values; fills in the unknowns.
 Eigen::VectorXd begin(Residuals& residuals, const std::vector<std::string>& names) {
     if (names.empty()) throw Diagnostic("there is nothing to fit", "name the properties: --fit friction,cohesion");
     Eigen::VectorXd t(static_cast<Eigen::Index>(names.size()));

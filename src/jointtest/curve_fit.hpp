@@ -9,28 +9,28 @@
 
 namespace kaya {
 
-/// What the least squares found for one property.
+/// Least-squares result for one property.
 struct FittedProperty {
     std::string name;
     double value;
-    double deviation; ///< standard error from the curvature at the minimum; NaN when the data do not tell
+    double deviation; ///< standard error from the curvature at the minimum; NaN when undetermined
     double margin;    ///< half of the 95 % interval, with the t of the degrees of freedom
     bool at_limit;    ///< of the model's table
 };
 
-/// What is left of one measured column.
+/// Residual of one measured column.
 struct FittedColumn {
     std::string name;
-    double noise;                 ///< standard deviation of what is left; columns are weighed by it
+    double noise;                 ///< standard deviation of the residual; weight of the column
     double largest;               ///< largest measured value, counted from the middle where the offset is free
     std::optional<double> offset; ///< of the measured zero, where it was free
-    bool waves;                   ///< what is left is not noise: it keeps its sign for long
+    bool waves;                   ///< the residual is not noise: it keeps its sign for long
 };
 
 /// How far the search can be trusted.
 struct FitSearch {
-    std::size_t starts = 0;       ///< places that it went down from
-    std::size_t agreed = 0;       ///< of them came to the minimum that is reported
+    std::size_t starts = 0;       ///< starting points
+    std::size_t agreed = 0;       ///< of them reached the reported minimum
     double next_misfit = 0;       ///< of the next best minimum; 0: there is none
     bool first_was_false = false; ///< the values given lead to a worse minimum
     bool converged = true;
@@ -39,7 +39,7 @@ struct FitSearch {
 
 struct CurveFit {
     std::vector<FittedProperty> properties;
-    std::vector<std::vector<double>> correlation; ///< of the properties; NaN where one of them is not told
+    std::vector<std::vector<double>> correlation; ///< of the properties; NaN where one is undetermined
     std::vector<FittedColumn> columns;
     FitSearch search;
     std::vector<double> values;   ///< of all properties, in the order of the model's table
@@ -50,7 +50,7 @@ struct CurveFit {
 
 struct FitSettings {
     CurveSettings curve;                            ///< steps 0: as many as the result needs
-    std::vector<std::string> offsets = {"opening"}; ///< columns whose zero is not known
+    std::vector<std::string> offsets = {"opening"}; ///< columns with unknown zero
     std::size_t starts = 8;                         ///< at most
 };
 

@@ -108,8 +108,7 @@ Residuals::Left Residuals::left_of(const Measured& column, const JointCurve& cur
     for (std::size_t i = 0; i < curve.at_path.size(); ++i)
         left.values.push_back(column.of(curve.points[curve.at_path[i]]) - column.values[i] +
                               (column.correction.empty() ? 0 : column.correction[i]));
-    // An offset is linear: the best for each set of properties is the mean, so that it need not be looked
-    // for.
+    // An offset is linear: its optimum for each set of properties is the mean, so it need not be searched.
     if (column.free_offset) left.offset = mean_of(left.values);
     for (double& v : left.values) v -= left.offset;
     return left;
@@ -141,7 +140,7 @@ int Residuals::df(const Eigen::VectorXd& t, Eigen::MatrixXd& jacobian) const {
             there[k] = at;
             ++calls;
             if (evaluate(there, result)) return;
-            width -= h; // refused on this side: from here to the other one
+            width -= h; // refused on this side: use the other one
             if (here.size() == 0) here.resize(values()), (*this)(t, here), ++calls;
             result = here;
         };

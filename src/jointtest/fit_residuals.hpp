@@ -1,4 +1,4 @@
-// What a curve leaves of measured columns, as a function of the properties that are looked for.
+// Residuals of measured columns as a function of the unknown properties.
 #pragma once
 
 #include "jointtest/joint_curve.hpp"
@@ -27,7 +27,7 @@ private:
     double low_, high_, scale_;
 };
 
-/// Whether a column of that name is taken for a measured one.
+/// Whether a column of that name is a measured one.
 bool is_measured_column(const std::string& name);
 
 /// One measured column: its values at the points of the path.
@@ -35,16 +35,16 @@ struct Measured {
     std::string name;
     std::vector<double> values;
     double (*of)(const CurvePoint&);
-    bool free_offset; ///< its zero is not known: the mean of what is left is taken away
+    bool free_offset; ///< unknown zero: the mean of the residual is subtracted
     double largest;
-    double scale;                   ///< what is left is divided by it
-    std::vector<double> correction; ///< what many steps of the path add to the answer with few; empty: nothing
+    double scale;                   ///< divisor of the residual
+    std::vector<double> correction; ///< effect of many steps along the path on the answer with few; empty: none
 };
 
 /// Throws Diagnostic when nothing was measured, or an offset is wanted of what was not.
 std::vector<Measured> measured_of(const LoadPath& path, const std::vector<std::string>& offsets);
 
-/// Residuals over free numbers, in the form that Eigen's minimiser asks for.
+/// Residuals over free numbers, in the form of Eigen's minimiser.
 struct Residuals {
     using Scalar = double;
     using InputType = Eigen::VectorXd;
@@ -57,22 +57,22 @@ struct Residuals {
     CurveSettings settings;
     std::vector<Measured> measured;
     std::vector<double> base;       ///< values of all properties
-    std::vector<std::size_t> which; ///< of them are looked for
+    std::vector<std::size_t> which; ///< of the unknown ones
     std::vector<FreeNumber> free;
 
     int inputs() const { return static_cast<int>(which.size()); }
     int values() const { return static_cast<int>(measured.size() * path.points.size()); }
-    int freedom() const; ///< values less what was taken from them: properties and offsets
+    int freedom() const; ///< number of values minus the fitted properties and offsets
     std::vector<double> values_at(const Eigen::VectorXd& t) const;
 
-    /// What is left of a column, in its own unit, and the offset that was taken away.
+    /// Residual of a column in its own unit, and the subtracted offset.
     struct Left {
         std::vector<double> values;
         double offset;
     };
     Left left_of(const Measured& column, const JointCurve& curve) const;
 
-    /// Fills in what is left; false where the model refuses the values or cannot follow the path.
+    /// Fills in the residuals; false where the model refuses the values or cannot follow the path.
     bool evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) const;
 
     int operator()(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) const {
@@ -85,8 +85,7 @@ struct Residuals {
 
     double sum_of_squares(const Eigen::VectorXd& t) const;
 
-    /// Takes over what many steps change at `t`; gives the size of the change since the last time in units of
-    /// the noise.
+    /// Adopts the effect of many steps at `t`; returns its change since the last time in units of the noise.
     double correct_steps(const Eigen::VectorXd& t, const CurveSettings& many);
 };
 

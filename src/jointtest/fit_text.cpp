@@ -16,7 +16,7 @@ std::string value_text(const FittedProperty& p) {
                        p.value + p.margin, limit);
 }
 
-/// Below the diagonal; what lies close to 1 is said in words.
+/// Below the diagonal; correlations near 1 are pointed out in words.
 std::string correlation_text(const CurveFit& fit) {
     std::string text;
     for (std::size_t a = 1; a < fit.properties.size(); ++a) {

@@ -11,7 +11,7 @@ namespace kaya {
 
 namespace {
 
-/// What of the path is reached at part `t` of the piece from `a` to `b`.
+/// The path point at part `t` of the segment from `a` to `b`.
 PathPoint between(const PathPoint& a, const PathPoint& b, double t) {
     const auto mix = [t](double from, double to) { return from + t * (to - from); };
     PathPoint p;
@@ -23,7 +23,7 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double t) {
     return p;
 }
 
-/// BoundaryHistories the joint to points of the path, and remembers what the boundary needs.
+/// Drives the joint to points of the path, and stores what the boundary needs.
 class Bench {
 public:
     Bench(SingleJoint joint, const CurveSettings& settings) : joint_(std::move(joint)), settings_(settings) {}
@@ -98,13 +98,13 @@ private:
         return sum;
     }
 
-    /// Growth per way of what answer(way) gives, over a small way. A jump does not get smaller with the way, as a stiffness
-    /// makes it: where halving says so, the growth after the jump is taken.
+    /// Derivative of answer(displacement), over a small displacement. The response to a jump does not decrease with the displacement as a
+    /// stiffness does: where halving shows one, the slope after the jump is used.
     template <class Answer> static double tangent(double reported, double before, double shift, Answer answer) {
         const double whole = answer(shift) - before;
         if (!(std::abs(whole) > reported * shift)) return whole / shift;
         const double half = answer(0.5 * shift) - before;
-        constexpr double like_a_jump = 0.75; // of the whole way: a stiffness gives a half
+        constexpr double like_a_jump = 0.75; // of the whole displacement: a stiffness gives a half
         return std::abs(half) > like_a_jump * std::abs(whole) ? (whole - half) / (0.5 * shift) : whole / shift;
     }
 
@@ -134,7 +134,7 @@ private:
     double time_ = 0, last_opening_ = 0, opening_at_start_ = 0, put_in_ = 0;
 };
 
-/// Says once of each kind what is odd.
+/// Reports each kind of odd behaviour once.
 class StepChecks {
 public:
     explicit StepChecks(std::vector<Finding>& findings) : findings_(findings) {}

@@ -1,4 +1,4 @@
-// A joint model led along a path: what it answered, and what is odd about it.
+// A joint model along a path: its response, and odd behaviour.
 #pragma once
 
 #include "jointtest/csv_table.hpp"
@@ -24,12 +24,12 @@ struct CurvePoint {
     double normal_stiffness = 0, shear_stiffness = 0; ///< that the model reports
     double normal_tangent = 0, shear_tangent = 0;     ///< that a small further step meets
     double put_in = 0;                                ///< work so far
-    double taken_up = 0;                              ///< frictional work that the model counts
+    double taken_up = 0;                              ///< frictional work counted by the model
     std::uint32_t state = 0;
 };
 
 struct Finding {
-    std::size_t step; ///< number of the row it was seen at first
+    std::size_t step; ///< first row where it was seen
     std::string text;
 };
 
@@ -37,7 +37,7 @@ struct JointCurve {
     std::vector<CurvePoint> points;           ///< the first is the first point of the path
     std::vector<std::size_t> at_path;         ///< row of each point of the path
     std::vector<std::vector<double>> history; ///< one list per point
-    std::vector<Finding> findings;            ///< stiffer than it says, jumps, energy from nothing
+    std::vector<Finding> findings;            ///< stiffer than reported, jumps, energy created
 };
 
 /// Throws Diagnostic when the model fails or a stress cannot be had.

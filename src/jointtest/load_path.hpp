@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-/// A place on the path. Between two of them everything is straight.
+/// A point of the path. Segments between points are straight.
 struct PathPoint {
     std::array<double, 2> shear{};
     double time = 0;
@@ -20,9 +20,9 @@ struct PathPoint {
     double boundary_stiffness = 0; ///< which rises by this per opening since the first point
 };
 
-/// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, this one
-/// with boundary_stiffness if wanted; time if wanted (otherwise each piece takes a unit of time). The first point is where
-/// the joint is taken to before the test begins.
+/// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, the latter with
+/// boundary_stiffness if wanted; time if wanted (otherwise each segment takes a unit of time). The first point is the state of the joint
+/// before the test begins.
 struct LoadPath {
     std::vector<PathPoint> points;
     CsvTable table; ///< the whole file, other columns included
@@ -32,7 +32,7 @@ inline constexpr std::string_view path_columns[] = {"shear_displacement", "shear
                                                     "normal_stress",      "boundary_stiffness",   "time"};
 bool is_path_column(std::string_view name);
 
-/// Throws Diagnostic that says which column is missing or which two exclude each other.
+/// Throws Diagnostic that names the missing column, or the two that exclude each other.
 LoadPath read_load_path(const std::filesystem::path& file);
 
 } // namespace kaya

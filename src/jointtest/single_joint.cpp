@@ -74,7 +74,7 @@ bool find_opening(const std::function<double(double)>& over, double start, doubl
     constexpr int most_doublings = 200;
     const double exact = 1e-14 * stress_scale;
     double closed = start, open = start, at_closed = over(start), at_open = at_closed;
-    // A little beyond where the stiffness says that it is.
+    // Slightly beyond the opening that the stiffness predicts.
     const double by_stiffness = stress_scale > 0 ? 1.1 * unit * std::abs(at_closed) / stress_scale : 0;
     double width = std::max({by_stiffness, 1e-12 * unit, 1e-15});
     for (int k = 0; at_closed < 0; ++k, width *= 2) {

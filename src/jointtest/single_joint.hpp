@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// Displacement of one side against the other in one step: opening positive, two directions of shear.
+/// Relative displacement of the sides in one step: opening positive, two directions of shear.
 struct JointStep {
     double opening = 0;
     std::array<double, 2> shear{};
@@ -40,7 +40,7 @@ public:
     const JointModel* model;
     std::shared_ptr<const std::vector<double>> values; ///< shared by the copies that are tried
 
-    /// Another one in the same state, for a step that is only tried: what the model writes next to its columns is not looked for.
+    /// A copy in the same state for a trial step; writes outside its columns are not checked.
     SingleJoint trial() const {
         SingleJoint copy = *this;
         copy.fenced_ = false;
@@ -52,11 +52,11 @@ private:
     void call(const JointStep& step, bool initialise);
 };
 
-/// Why the model fails on a sub-contact without an area, which a corner that just touches is; empty when it does not.
+/// Why the model fails on a sub-contact without area, as a corner that just touches; empty when it does not.
 std::string fault_without_area(const JointModel& model, const std::vector<double>& values);
 
-/// The opening at which `over`, which falls as the joint opens, is 0, or as near as it comes at a jump; `start` is a guess
-/// and `unit` a length of the problem. False when there is none.
+/// The zero of `over`, which decreases with the opening, or its nearest point at a jump; `start` is a guess and `unit` a length of the
+/// problem. False when there is none.
 bool find_opening(const std::function<double(double)>& over, double start, double unit, double stress_scale,
                   double& opening);
 

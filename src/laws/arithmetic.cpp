@@ -13,7 +13,7 @@ namespace kaya {
 namespace {
 
 #if defined(__SSE2__)
-// MXCSR: what is not a flag of what has happened.
+// MXCSR without the flags of past events.
 constexpr unsigned rounding_bits = 0x6000, small_bits = 0x8040, mask_bits = 0x1f80;
 unsigned control() { return _mm_getcsr() & (rounding_bits | small_bits | mask_bits); }
 void set_control(unsigned bits) { _mm_setcsr((_mm_getcsr() & ~(rounding_bits | small_bits | mask_bits)) | bits); }

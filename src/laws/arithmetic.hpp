@@ -1,13 +1,12 @@
-// How the processor rounds, and what foreign code does to it.
+// Rounding mode of the processor, and changes of it by foreign code.
 #pragma once
 
 #include <string>
 
 namespace kaya {
 
-/// Remembers how the processor rounds in this thread and whether it keeps very small numbers, and puts that back: a library
-/// that was linked with -ffast-math, or a model that switches something and forgets it, would change all results
-/// after it, in some threads and not in others.
+/// Saves the rounding mode and the treatment of denormals of this thread, and restores them: a library linked with -ffast-math, or a model
+/// that changes a mode and forgets it, would change all later results, in some threads and not in others.
 class ArithmeticGuard {
 public:
     ArithmeticGuard();
@@ -15,7 +14,7 @@ public:
     ArithmeticGuard(const ArithmeticGuard&) = delete;
     ArithmeticGuard& operator=(const ArithmeticGuard&) = delete;
 
-    /// What had been changed, as bits of ArithmeticChange; 0: nothing.
+    /// Detected changes as bits of ArithmeticChange; 0: none.
     unsigned put_back();
 
 private:

@@ -29,9 +29,8 @@ constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
 constexpr std::uint64_t sign = 0x8000'0000'0000'0000;
 
 bool all_usable(const double* __restrict column, std::size_t n, bool may_be_negative) {
-    // The strictest check without a branch: as whole numbers without their sign the bits of what is finite are
-    // below the exponent. Where it must not be negative the sign makes them larger than that (the exact test, which
-    // lets -0 pass, is made on a hit only).
+    // The strictest check without a branch: as integers without their sign, the bits of finite numbers are below the exponent. Where it
+    // must not be negative the sign makes them larger than that (the exact test, which accepts -0, is made on a hit only).
     std::uint64_t largest = 0;
     if (may_be_negative)
         for (std::size_t i = 0; i < n; ++i)
@@ -56,8 +55,8 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
         0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
 }
 
-/// What a model may only read, as sums that no likely change leaves as they are. In a cycle those are the properties,
-/// which all batches share; the columns are looked at when the model is tried and when it initialises.
+/// Checksums of read-only inputs of a model. In a cycle those are the properties, shared by all batches; the columns are checked when the
+/// model is tried and when it initialises.
 class ReadOnly {
 public:
     ReadOnly(const JointModel& model, const kaya_jbatch& batch, Guard guard) : columns_(guard == Guard::all) {
@@ -66,7 +65,7 @@ public:
             return false;
         });
     }
-    /// The name of the first that is not as it was, or NULL.
+    /// The name of the first changed input, or NULL.
     const char* changed(const JointModel& model, const kaya_jbatch& batch) const {
         const char* name = nullptr;
         each(model, batch, [&](std::size_t k, const char* of, std::uint64_t sum) {
@@ -77,7 +76,7 @@ public:
     }
 
 private:
-    /// Until visit() says that it is enough.
+    /// Until visit() returns false.
     template <class Visit> void each(const JointModel& model, const kaya_jbatch& b, Visit visit) const {
         if (visit(0, "properties", sum_of_bits(b.properties, model.properties.size())) || !columns_) return;
         const std::pair<const char*, const double*> columns[] = {
@@ -107,10 +106,10 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
         return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
-    batch.row = batch.n; // a model that works row by row will say where it is
+    batch.row = batch.n; // a model that works row by row reports its row
     ptrdiff_t row = -1;
     const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});
-    ArithmeticGuard arithmetic; // puts back also after what is thrown
+    ArithmeticGuard arithmetic; // also restores after an exception
     const ReadOnly read_only(model, batch, guard);
     try {
         row = function(&batch);

@@ -16,18 +16,18 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-extern "C" const char __executable_start, etext; // of the linker: where the program's code lies
+extern "C" const char __executable_start, etext; // linker symbols: the range of the program's code
 
 namespace kaya {
 
-/// What the signal handler may look at.
+/// Data that the signal handler may read.
 struct CrashReport {
     using Call = AtWork::Call;
 };
 
 namespace {
 
-thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal comes to the thread that has caused it
+thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal arrives in the thread that caused it
 std::atomic<bool> reporting = false;
 
 std::atomic<const AtCommand*> at_command = nullptr;
@@ -36,7 +36,7 @@ std::atomic<const AtCommand*> at_command = nullptr;
 std::atomic<const Called*> called_last = nullptr;
 std::atomic<const char*> last_work = nullptr;
 
-/// What a thread is at, for other threads to see.
+/// The present call of a thread, visible to other threads.
 struct alignas(64) Desk {
     std::atomic<bool> taken = false;
     std::atomic<const Called*> who = nullptr;
@@ -67,7 +67,7 @@ Desk* own_desk() {
     return lease.desk;
 }
 
-/// A stack for the handler, in case that the thread's own is full. It goes with the thread.
+/// An alternative stack for the handler, in case the thread's own is full. Released with the thread.
 struct SpareStack {
     alignas(16) char bytes[32768];
     SpareStack() {
@@ -148,7 +148,7 @@ const char* deed_of(int signal, int code) {
     }
 }
 
-/// Where in the batch: a model that works row by row says so, of others only the ends are known.
+/// The place in the batch: reported by models that work row by row; for others only the ends are known.
 void add_place(Sentence& sentence, const AtRows& at) {
     if (at.rows == 0) return;
     const auto number = [&at](std::size_t row) {
@@ -166,7 +166,7 @@ void add_command(Sentence& sentence) {
 constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
 
 void report(int signal, siginfo_t* info, void*) {
-    // The old meaning comes back first: a second crash, in here or after it, ends the program.
+    // Restores the default first: a second crash, here or later, ends the program.
     std::signal(signal, SIG_DFL);
     const char* deed = deed_of(signal, info->si_code);
     Sentence sentence;

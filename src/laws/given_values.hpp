@@ -1,4 +1,4 @@
-// Values of a law as somebody types them: words and numbers.
+// Values of a law as typed by a user: words and numbers.
 #pragma once
 
 #include "laws/law_table.hpp"

@@ -23,7 +23,7 @@ bool are_a_vector(std::string_view x, std::string_view y, std::string_view z) {
     return x.ends_with("-x") && y == fmt::format("{}-y", stem) && z == fmt::format("{}-z", stem);
 }
 
-/// A model that is stiffer than it says makes the run unstable. Twice is beyond any step of a curved law.
+/// A model stiffer than it reports makes the run unstable. A factor of two is beyond any step of a curved law.
 std::string too_soft(const JointModel& model, const std::vector<double>& values) {
     const auto trial = try_stiffness(model, values);
     if (!trial || trial->found <= 2 * trial->reported) return {};

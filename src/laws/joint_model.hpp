@@ -22,8 +22,8 @@ struct JointStiffness {
     double normal, shear;
 };
 
-/// What a joint model does. Of a library they are the functions of its descriptor; a model that comes from elsewhere
-/// (a script) brings its own. They mean what the members of kaya_jmodel mean.
+/// Functions of a joint model. For a library they are those of its descriptor; a model from elsewhere (a script) brings its own. They mean
+/// what the members of kaya_jmodel mean.
 struct JointFunctions {
     std::function<ptrdiff_t(kaya_jbatch*)> initialise, run;
     std::function<std::string(const double*)> check; ///< may be empty
@@ -33,8 +33,8 @@ struct JointFunctions {
 /// A joint model after loading: the descriptor, checked once, with its texts copied.
 class JointModel : public LawTable {
 public:
-    /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic
-    /// that says which entry of the table is wrong.
+    /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic that names the wrong entry of the
+    /// table.
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
 
     /// A model whose functions are not in the descriptor; `owner` keeps the descriptor and them.
@@ -53,7 +53,7 @@ public:
 
     std::vector<std::size_t> vectors; ///< first of three history variables that are a vector in the plane
 
-    /// A sentence that says what is wrong with the values, or empty.
+    /// A sentence about what is wrong with the values, or empty.
     std::string check(const std::vector<double>& values) const;
 
     /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
@@ -61,10 +61,10 @@ public:
     /// less than half of that with which it resists closing and shear up to a moderate load.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
-    /// Whether it keeps an object of each sub-contact: then a batch needs the column of objects.
+    /// Whether it keeps an object per sub-contact: then a batch needs the column of objects.
     bool keeps_objects() const { return descriptor_.restore != nullptr; }
 
-    /// What an object holds of a property; nullopt when the model does not say. Throws Diagnostic when the model throws.
+    /// An object's value of a property; nullopt when the model has none. Throws Diagnostic when the model throws.
     std::optional<double> object_value(const JointObject& object, std::size_t property) const;
     /// Gives an object a value; false when it does not take it.
     bool set_object_value(JointObject& object, std::size_t property, double value) const;

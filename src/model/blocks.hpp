@@ -58,11 +58,10 @@ public:
     Column<Span> faces;
     Column<Span> triangles;
     Column<Span> zones;
-    Column<std::int32_t>
-        cell_zones;           ///< zones of a cell of `gen quad`, which stand one after the other; 0: there are no cells
-    Column<double> volume;    ///< length^3
-    Column<double> margin;    ///< how near another surface counts as touching: a small part of its size
-    Column<double> travelled; ///< longest way of one of its points since its contacts were looked at
+    Column<std::int32_t> cell_zones; ///< zones per cell of `gen quad`, which are consecutive; 0: no cells
+    Column<double> volume;           ///< length^3
+    Column<double> margin;    ///< distance within which another surface counts as in contact: a small part of its size
+    Column<double> travelled; ///< longest displacement of one of its points since its last contact check
     Column<double> mass;      ///< 0 until the density is known (at the first cycle)
     Column<double> inertial_mass; ///< in the equation of motion; another than `mass` where density is scaled
     Column<Mat3> inertia;         ///< of unit density, about the centroid, in the block's own axes
@@ -70,7 +69,7 @@ public:
     Column<Quaternion> orientation;   ///< turns own axes into global ones
     Column<Vec3> velocity;            ///< rigid blocks, of the centroid
     Column<Vec3> rotational_velocity; ///< global axes, rad/time
-    Column<Vec3> angular_momentum;    ///< about the centroid, global axes; what free spin keeps. Of a
+    Column<Vec3> angular_momentum;    ///< about the centroid, global axes; conserved in free rotation. Of a
                                       ///< joined body: all of it, at its first block
     Column<Vec3> displacement;        ///< of the centroid
     Column<Vec3> force;               ///< sum of the last cycle, gravity and damping not included
@@ -203,27 +202,27 @@ public:
     Column<std::int32_t> group;            ///< of the zone itself: index into Model::group_names, 0 is none
     Column<std::array<Row, 4>> gridpoints; ///< positive volume in this order
     Column<Stress> stress;
-    Column<Stress> dashpot;      ///< viscous stress besides; empty as long as `keeps_dashpots` is not set
+    Column<Stress> dashpot;      ///< additional viscous stress; empty unless `keeps_dashpots` is set
     Column<double> volume;       ///< when the zones were made
     Column<std::uint32_t> state; ///< bits of the zone model
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY>
         history;                      ///< of the zone model; those after `history_columns` are empty
-    std::int32_t history_columns = 0; ///< as many as the zone model has that keeps most
-    bool keeps_dashpots = false;      ///< whether damping has asked for viscous stresses
+    std::int32_t history_columns = 0; ///< the largest number that a zone model needs
+    bool keeps_dashpots = false;      ///< whether damping needs viscous stresses
 
-    /// Makes room for viscous stresses; it stays.
+    /// Allocates viscous stresses; they are never released.
     void keep_dashpots() {
         if (keeps_dashpots) return;
         keeps_dashpots = true;
         dashpot.assign(size(), Stress::Zero());
     }
 
-    /// Makes room for a zone model that keeps that many; it stays.
+    /// Allocates history columns for a zone model; they are never released.
     void keep_history(std::size_t columns) {
         while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
     }
 
-    /// What the zone model has kept of a zone.
+    /// Clears the zone model's history of a zone.
     void forget(Row zone) {
         state[zone] = 0;
         for (std::int32_t k = 0; k < history_columns; ++k) history[k][zone] = 0;

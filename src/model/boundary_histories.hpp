@@ -1,4 +1,4 @@
-// What changes with time: loads and velocities that are a number times a function of time.
+// Time-dependent loads and velocities: a number times a function of time.
 #pragma once
 
 #include "model/blocks.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// A factor that depends on time: what follows `hist` of a boundary condition.
+/// A time-dependent factor: the words after `hist` of a boundary condition.
 struct TimeFunction {
     enum class Kind : std::int32_t { sine, cosine, impulse, table, script };
     Kind kind = Kind::sine;
@@ -35,7 +35,7 @@ public:
     Column<What> what;
     Column<std::int32_t> component;
     Column<double> amplitude;      ///< velocity, or force; times the function it acts
-    Column<double> acting;         ///< of a load: what it adds to the load of its body at present
+    Column<double> acting;         ///< of a load: its present contribution to the load of its body
     Column<std::int32_t> function; ///< row of Model::time_functions
 
     template <class Visit> void columns(Visit&& visit) {

@@ -93,7 +93,7 @@ void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh&
 
 namespace {
 
-/// Rows of a table in the order of blocks, and what they are called then.
+/// Rows of a table in block order, and their new numbers.
 struct BlockOrder {
     std::vector<Row> rows;
     Renamed renamed;
@@ -107,7 +107,7 @@ struct BlockOrder {
     }
 };
 
-/// A block's rows follow those of the block before.
+/// The rows of a block follow those of the block before it.
 template <class TableType> void put_in_order(Model& model, TableType& table, Column<Span>& spans) {
     const BlockOrder order(spans, table.size());
     table.gather(order.rows);
@@ -258,7 +258,7 @@ Polyhedron shape_of(const Model& model, Row block) {
 
 namespace {
 
-/// Takes out the contacts of blocks that are gone, with their sub-contacts.
+/// Removes the contacts of deleted blocks, with their sub-contacts.
 void drop_contacts_of_none(Model& model) {
     auto& contacts = model.contacts;
     auto& sub_contacts = model.sub_contacts;
@@ -353,7 +353,7 @@ template <class Mesh, class Finish> std::size_t fill_with_zones(Model& model, co
     return meshes.size();
 }
 
-/// The faces of blocks that have zones, as far as they can be shared with the others.
+/// The faces of zoned blocks that can be shared with the other blocks.
 std::vector<MeshedFace> meshed_faces(const Model& model, const ToMesh& blocks) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Polyhedron& shape : blocks.shapes)

@@ -16,36 +16,35 @@ struct NewBlock {
 /// polyhedron has no volume.
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options);
 
-/// Adds a solid of convex parts, which are joined when there are several. Returns the row of the first.
+/// Adds a solid of convex parts, joined if there are several. Returns the row of the first.
 Row add_solid(Model& model, const std::vector<Polyhedron>& parts, const NewBlock& options);
 
 /// A new row of the table of blocks, with a number and an id and nothing else. Returns it.
 Row add_block_row(Model& model);
 
-/// Gives a rigid block that has its motion already a shape of positive volume: mass properties, vertices, faces. The
-/// rows of the shape stand at the ends of their tables; unless the block is the last one, the rows are out of
-/// order until put_in_block_order.
+/// Gives a rigid block a shape of positive volume: mass properties, vertices, faces; its motion is set already. New rows are at the ends of
+/// their tables; unless the block is the last one, they are out of order until put_in_block_order.
 void give_shape(Model& model, Row block, const Polyhedron& polyhedron);
 /// The same where mass_properties() of the polyhedron is known.
 void give_shape(Model& model, Row block, const Polyhedron& polyhedron, const MassProperties& mass);
 
-/// Replaces the surface and the gridpoints of a block by those of a mesh of its shape and gives it the zones. Rows stand
-/// at the ends of their tables and are out of order until put_in_block_order.
+/// Replaces the surface and the gridpoints of a block by those of a mesh of its shape and adds the zones. New rows are at the ends of their
+/// tables and out of order until put_in_block_order.
 void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh);
 
-/// Sorts the rows of gridpoints, faces, triangles and zones by block and drops those that no block owns. Spans of
-/// `blocks` say which rows belong together.
+/// Sorts the rows of gridpoints, faces, triangles and zones by block and drops those without a block. The spans of `blocks` define the
+/// owners.
 void put_in_block_order(Model& model);
 
 /// The block's current shape (vertices where they are now).
 Polyhedron shape_of(const Model& model, Row block);
 
-/// Removes blocks with all that belongs to them; contacts are made anew before the next cycle. What is left of a
-/// joined body stays joined where its parts touch.
+/// Removes blocks with all their parts; contacts are rebuilt before the next cycle. The rest of a joined body stays joined where its parts
+/// are in contact.
 void delete_blocks(Model& model, const std::vector<Row>& blocks);
 
-/// A conforming mesh of tetrahedra of edges as the field says in each of the blocks that has none; they
-/// become deformable. Returns how many blocks were zoned. Throws Diagnostic, model unchanged.
+/// Meshes each rigid block conformingly with tetrahedra, edge lengths given by the field; the blocks become deformable. Returns the number
+/// of meshed blocks. Throws Diagnostic and leaves the model unchanged.
 std::size_t generate_zones(Model& model, const std::vector<Row>& blocks, const EdgeField& field,
                            const ProgressCallback& progress = {});
 

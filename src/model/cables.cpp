@@ -11,7 +11,7 @@ Row block_of_node(const Model& model, Row node) { return rock_block(model, model
 
 Row node_of_cable(const Model& model, std::int32_t number, Row offset) {
     const auto& cables = model.structures.cables;
-    const auto found = std::ranges::lower_bound(cables.number, number); // cables stand in the order of their numbers
+    const auto found = std::ranges::lower_bound(cables.number, number); // cables are sorted by number
     if (found == cables.number.end() || *found != number) return no_row;
     const Span nodes = cables.nodes[static_cast<std::size_t>(found - cables.number.begin())];
     return offset >= 0 && offset < nodes.count ? nodes.first + offset : no_row;

@@ -22,7 +22,7 @@ public:
     Column<std::int32_t> number;   ///< what users see
     Column<std::int32_t> property; ///< key of Structures::properties
     Column<Span> nodes;            ///< contiguous and in the order of cables
-    Column<double> tension;        ///< that its bars get when its properties are known; 0 once they have it
+    Column<double> tension;        ///< applied to its bars when its properties are known; 0 afterwards
     Column<double> work;           ///< done on the cable by the rock: stored in it or lost
 
     template <class Visit> void columns(Visit&& visit) {
@@ -42,7 +42,7 @@ public:
     Column<Vec3> position;         ///< of the rock at the node
     Column<double> share;          ///< length of cable whose grout acts at the node
     Column<double> slip;           ///< of the cable past the rock, towards its end
-    Column<double> slip_lost;      ///< of it, what does not go back
+    Column<double> slip_lost;      ///< plastic part of it
     Column<double> grout;          ///< force of the rock on the cable along it
     Column<std::uint8_t> grout_state;
     Column<Vec3> force;        ///< on the rock
@@ -81,13 +81,13 @@ struct NewCable {
 /// Makes it and places its nodes in the blocks. Returns its row. Its ends must differ.
 Row make_cable(Model& model, const NewCable& wanted);
 
-/// Takes cables out, given by ascending rows.
+/// Removes cables, given by ascending rows.
 void delete_cables(Model& model, const std::vector<Row>& cables);
 
 /// Gives new cables their tension. Their properties must be there.
 void tighten_cables(Model& model);
 
-/// The row of the block that a node lies in; no_row when it is outside of the rock.
+/// The row of the block that contains a node; no_row outside the rock.
 Row block_of_node(const Model& model, Row node);
 
 /// The row of a cable's node, counted from its first; no_row when there is none.

@@ -30,14 +30,14 @@ struct VectorColumn {
     }
 };
 
-/// What a new row holds. Eigen leaves its vectors as the memory was, so they are set here.
+/// Initial value of a new row. Eigen leaves vectors uninitialised, so they are set here.
 template <class T> T new_value() {
     if constexpr (requires { T::Zero(); }) return T::Zero();
     else return T{};
 }
 
-/// What every table can do, given `template <class Visit> void columns(Visit&&)` in Derived.
-/// Visit is called as visit("name", column, role) with a Column<T>& and a Role or ColumnRole.
+/// Operations of every table, given `template <class Visit> void columns(Visit&&)` in Derived. Visit is called as visit("name", column,
+/// role) with a Column<T>& and a Role or ColumnRole.
 template <class Derived> class Table {
 public:
     std::size_t size() const { return size_; }
@@ -52,7 +52,7 @@ public:
         size_ = n;
     }
 
-    /// Keeps the rows listed, in that order. `rows` may repeat a row.
+    /// Keeps the listed rows, in that order. `rows` may repeat a row.
     void gather(const std::vector<std::int32_t>& rows) {
         const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
         if (ascending) return compact(rows);
@@ -63,7 +63,7 @@ public:
             if constexpr (std::is_trivially_copyable_v<Value> || !std::is_nothrow_move_constructible_v<Value>) {
                 for (const auto row : rows) kept.push_back(column[static_cast<std::size_t>(row)]);
             } else {
-                // What is more than bits moves with its row; a copy is made for all but the last of those who want it.
+                // Types with heap memory are moved with their row, and copied for all but the last user of a row.
                 std::vector<std::size_t> last(column.size(), 0);
                 for (std::size_t k = 0; k < rows.size(); ++k) last[static_cast<std::size_t>(rows[k])] = k;
                 for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -91,13 +91,13 @@ public:
         return first;
     }
 
-    /// Gives back the room that growing has taken in advance.
+    /// Releases spare capacity.
     void trim() {
         derived().columns([](const auto&, auto& column, Role) { column.shrink_to_fit(); });
     }
 
 private:
-    /// Ascending rows move up in place: no memory is taken, and the rows before the first gap are not touched.
+    /// Ascending rows move up in place, without allocation; rows before the first gap are unchanged.
     void compact(const std::vector<std::int32_t>& rows) {
         std::size_t gap = 0;
         while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;

@@ -12,7 +12,7 @@ namespace kaya {
 
 namespace {
 
-/// Collects the first thing that is wrong; later ones are not looked at.
+/// Collects the first inconsistency; later ones are ignored.
 class Findings {
 public:
     const std::string& text() const { return text_; }
@@ -32,7 +32,7 @@ private:
 bool inside(Row row, std::size_t size) { return row >= 0 && static_cast<std::size_t>(row) < size; }
 bool inside_or_none(Row row, std::size_t size) { return row == no_row || inside(row, size); }
 
-/// Spans lie inside the other table, and the rows in them name their owner.
+/// Spans must lie inside the other table, and their rows must name their owner.
 void check_spans(Findings& findings, const char* table, const char* target, const Column<Span>& spans,
                  const Column<Row>& owners) {
     const auto size = static_cast<Row>(owners.size());
@@ -75,7 +75,7 @@ void check_ids(Findings& findings, const char* table, const IdMap<Tag>& ids, con
 
 template <class T> bool between(T value, T first, T last) { return value >= first && value <= last; }
 
-// What the rows that a column names are called, and how many there are of them.
+// Name and number of the rows that a column refers to.
 template <class To> constexpr const char* noun = nullptr;
 template <> constexpr const char* noun<Blocks> = "block";
 template <> constexpr const char* noun<Gridpoints> = "gridpoint";
@@ -133,7 +133,7 @@ template <class Whole, class Part> const Column<Row>* owners(Model& model) {
 
 template <class To> std::type_identity<To> target_of(const ColumnRole<To>&);
 
-/// What columns name is there. Corners and attachments are looked at with their blocks.
+/// Checks that the targets of link columns exist. Corners and attachments are checked with their blocks.
 void check_links(Findings& findings, Model& model) {
     each_table(model, [&](const char* name, auto& table) {
         using Whole = std::decay_t<decltype(table)>;
@@ -182,7 +182,7 @@ void check_blocks(Findings& findings, const Model& model) {
 
 /// Corners of triangles and zones belong to the block that the face or zone belongs to.
 void check_geometry(Findings& findings, const Model& model) {
-    // A block's triangles are those of its faces, one after the other.
+    // The triangles of a block are those of its faces, in order.
     Column<Row> owner;
     for (const Row face : model.triangles.face) owner.push_back(model.faces.block[static_cast<std::size_t>(face)]);
     check_spans(findings, "blocks", "triangle", model.blocks.triangles, owner);
@@ -197,7 +197,7 @@ void check_geometry(Findings& findings, const Model& model) {
     check_corners("zones", model.zones.gridpoints, model.zones.block);
 }
 
-/// What was excavated is linked in the same way.
+/// Excavated blocks are linked in the same way.
 void check_excavated(Findings& findings, const Model& model) {
     if (model.excavated.blocks.empty() && model.excavated.gridpoints.empty()) return;
     Model kept = excavated_model(model);
@@ -277,7 +277,7 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     }
 }
 
-/// Ties count their rows from the first of blocks that may be gone by now; those of pairs that hold are looked at.
+/// Rows of ties are relative to blocks that may have been deleted; only those of valid pairs are checked.
 void check_ties(Findings& findings, const Model& model) {
     const auto& pairs = model.tied_pairs;
     const auto& ties = model.ties;
@@ -337,7 +337,7 @@ void check_boundary_histories(Findings& findings, const Model& model) {
     }
 }
 
-/// Blocks may be gone by now; a point whose block has its shape yet must have its zone.
+/// Blocks may have been deleted; a point whose block still has its shape must have its zone.
 void check_rock_points(Findings& findings, const Model& model, const char* table, const RockPoints& points) {
     for (std::size_t i = 0; i < points.block.size() && findings.clean(); ++i) {
         const Row row = static_cast<Row>(i), block = rock_block(model, points, row);
@@ -364,7 +364,7 @@ void check_cables(Findings& findings, const Model& model) {
                          "its bar has no length");
 }
 
-/// Elements have nodes of their own member, no two at one place.
+/// Elements must use distinct nodes of their own member.
 void check_members(Findings& findings, const Model& model) {
     const auto& structures = model.structures;
     const auto& members = structures.members;
@@ -405,7 +405,7 @@ void check_members(Findings& findings, const Model& model) {
 
 std::string inconsistency(Model& model) {
     Findings findings;
-    // Columns first: everything below reads as many rows as the table says.
+    // Columns first: all checks below read as many rows as the table declares.
     const auto check_columns = [&](const char* name, auto& table) {
         table.columns([&](const std::string& column_name, auto& column, Role) {
             findings.require(
@@ -425,7 +425,7 @@ std::string inconsistency(Model& model) {
                      "the water table is not there");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
-    // Counts go on from here: no run comes near these.
+    // Counters continue from here: no run reaches these limits.
     findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53),
                      fmt::format("{} cycles", model.clock.cycle));
     for (const auto next : {model.next_block_number, model.next_shape_number, model.next_contact_number,

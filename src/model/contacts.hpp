@@ -17,15 +17,15 @@ using ContactId = Id<ContactTag>;
 struct SubContactTag {};
 using SubContactId = Id<SubContactTag>;
 
-/// How two blocks touch.
+/// Type of contact of two blocks.
 enum class ContactType : std::int32_t { face_face = 1, face_edge, face_vertex, edge_edge, edge_vertex, vertex_vertex };
 
-/// What meets at a sub-contact.
+/// Features in contact at a sub-contact.
 enum class SubContactType : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
 
-/// What the normal force of a contact follows from.
+/// What defines the normal force of a contact.
 enum class ContactKind : std::int32_t {
-    joint,  ///< the closure of places that stay where they are on the joint
+    joint,  ///< the closure of fixed places of the joint
     overlap ///< the volume that two rigid blocks have in common
 };
 
@@ -39,7 +39,7 @@ public:
     Column<std::int32_t> number; ///< counts from 1; what users see
     Column<Row> block1;          ///< the block with the higher number
     Column<Row> block2;
-    Column<Row> face1; ///< faces that lie on each other, no_row when the touch is not face-face
+    Column<Row> face1; ///< parallel faces, no_row unless the contact is face-face
     Column<Row> face2;
     Column<ContactType> type;
     Column<std::int32_t> reference; ///< whose face gives the normal: 1, 2, or 0 for two edges
@@ -58,17 +58,17 @@ public:
     // Of overlap contacts only.
     Column<double> depth;         ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
     Column<double> twist;         ///< moment of the overlap about the normal over its normal force: length
-    Column<double> offset;        ///< closure besides that of the places of the blocks
+    Column<double> offset;        ///< closure in addition to that of the positions of the blocks
     Column<Vec3> offset_tilt;     ///< its slope in space, about the centroid of block1
-    Column<Vec3> offset_normal;   ///< unit; its direction, which goes with the blocks and not with the normal
+    Column<Vec3> offset_normal;   ///< unit; its direction, which turns with the blocks and not with the normal
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
-    Column<double> energy_taken;  ///< what it has taken up and not given back
+    Column<double> energy_taken;  ///< energy taken and not yet returned
     Column<double> withheld;      ///< part of its force that does not act, so that it gives back no more than that
     // Of joints only.
-    Column<double> slip_since_update; ///< relative tangential motion since the geometry was made anew
-    Column<double> unforced_overlap;  ///< overlap beyond that which its force belongs to
-    Column<double> withdrawn_energy;  ///< energy that new geometry has taken from it, less what it has given back
+    Column<double> slip_since_update; ///< relative tangential motion since the last geometry update
+    Column<double> unforced_overlap;  ///< overlap beyond the one that its force explains
+    Column<double> withdrawn_energy;  ///< energy taken by geometry updates, less what was returned
 
     template <class Visit> void columns(Visit&& visit) {
         visit("id", id, Role::identity);
@@ -110,7 +110,7 @@ struct Attachment {
     std::array<Row, 3> gridpoints{no_row, no_row, no_row};
     std::array<double, 3> weights{0, 0, 0};
 
-    /// False when its block got another shape and the contact has not been looked at since.
+    /// False when the shape of its block has changed and the contact has not been checked since.
     bool attached() const { return gridpoints[0] != no_row; }
     bool operator==(const Attachment&) const = default;
 };
@@ -127,7 +127,7 @@ public:
     Column<Attachment> side2;
     VectorColumn position;
 
-    // Columns that joint models see (include/kaya/jmodel.h says what they mean).
+    // Columns that joint models see (defined in include/kaya/jmodel.h).
     Column<double> area;
     Column<double> normal_displacement;
     Column<double> normal_displacement_increment;
@@ -136,35 +136,35 @@ public:
     Column<double> pore_pressure;
     Column<double> normal_force;
     VectorColumn shear_force;      ///< on block2 is plus this, on block1 minus: see method
-    Column<double> dashpot_normal; ///< viscous force besides the law's, where damping asks for one
+    Column<double> dashpot_normal; ///< viscous force in addition to the law's, with damping
     VectorColumn dashpot_shear;
     Column<double> normal_stiffness;
     Column<double> shear_stiffness;
     Column<double> frictional_work;
     Column<std::uint32_t> state;
     std::array<Column<double>, KAYA_JMODEL_MAX_HISTORY> history; ///< those after `history_columns` are empty
-    std::int32_t history_columns = 0;                            ///< as many as the joint model has that keeps most
+    std::int32_t history_columns = 0;                            ///< the largest number that a joint model needs
 
     // Fields that joint models only read; a row whose bit is not set has the property, or the initial value.
     std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those after `field_columns` are empty
     Column<std::uint32_t> field_set;                          ///< bit k: field k was set
     std::int32_t field_columns = 0;                           ///< as many as the joint model has of which one was set
 
-    Column<JointObject> object; ///< what a joint model keeps when numbers will not do
+    Column<JointObject> object; ///< history of a joint model that plain numbers cannot hold
     bool keeps_objects = false; ///< whether a joint model does; otherwise the column is empty
 
-    /// Makes room for the objects of a joint model; it stays.
+    /// Allocates objects for a joint model; they are never released.
     void keep_objects() {
         keeps_objects = true;
         object.resize(size());
     }
 
-    /// Makes room for a joint model that keeps that many; it stays.
+    /// Allocates history columns for a joint model; they are never released.
     void keep_history(std::size_t columns) {
         while (static_cast<std::size_t>(history_columns) < columns) history[history_columns++].assign(size(), 0.0);
     }
 
-    /// Makes room for fields; it stays.
+    /// Allocates fields; they are never released.
     void keep_fields(std::size_t columns) {
         if (field_columns == 0 && columns > 0) field_set.assign(size(), 0);
         while (static_cast<std::size_t>(field_columns) < columns) field[field_columns++].assign(size(), 0.0);
@@ -174,7 +174,7 @@ public:
         field_set[row] |= 1u << k;
     }
 
-    /// What another joint model remembers, and what the user has set for it.
+    /// Clears the history of another joint model, and the values that the user has set for it.
     void forget(Row row) {
         for (std::int32_t k = 0; k < history_columns; ++k) history[k][row] = 0;
         for (std::int32_t k = 0; k < field_columns; ++k) field[k][row] = 0;

@@ -16,7 +16,7 @@ namespace {
 /// A reflection turns the order of corners round.
 bool reflects(const Placement& placement) { return placement.turn.determinant() < 0; }
 
-/// The block's shape in the other place; its faces are those of the block, in their order.
+/// The block's shape at the new place; its faces keep their order.
 Polyhedron placed_shape(const Model& model, Row block, const Placement& placement) {
     Polyhedron shape = shape_of(model, block);
     for (Vec3& vertex : shape.vertices) vertex = placement(vertex);
@@ -25,7 +25,7 @@ Polyhedron placed_shape(const Model& model, Row block, const Placement& placemen
     return shape;
 }
 
-/// The block's zones in the other place.
+/// The block's zones at the new place.
 TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
     const bool turned = reflects(placement);
     const Span points = model.blocks.gridpoints[block], faces = model.blocks.faces[block];
@@ -52,7 +52,7 @@ Row copy_block(Model& model, Row block, const Placement& placement) {
     const Row copy = add_block(model, shape, {});
     auto& blocks = model.blocks;
     if (blocks.deformable[block]) give_zones(model, copy, shape, placed_mesh(model, block, placement));
-    // What the user has given to the block and to its parts.
+    // Settings given by the user to the block and its parts.
     const auto copy_settings = [](auto& table, const Span& from, const Span& to) {
         links::take_over(table, to.first, table, from.first, std::min(from.count, to.count), {Role::setting});
     };

@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Where a copy stands: a point p of the block goes to turn * p + shift.
+/// Placement of a copy: a point p of the block moves to turn * p + shift.
 struct Placement {
     Mat3 turn = Mat3::Identity(); ///< a rotation or a reflection
     Vec3 shift = Vec3::Zero();
@@ -18,9 +18,9 @@ struct Placement {
 /// The reflection at a plane; the normal is of unit length.
 Placement reflection(const Vec3& normal, const Vec3& origin);
 
-/// Adds a copy of each block for each placement, with its zones, faces, material, region and groups: at rest, free, without
-/// load and stress. Copies of blocks that are joined are joined. Rows of the copies follow all others, those of
-/// the first placement first, in the order of `blocks`. Returns the row of the first.
+/// Adds a copy of each block for each placement, with its zones, faces, material, region and groups: at rest, free, without load and
+/// stress. Copies of joined blocks are joined. Rows of the copies follow all others, those of the first placement first, in the order of
+/// `blocks`. Returns the row of the first.
 Row copy_blocks(Model& model, const std::vector<Row>& blocks, const std::vector<Placement>& placements);
 
 } // namespace kaya

@@ -17,9 +17,9 @@ namespace {
 /// Planes that differ by less, as an angle and as a part of the block's size, are one.
 constexpr double same_plane = 1e-9;
 
-/// The block that pieces are cut from, as it was, and what they take over from it.
+/// The block before it was cut, and the data that pieces inherit.
 struct Parent {
-    Blocks whole;            ///< one row; its load_arms in global axes, which are those of the pieces
+    Blocks whole;            ///< one row; its load_arms in global axes, the axes of the pieces
     std::int32_t roller = 0; ///< of a rigid block that is held along a direction
     double volume, density;
     Mat3 turn; ///< from the block's own axes to global ones
@@ -27,7 +27,7 @@ struct Parent {
         Vec3 normal, place;
         std::int32_t group;
     };
-    std::vector<Side> sides; ///< faces that are in a group of their own
+    std::vector<Side> sides; ///< faces with their own group
 
     Parent(Model& model, Row b)
         : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume),
@@ -67,7 +67,7 @@ struct Parent {
     }
 };
 
-/// Arms of loads that change with time are those in global axes from now on: pieces have no other.
+/// Converts the arms of time-dependent loads to global axes: pieces have no other axes.
 void turn_arms(Model& model, const Parent& from, BlockId block) {
     auto& histories = model.boundary_histories;
     std::vector<Row> kept;
@@ -91,7 +91,7 @@ void turn_arms(Model& model, const Parent& from, BlockId block) {
     if (histories.size() != count) histories.gather(kept);
 }
 
-/// What drives a block drives its pieces; loads are shared like those that do not change with time.
+/// Velocity histories of a block apply to its pieces; loads are shared like constant ones.
 void share_boundary_histories(Model& model, const Parent& from, const std::vector<Row>& pieces) {
     auto& histories = model.boundary_histories;
     const BlockId whole = model.blocks.id[pieces.front()];
@@ -131,7 +131,7 @@ void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std
 } // namespace
 
 std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, const CutBlocks& cut) {
-    // Bodies of which a block is cut come apart; their members, and later the pieces, are what may be joined again.
+    // Bodies with a cut block are separated; their members, and later the pieces, may be joined again.
     std::vector<std::vector<Row>> bodies;
     std::vector<int> body_of(model.blocks.size(), -1);
     {

@@ -1,4 +1,4 @@
-// Where energy has come from and gone to since the last `reset energy`.
+// Sources and sinks of energy since the last `reset energy`.
 #pragma once
 
 namespace kaya {
@@ -14,7 +14,7 @@ struct Energy {
     double damped = 0;         ///< taken out by damping
     double joint_work = 0;     ///< put into joints: stored in them or lost
     double joint_friction = 0; ///< of it, lost in slip and breaking
-    double joint_lost = 0;     ///< of it, lost where touches changed: contacts that parted or got new geometry
+    double joint_lost = 0;     ///< of it, lost where contacts separated or got new geometry
     double zone_work = 0;      ///< put into zones
     double structure_work = 0; ///< put into cables, beams and liners: stored in them or lost
     double step_made = 0;      ///< made by changes of the time step, docs/theory/energy.md (9)
@@ -24,7 +24,7 @@ struct Energy {
     double joint_stored() const { return joint_work - joint_friction - joint_lost; }
     double supplied() const { return start + gravity + boundary + step_made; }
     double accounted() const { return kinetic + joint_work + zone_work + structure_work + damped; }
-    /// What is missing or too much. Joints and zones have done the last step to its end, bodies to its middle.
+    /// Residual of the account. Joints and zones have completed the last step, bodies are at its middle.
     double error() const { return supplied() - accounted() - inner_power * lag; }
 };
 

@@ -31,8 +31,8 @@ template <class TableType> struct CopiedRows {
     }
 };
 
-/// Copies blocks with all that belongs to them after those of another set of tables. `From` and `To` are Model or
-/// Excavated. Returns the row of the first.
+/// Copies blocks with all their parts behind those of another set of tables. `From` and `To` are Model or Excavated. Returns the row of the
+/// first.
 template <class From, class To> Row append_blocks(From& from, const std::vector<Row>& rows, To& to) {
     const auto histories = static_cast<std::size_t>(std::max(from.zones.history_columns, to.zones.history_columns));
     from.zones.keep_history(histories);
@@ -54,7 +54,7 @@ template <class From, class To> Row append_blocks(From& from, const std::vector<
     follow(to.faces, faces.first);
     follow(to.triangles, triangles.first);
     follow(to.zones, zones.first);
-    // Spans of blocks follow each other, also those without rows.
+    // Spans of blocks are consecutive, including empty ones.
     const auto place = [&](Column<Span>& spans, Row next) {
         for (auto span = spans.begin() + blocks.first; span != spans.end(); ++span) {
             span->first = next;
@@ -78,7 +78,7 @@ void put_to_rest(Model& model, Row b) {
     blocks.body[b] = blocks.tied_shape[b] = 0;
 }
 
-/// Rows of blocks follow their numbers, whatever order they were made in.
+/// Sorts rows of blocks by number, independent of the order of creation.
 void put_in_number_order(Model& model) {
     auto& blocks = model.blocks;
     if (std::is_sorted(blocks.number.begin(), blocks.number.end())) return;

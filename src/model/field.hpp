@@ -37,7 +37,7 @@ std::span<const Field> fields();
 const Field* find_field(ObjectKind kind, std::string_view name);
 const Field* find_classic_field(std::string_view classic);
 
-/// The number by which users know an object; none for no object and for what has none, such as a corner.
+/// The number of an object for users; none for no object and for kinds without numbers, such as a corner.
 std::optional<std::int64_t> object_number(const Model& model, const Link& link);
 
 } // namespace kaya

@@ -91,12 +91,12 @@ Mat3 inertia(const Model& model, Row block) {
     return density * (turn * blocks.inertia[block] * turn.transpose());
 }
 Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, block).diagonal(); }
-/// The integral of x_i x_k dm about the centroid, which stands in the tensor with the other sign.
+/// The integral of x_i x_k dm about the centroid; the tensor holds it with the opposite sign.
 template <int i, int k> double product_of_inertia(const Model& model, Row block) {
     return -inertia(model, block)(i, k);
 }
 
-/// What the engine keeps is the angular momentum; the rotational velocity goes with it.
+/// The engine stores the angular momentum; the rotational velocity follows from it.
 void rotate(Model& model, Row block, const Vec3& velocity) {
     if (model.blocks.body[block] != 0)
         throw Diagnostic(

@@ -1,4 +1,4 @@
-// Quantities of faces, as they are now: computed from their triangles.
+// Present quantities of faces, computed from their triangles.
 #include "model/field_rows.hpp"
 #include "model/measure.hpp"
 

@@ -1,4 +1,4 @@
-// Quantities of the whole model. The row that getters take has no meaning here.
+// Quantities of the whole model. The row argument of the getters is unused here.
 #include "model/field_rows.hpp"
 #include "model/rayleigh.hpp"
 
@@ -43,7 +43,7 @@ template <auto rows, ObjectKind to> FieldValue head(const Model& model, Row) {
     return Link{to, (model.*rows).empty() ? no_row : 0};
 }
 
-/// The block that was made last: new rows stand at the end.
+/// The block created last: new rows are at the end.
 FieldValue last_block(const Model& model, Row) {
     return Link{ObjectKind::block, static_cast<Row>(model.blocks.size()) - 1};
 }

@@ -29,7 +29,7 @@ double density_scaling(const Model& model, Row gridpoint) {
     return mass > 0 ? model.gridpoints.inertial_mass[gridpoint] / mass : 1;
 }
 
-/// What holds the components whose velocity is prescribed: it balances all other forces.
+/// The reaction of prescribed components: it balances all other forces.
 Vec3 reaction(const Model& model, Row row) {
     const auto& g = model.gridpoints;
     Vec3 force = Vec3::Zero();

@@ -1,5 +1,4 @@
-// What the tables of fields are written with: getters and setters made from a table and a column.
-// For the field_*.cpp files only.
+// Helpers for the tables of fields: getters and setters made from a table and a column. For the field_*.cpp files only.
 #pragma once
 
 #include "base/diagnostic.hpp"

@@ -23,7 +23,7 @@ double stress(const Model& model, Row row, double force) {
 double normal_stress(const Model& model, Row row) { return stress(model, row, model.sub_contacts.normal_force[row]); }
 double shear_stress(const Model& model, Row row) { return stress(model, row, shear_force_size(model, row)); }
 
-/// What belongs to the contact.
+/// The contact of a sub-contact.
 Row contact_of(const Model& model, Row row) { return model.sub_contacts.contact[row]; }
 template <auto column> FieldValue block(const Model& model, Row row) {
     return Link{ObjectKind::block, (model.contacts.*column)[contact_of(model, row)]};
@@ -50,7 +50,7 @@ FieldValue vertex(const Model& model, Row row) {
     return Link{ObjectKind::gridpoint, side.gridpoints[static_cast<std::size_t>(heaviest)]};
 }
 
-/// The face that the vertex meets, null when the blocks do not touch with faces.
+/// The face opposite to the vertex; null for contacts without faces.
 FieldValue face(const Model& model, Row row) {
     const auto& subs = model.sub_contacts;
     const Row contact = contact_of(model, row);
@@ -59,7 +59,7 @@ FieldValue face(const Model& model, Row row) {
                                                                                 : model.contacts.face1[contact]};
 }
 
-/// A force from outside, of which the joint model must be told.
+/// Records a force set from outside; the joint model must be told about it.
 void note_force(Model& model, Row row) {
     const SubContactId id = model.sub_contacts.id[row];
     if (model.forces_set.empty() || model.forces_set.back() != id) model.forces_set.push_back(id);

@@ -8,13 +8,13 @@
 
 namespace kaya {
 
-/// Index into Model::group_names; letters are compared without case. -1: there is no such group.
+/// Index into Model::group_names, ignoring case. -1: no such group.
 std::int32_t find_group(const Model& model, std::string_view name);
 
 /// The same; a name that is new becomes a group. The empty name is 0, no group.
 std::int32_t make_group(Model& model, std::string_view name);
 
-/// The column that holds the groups of objects of that kind, null when these have none of their own.
+/// The column with the groups of objects of that kind; null when the kind has none.
 Column<std::int32_t>* own_groups(Model& model, ObjectKind kind);
 const Column<std::int32_t>* own_groups(const Model& model, ObjectKind kind);
 

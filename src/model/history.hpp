@@ -11,14 +11,13 @@
 
 namespace kaya {
 
-/// What a history samples: a named quantity of the nearest row to a place, of the whole model, or a
-/// function of the deck.
+/// The source of a history: a named quantity of the row nearest to a place, of the whole model, or a function of the deck.
 struct HistorySource {
     using Kind = ObjectKind;
     Kind kind = Kind::global; ///< one that KindInfo::history numbers
     std::string quantity;     ///< field name ("shear_stress", "unbalanced_force") or function name
     Vec3 place = Vec3::Zero();
-    Row row = no_row; ///< found when the history is made and again when that row is gone
+    Row row = no_row; ///< set when the history is created, and again when that row was deleted
 
     // How the row is found again after tables were compacted (model/sampling.hpp).
     std::uint32_t slot = 0;       ///< id of the sub-contact or block, or of the block that the row belongs to
@@ -35,7 +34,7 @@ struct History {
     std::string label;       ///< `hist label`, or a name made from the source
     HistorySource source;
     std::vector<double> values;   ///< one per sample, in step with Histories::time of the same rows
-    std::size_t first_sample = 0; ///< samples that were taken before this history was made
+    std::size_t first_sample = 0; ///< samples taken before this history was created
 };
 
 struct Histories {

@@ -1,5 +1,5 @@
-// Blocks that are joined: concave solids, and what a deck joins. Rigid ones move as one body; those with zones are tied
-// where their faces lie on each other (ties.hpp).
+// Joined blocks: concave solids, and blocks joined by a deck. Rigid ones move as one body; zoned ones are tied where their faces are in
+// contact (ties.hpp).
 #pragma once
 
 #include "model/model.hpp"
@@ -28,8 +28,7 @@ struct JoinedBodies {
 };
 JoinedBodies joined_bodies(const Model& model);
 
-/// Mass, centroid and inertia about it (global axes) of a body from those of its members. Without masses all
-/// densities are taken as 1.
+/// Mass, centroid and inertia about it (global axes) of a body from those of its members. Without masses all densities count as 1.
 struct BodyMass {
     double mass = 0;
     Vec3 centroid = Vec3::Zero();
@@ -37,14 +36,14 @@ struct BodyMass {
 };
 BodyMass body_mass(const Model& model, std::span<const Row> members);
 
-/// Joins the pairs of blocks; those that are joined to them already come along. The body moves with the momentum
-/// and angular momentum of its parts. Throws Diagnostic, model unchanged, when one block has zones and another has none.
+/// Joins the pairs of blocks, with those that are joined to them already. The body takes the momentum and angular momentum of its parts.
+/// Throws Diagnostic and leaves the model unchanged when one block has zones and another has none.
 void join_pairs(Model& model, const std::vector<std::pair<Row, Row>>& pairs);
 
-/// Pairs of the rows that lie face on face.
+/// Pairs of the rows with faces in contact.
 std::vector<std::pair<Row, Row>> adjacent_pairs(const Model& model, const std::vector<Row>& rows);
 
-/// Takes apart the bodies that any of the rows belongs to; each part keeps its motion.
+/// Separates the bodies that contain any of the rows; each part keeps its motion.
 void unjoin(Model& model, const std::vector<Row>& rows);
 
 } // namespace kaya

@@ -58,7 +58,7 @@ bool apart(const Polygon& a, const Polygon& b, double margin) {
     return ((low_a - high_b).array() > margin).any() || ((low_b - high_a).array() > margin).any();
 }
 
-/// Twice the area seen along the normal.
+/// Twice the area projected along the normal.
 double doubled_area(std::span<const Vec3> polygon, const Vec3& normal) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 2; k < polygon.size(); ++k)
@@ -120,7 +120,7 @@ std::vector<std::vector<Vec3>> joint_polygons(const Model& model, Row contact) {
         for (const Polygon& b : second) {
             if (apart(a, b, margin)) continue;
             auto part = common_part(a, b, normal);
-            // What shares a corner or an edge has a sliver of rounding errors in common.
+            // Polygons that share only a corner or an edge have a sliver of rounding in common.
             if (doubled_area(part, normal) > 1e-9 * doubled_area(a, normal)) parts.push_back(std::move(part));
         }
     return parts;

@@ -66,7 +66,7 @@ Row find_cable_node(const Model& model, const Identity& identity) {
     return node_of_cable(model, static_cast<std::int32_t>(identity.slot), static_cast<Row>(identity.generation) - 1);
 }
 
-// Nodes and elements of beams and liners are known by the number of their structure, and counted in it.
+// Nodes and elements of beams and liners are identified by the number of their structure and an index in it.
 template <auto table> std::size_t member_rows(const Model& model) { return (model.structures.*table).size(); }
 template <auto table, auto span> Identity member_identity(const Model& model, Row row) {
     const auto& members = model.structures.members;

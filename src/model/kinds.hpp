@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-/// What an object is known by while other objects come and go.
+/// Identity of an object while others are created and deleted.
 struct Identity {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0; ///< 0: nothing
@@ -24,27 +24,27 @@ struct KindInfo {
     const char* plural = "";    ///< "sub-contacts"
     std::string_view file = {}; ///< name of its list in exported tables: "sub-contacts"; "": has none
     std::size_t (*count)(const Model&) = nullptr;
-    /// The block that an object belongs to; of a contact its block1; no_row of what is outside of the rock.
+    /// The block of an object; block1 of a contact; no_row outside the rock.
     Row (*block)(const Model&, Row) = nullptr;
     /// The point that ranges test.
     Vec3 (*place)(const Model&, Row) = nullptr;
-    /// By which users know it; null: it has none.
+    /// Its number for users; null: none.
     std::int64_t (*number)(const Model&, Row) = nullptr;
     /// Hidden with its block, or with one of its blocks; null: never.
     bool (*shown)(const Model&, Row) = nullptr;
-    /// The column of its own groups; null: it has none.
+    /// The column of its groups; null: none.
     Column<std::int32_t>& (*groups)(Model&) = nullptr;
 
-    // How it is found again. What is counted in its block goes with the block's shape; other kinds have identities of their own.
+    // How it is found again. Objects counted within their block depend on the block's shape; other kinds have their own identities.
     Span (*in_block)(const Model&, Row block) = nullptr;
     Identity (*identity)(const Model&, Row) = nullptr;
     Row (*find)(const Model&, const Identity&) = nullptr; ///< no_row: it is gone
 
-    bool found_late = false; ///< contacts are searched when somebody asks for them
+    bool found_late = false; ///< contacts are searched on first use
 
     // Histories.
     std::int32_t history = -1; ///< its number in save files; -1: nothing of it can be recorded
-    const char* missing = "";  ///< what there is none of
+    const char* missing = "";  ///< the noun of messages about missing ones
     const char* remedy = "";   ///< then
 
     // FISH. Names that begin with `classic` and `modern` follow from them: gp_near, block.gp.near.
@@ -55,17 +55,17 @@ struct KindInfo {
 
 const KindInfo& info_of(ObjectKind kind);
 std::span<const KindInfo> kinds();
-/// The kind of that history number; none when there is no such number.
+/// The kind of that history number; none when no kind has it.
 ObjectKind recorded_kind(std::int32_t history);
 
 /// From an object, or from the whole model, to others.
 struct Relation {
     ObjectKind from = ObjectKind::none, to = ObjectKind::none;
-    /// The list of them: FISH walks it from its first one to the next ones.
+    /// The list: FISH walks it from the first to the next ones.
     Span (*list)(const Model&, Row) = nullptr;
-    /// Of the list of an object: the object by one that stands in it.
+    /// The owner of the list that contains an object.
     Row (*owner)(const Model&, Row) = nullptr;
-    /// Those of a list that do not count; null: all do.
+    /// Entries of the list that are skipped; null: none.
     bool (*skips)(const Model&, const Span& list, Row row) = nullptr;
     /// Without a list: some of them, by number...
     std::vector<Row> (*numbered)(const Model&, Row) = nullptr;
@@ -74,9 +74,9 @@ struct Relation {
     struct Names {
         std::string_view classic = {}, modern = {};
     };
-    Names first{}; ///< of the list; of what has none: the relation itself
+    Names first{}; ///< of the list; without a list: the relation itself
     Names next{};
-    std::string_view array = {}; ///< that gives all of them at once
+    std::string_view array = {}; ///< returns all of them at once
 };
 std::span<const Relation> relations();
 

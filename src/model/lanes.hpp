@@ -1,5 +1,5 @@
-// Four numbers at a time: rows of columns in vector registers. Every operation is row by row, so that a row's
-// result does not depend on where in a group it stands, nor on the width of the machine's registers.
+// Four numbers at a time: rows of columns in vector registers. Every operation is row by row, so a result depends neither on the row's
+// place in a group nor on the width of the registers.
 #pragma once
 
 #include "model/column.hpp"
@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-// Vectors of eight that registers are too narrow for are passed in another way; only inlined functions pass them.
+// The ABI of vectors of eight depends on the registers; only inlined functions pass them.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace kaya {

@@ -21,8 +21,7 @@ Vec3 middle_of(const Corners& c) { return (c[0] + c[1] + c[2]) / 3; }
 
 Vec3 normal_of(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
 
-/// Whether blocks lie on a triangle of a face: just in front of its middle, and of places near its corners. A triangle may lie on several
-/// blocks.
+/// Whether blocks cover a triangle of a face: tested just in front of its middle, and near its corners. Several blocks may cover it.
 class Cover {
 public:
     Cover(const Model& model, double tolerance)

@@ -14,12 +14,12 @@ struct Model;
 struct Lining {
     SurfaceMesh mesh;
     double area = 0;
-    std::size_t covered = 0; ///< triangles that lie on other blocks, and are left out
-    std::size_t partly = 0;  ///< triangles that lie on other blocks in parts; their middles decide
+    std::size_t covered = 0; ///< triangles covered by other blocks, left out
+    std::size_t partly = 0;  ///< triangles covered in part; their middles decide
 };
 
-/// `edge`: no side is longer; 0: triangles are those of the faces. `tolerance`: corners that are nearer to each other are one, and
-/// blocks that are nearer than it cover a face. 0: a ten thousandth of the extent of the faces. It becomes what was taken.
+/// `edge`: the longest side; 0: the triangles of the faces. `tolerance`: corners closer than this are merged, and blocks closer than this
+/// cover a face. 0: a ten thousandth of the extent of the faces. It is set to the value used.
 Lining line_faces(const Model& model, const std::vector<Row>& faces, double edge, double& tolerance);
 
 /// About how many triangles there will be.

@@ -1,4 +1,4 @@
-// Loops over columns by their roles: links that follow rows that moved, and rows that take over from others.
+// Loops over columns by role: links that follow moved rows, and rows that inherit from others.
 #pragma once
 
 #include "model/model.hpp"
@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-/// New numbers of the rows of a table; no_row: the row is gone.
+/// New numbers of the rows of a table; no_row: deleted.
 using Renamed = std::vector<Row>;
 
 namespace links {
@@ -26,13 +26,12 @@ inline void rename(Row& row, const Renamed& renamed) {
 template <std::size_t n> void rename(std::array<Row, n>& rows, const Renamed& renamed) {
     for (Row& row : rows) rename(row, renamed);
 }
-/// Rows of a span stay together and in their order.
+/// Rows of a span stay together and in order.
 inline void rename(Span& span, const Renamed& renamed) {
     if (static_cast<std::size_t>(span.first) < renamed.size())
         span.first = std::max(renamed[static_cast<std::size_t>(span.first)], 0);
 }
-/// A side that lost one of its gridpoints, because its block got another shape, is attached nowhere until its geometry is
-/// made anew.
+/// A side that lost one of its gridpoints because the shape of its block changed is unattached until its geometry is rebuilt.
 inline void rename(Attachment& side, const Renamed& renamed) {
     bool lost = false;
     for (std::size_t k = 0; k < side.gridpoints.size(); ++k) {
@@ -55,7 +54,7 @@ template <class To, class TableType> void renumber_rows(TableType& table, Row fi
     });
 }
 
-/// In the columns that have one of the roles, `count` rows from `row` on become those from `from_row` on of another table.
+/// In the columns with one of the roles, copies `count` rows of another table, starting at `from_row`, to those starting at `row`.
 template <class TableType>
 void take_over(TableType& table, Row row, TableType& from, Row from_row, Row count, std::initializer_list<Role> roles) {
     std::vector<void*> sources;
@@ -91,7 +90,7 @@ template <class TableType> void clear(TableType& table, std::initializer_list<Ro
 
 } // namespace links
 
-/// Rows of the table `To` have got other numbers: whatever names them follows.
+/// Renumbers all references to rows of the table `To`.
 template <class To> void renumber(Model& model, const Renamed& renamed) {
     model.present_tables([&](const char*, auto& table) { links::renumber_rows<To>(table, 0, renamed); });
 }

@@ -1,4 +1,4 @@
-// What `prop` sets: block and joint materials by number, and the property sets that contacts use.
+// Data of `prop`: block and joint materials by number, and the property sets of contacts.
 #pragma once
 
 #include "model/column.hpp"
@@ -28,7 +28,7 @@ struct Material {
     std::map<std::string, double> zone;
 };
 
-/// What zones of blocks do: a zone model, and values besides those of the material.
+/// A zone model, and values that override those of the material.
 struct ZoneProperties {
     std::string model;                    ///< keyword of the zone model
     std::map<std::string, double> values; ///< by the name of the property

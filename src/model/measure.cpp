@@ -109,7 +109,7 @@ Vec3 gridpoint_velocity(const Model& model, Row gridpoint) {
 Vec3 block_centroid(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     if (!blocks.deformable[block]) return blocks.centroid[block];
-    // About a gridpoint, so that numbers stay small.
+    // Relative to a gridpoint, to keep numbers small.
     const Vec3 origin = model.gridpoints.position[blocks.gridpoints[block].first];
     const Span zones = blocks.zones[block];
     Vec3 sum = Vec3::Zero();

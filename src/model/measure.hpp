@@ -1,4 +1,4 @@
-// Sizes and places of faces and zones as they are now, from the positions of their gridpoints.
+// Present sizes and positions of faces and zones, from the positions of their gridpoints.
 #pragma once
 
 #include "model/model.hpp"
@@ -25,14 +25,13 @@ Vec3 principal_stresses(const Model& model, Row zone);
 /// The same with their directions: unit vectors, the columns.
 std::pair<Vec3, Mat3> principal_axes(const Model& model, Row zone);
 
-/// Of a deformable block's gridpoint its column; the vertex of a rigid block goes with the block.
+/// The column for a gridpoint of a deformable block; the velocity of the block for a vertex of a rigid one.
 Vec3 gridpoint_velocity(const Model& model, Row gridpoint);
 
-/// Of a rigid block its column; of a deformable one that of its zones as they are now.
+/// The column for a rigid block; the present centroid of the zones for a deformable one.
 Vec3 block_centroid(const Model& model, Row block);
 
-/// Of a rigid block its column; of a deformable one the mean of its gridpoints, weighted with their
-/// masses (equally while these are not known).
+/// The column for a rigid block; the mean over gridpoints by mass for a deformable one (equal weights while masses are unknown).
 Vec3 block_velocity(const Model& model, Row block);
 Vec3 block_displacement(const Model& model, Row block);
 

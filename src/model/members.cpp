@@ -64,7 +64,7 @@ void place_node(Model& model, const BlockFinder& finder, Row node) {
     take_turn_of_block(model, nodes, node);
 }
 
-/// The mean of the normals of the faces of its block that the place lies on and that no other block covers there; 0 on none.
+/// The mean normal of the uncovered faces of its block at the place; 0 on none.
 Vec3 face_normal_at(const Model& model, const BlockFinder& finder, Row block, const Vec3& place, double tolerance) {
     const double on_face = std::max(tolerance, 1e-6 * block_size(model, block));
     Vec3 sum = Vec3::Zero();
@@ -83,7 +83,7 @@ Vec3 face_normal_at(const Model& model, const BlockFinder& finder, Row block, co
     return sum.norm() > 1e-6 ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());
 }
 
-/// Places from one end to the other, each straight part in equal pieces.
+/// Points from one end to the other, each straight part divided equally.
 std::vector<Vec3> divided(const std::vector<Vec3>& places, std::int32_t segments) {
     std::vector<Vec3> all{places.front()};
     for (std::size_t part = 1; part < places.size(); ++part)
@@ -247,7 +247,7 @@ Hold hold_of(const Model& model, Row node) {
 
 Row member_of_number(const Model& model, std::int32_t number) {
     const auto& numbers = model.structures.members.number;
-    const auto found = std::ranges::lower_bound(numbers, number); // members stand in the order of their numbers
+    const auto found = std::ranges::lower_bound(numbers, number); // members are sorted by number
     return found == numbers.end() || *found != number ? no_row : static_cast<Row>(found - numbers.begin());
 }
 

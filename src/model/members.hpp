@@ -25,7 +25,7 @@ public:
     Column<std::int32_t> property; ///< key of Structures::properties
     Column<std::uint8_t> kind;     ///< StructureKind
     Column<Vec3> axis;             ///< of a beam: about where its axis y points; of a liner: its axis x
-    Column<double> tolerance;      ///< how far outside of the rock a node still lies on it
+    Column<double> tolerance;      ///< distance outside the rock at which a node still lies on it
     Column<Span> nodes;            ///< contiguous and in the order of members, as the elements
     Column<Span> beams;
     Column<Span> liners;
@@ -42,10 +42,10 @@ public:
     }
 };
 
-/// How a node may be held besides by its link.
+/// Additional restraint of a node.
 enum class Grip : std::uint8_t {
     link,   ///< as its properties say
-    anchor, ///< it goes with the rock
+    anchor, ///< it moves with the rock
     clamp   ///< and turns with it
 };
 
@@ -54,10 +54,10 @@ public:
     Column<Row> member;
     Column<Grip> grip;
     Column<Vec3> reference;       ///< place when it was made, without force
-    Column<Vec3> normal;          ///< of the face it lies on, out of the rock, when it was made; 0: on no face
+    Column<Vec3> normal;          ///< of its face, out of the rock, at creation; 0: on no face
     Column<double> share;         ///< of the area of a liner, of the length of a beam
     Column<Vec3> rock;            ///< place of the rock at the node
-    Column<Vec3> rock_shift;      ///< that the rock has gone in small strain, where its own place stays
+    Column<Vec3> rock_shift;      ///< displacement of the rock in small strain, where its position is fixed
     Column<Quaternion> rock_turn; ///< of a clamped node in the axes of its block
     Column<Vec3> position;
     Column<Quaternion> rotation; ///< from how it was made
@@ -75,7 +75,7 @@ public:
     Column<Vec3> last_moment;
     Column<Vec3> rock_force; ///< of the node on the rock
     Column<Vec3> rock_moment;
-    Column<Vec3> link_slip; ///< past the rock, what does not go back; in the node's own axes
+    Column<Vec3> link_slip; ///< plastic slip relative to the rock, in the node's own axes
     Column<std::uint8_t> link_state;
 
     template <class Visit> void columns(Visit&& visit) {
@@ -109,13 +109,13 @@ public:
     }
 };
 
-/// Parts of beams between two nodes. Forces are those on the side of a section that looks to the last node.
+/// Parts of beams between two nodes. Forces are those on the section face towards the last node.
 class BeamElements : public Table<BeamElements> {
 public:
     Column<Row> member;
     Column<std::array<Row, 2>> nodes;
     Column<Vec3> axis_y;                  ///< when it was made
-    Column<double> extension_lost;        ///< what does not go back
+    Column<double> extension_lost;        ///< plastic part
     Column<std::array<double, 4>> hinges; ///< rotations: about y at the first and the last node, about z at both
     Column<double> axial;                 ///< tension positive
     Column<double> torsion;
@@ -145,7 +145,7 @@ public:
     Column<Vec3> axis;     ///< x, now
     Column<Vec3> normal;   ///< now
     Column<Vec3> membrane; ///< tension positive
-    Column<Vec3> moment;   ///< positive with tension on the side that looks out of the rock
+    Column<Vec3> moment;   ///< positive with tension on the side facing away from the rock
 
     template <class Visit> void columns(Visit&& visit) {
         visit("member", member, link<Members>());
@@ -157,12 +157,12 @@ public:
     }
 };
 
-/// A beam to be made: a line of straight parts.
+/// A beam to be created: a polyline.
 struct NewBeam {
     std::vector<Vec3> places;
     std::int32_t segments = 10; ///< elements of each straight part
     std::int32_t property = 1;
-    Vec3 axis = Vec3::Zero(); ///< 0: global y, or x where the beam goes along y
+    Vec3 axis = Vec3::Zero(); ///< 0: global y, or x for a beam along y
     double tolerance = 0;
     Grip grip = Grip::link, first = Grip::link, last = Grip::link; ///< of all nodes; of the ends
 };
@@ -180,10 +180,10 @@ struct NewLiner {
 Row make_beam(Model& model, const NewBeam& wanted);
 Row make_liner(Model& model, const NewLiner& wanted);
 
-/// Takes members out, given by ascending rows.
+/// Removes members, given by ascending rows.
 void delete_members(Model& model, const std::vector<Row>& members);
 
-/// Puts nodes into the blocks where their block is gone or has got another shape. What they had carried to it is gone.
+/// Places nodes again whose block was deleted or changed its shape. Their forces on it are dropped.
 void place_member_nodes(Model& model, const BlockFinder& finder);
 
 /// How a node hangs on the rock now.
@@ -193,10 +193,10 @@ Hold hold_of(const Model& model, Row node);
 /// The row of a member by its number; no_row when there is none.
 Row member_of_number(const Model& model, std::int32_t number);
 
-/// The direction x of a liner on an element: that which is wanted, or global x, without its part along the normal.
+/// The x direction of a liner on an element: the wanted one, or global x, without its part along the normal.
 Vec3 liner_axis(const Vec3& wanted, const Vec3& normal);
 
-/// The normal of a node as it lies now.
+/// The present normal of a node.
 Vec3 normal_of_node(const Model& model, Row node);
 
 /// Of the link on the node, per area of a liner and length of a beam: away from the rock, and along the face.

@@ -20,8 +20,7 @@
 
 namespace kaya {
 
-/// Blocks that take no part, with all that belongs to them. Their rows are linked as those of the model are; they
-/// have no ids.
+/// Inactive blocks with all their parts. Their rows are linked as those of the model; they have no ids.
 struct Excavated {
     Blocks blocks;
     Gridpoints gridpoints;
@@ -39,8 +38,8 @@ struct Roller {
     bool operator==(const Roller&) const = default;
 };
 
-/// What has to be added to a velocity so that its parts along the roller's directions become `speed`; components that
-/// are held (Fixity bits) stay. A force loses its parts along the directions with the speed 0.
+/// The change of a velocity that makes its components along the roller's directions equal to `speed`; held components (Fixity bits) are
+/// unchanged. A force loses its components along directions with the speed 0.
 Vec3 roller_change(const Roller& roller, const Vec3& value, std::uint8_t fixed, const Vec3& speed);
 
 /// Bits of Model::unreduced.
@@ -57,12 +56,12 @@ struct Model {
     TiedPairs tied_pairs;
     Ties ties;
     BoundaryHistories boundary_histories;
-    Excavated excavated; ///< blocks that were taken out and may be put back
+    Excavated excavated; ///< blocks that were excavated and may be put back
     Structures structures;
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
-    std::vector<ZoneProperties> zone_properties{ZoneProperties{}}; ///< of blocks; the first says nothing
+    std::vector<ZoneProperties> zone_properties{ZoneProperties{}}; ///< of blocks; the first is empty
     std::map<std::int32_t, std::string> joint_constitutive;        ///< model name of each `jcons` number
     std::vector<std::string> group_names{""};
     std::vector<TimeFunction> time_functions; ///< of drives
@@ -85,8 +84,8 @@ struct Model {
     /// fos` set it.
     std::uint8_t unreduced = 0;
 
-    // Sub-contacts that joint models must still be asked about (mechanics/take_over.hpp). Not
-    // part of the state: they are asked before the model cycles or is saved.
+    // Sub-contacts whose joint models must still be called (mechanics/take_over.hpp). Not part of the state: this is done before the model
+    // cycles or is saved.
     std::vector<SubContactId> forces_set; ///< by scripts
     std::vector<SubContactId> taken_over; ///< their joint model, its values or forces were set by commands
 
@@ -99,7 +98,7 @@ struct Model {
         visit("excavated_triangles", excavated.triangles);
         visit("excavated_zones", excavated.zones);
     }
-    /// Those of what takes part.
+    /// The tables of active objects.
     template <class Visit> void present_tables(Visit&& visit) {
         visit("blocks", blocks);
         visit("gridpoints", gridpoints);
@@ -112,7 +111,7 @@ struct Model {
         visit("ties", ties);
         visit("drives", boundary_histories);
     }
-    /// The same of what stands in the rock, and on its faces.
+    /// The tables of structures.
     template <class Visit> void structure_tables(Visit&& visit) {
         cable_tables(visit);
         member_tables(visit);
@@ -131,8 +130,8 @@ struct Model {
 
 inline ModelEdit::ModelEdit(Model& model, Change change) : stale_(model.stale), change_(change) {}
 
-/// Digest of everything that decides how a run goes on: columns, settings, clock, properties,
-/// histories. Equal state, equal digest; independent of threads, of the machine's paths and of time.
+/// Digest of everything that affects the further run: columns, settings, clock, properties, histories. Equal state gives an equal digest,
+/// independent of threads, paths and time.
 std::uint64_t state_hash(Model& model);
 
 } // namespace kaya

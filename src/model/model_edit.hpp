@@ -1,5 +1,5 @@
-// Who may change the structure of a model: whoever holds a ModelEdit. It says what the change makes stale, and the model
-// knows it when the edit ends.
+// The structure of a model is changed through a ModelEdit. It declares what the change invalidates, and the model is marked when the edit
+// ends.
 #pragma once
 
 #include <algorithm>
@@ -9,22 +9,22 @@ namespace kaya {
 
 struct Model;
 
-/// What a change of the model makes stale.
+/// Derived data that a change invalidates.
 enum class Change : std::uint8_t {
-    blocks,     ///< blocks were made: contacts are searched anew, and properties computed
-    rows,       ///< the same, and rows of blocks moved or a block that was there got another shape
-    surfaces,   ///< faces are divided in another way: contacts are searched anew
-    contacts,   ///< contacts or cables are others, or follow another law: properties and lists are made anew
-    properties, ///< masses, stiffnesses, conditions or the time step: they are computed anew
-    lists       ///< who acts on whom, where the whole model is another one
+    blocks,     ///< new blocks: contacts are searched, and properties computed
+    rows,       ///< the same, and rows of blocks moved or the shape of a block changed
+    surfaces,   ///< faces are divided differently: contacts are searched
+    contacts,   ///< contacts or cables changed, or their law: properties and lists are rebuilt
+    properties, ///< masses, stiffnesses, conditions or the time step: recomputed
+    lists       ///< interaction lists, after the whole model was replaced
 };
 
-/// What is stale. Whoever makes it anew says so. Of a model that is restored the lists are.
+/// Dirty flags of derived data; the code that rebuilds it clears them. After a restore the lists are dirty.
 class Stale {
 public:
     bool contacts() const { return contacts_; }     ///< are searched anew
-    bool properties() const { return properties_; } ///< masses, stiffnesses, the time step: are computed anew
-    bool lists() const { return lists_; }           ///< of who acts on whom: are made anew
+    bool properties() const { return properties_; } ///< masses, stiffnesses, the time step must be recomputed
+    bool lists() const { return lists_; }           ///< interaction lists must be rebuilt
     bool any() const { return contacts_ || properties_ || lists_; }
 
     void contacts_found() {

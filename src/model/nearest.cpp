@@ -32,7 +32,7 @@ double distance_to_triangle(const Corners& corner, const Vec3& place) {
     return least;
 }
 
-/// The solid angle that a triangle fills, seen from the place (Van Oosterom and Strackee 1983, equation 8).
+/// The solid angle of a triangle seen from the place (Van Oosterom and Strackee 1983, equation 8).
 double solid_angle(const Corners& corner, const Vec3& place) {
     const Vec3 a = corner[0] - place, b = corner[1] - place, c = corner[2] - place;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();

@@ -9,8 +9,8 @@ namespace kaya {
 /// sub-contact.
 double distance_to(const Model& model, ObjectKind kind, Row row, const Vec3& place);
 
-/// The row with the least distance_to; of several, as where blocks touch, that whose reference point is nearest.
-/// no_row when there is none.
+/// The row with the least distance_to; among equals, where blocks are in contact, the one whose reference point is nearest. no_row when
+/// there is none.
 Row nearest_row(const Model& model, ObjectKind kind, const Vec3& place);
 
 /// Diagonal of the box around a block.

@@ -13,7 +13,7 @@ namespace kaya {
 
 namespace {
 
-/// How far outside of a block, over its size, a point still counts as on its surface.
+/// Distance outside a block, over its size, within which a point counts as on its surface.
 constexpr double on_surface = 1e-6;
 
 Mat3 turn_of(const Blocks& blocks, Row block) {
@@ -43,7 +43,7 @@ bool near_box_of_zone(const Model& model, Row zone, const Vec3& place, double to
     return ((low - place).array() <= tolerance).all() && ((place - high).array() <= tolerance).all();
 }
 
-/// The zone that the place lies deepest in.
+/// The zone that contains the place most deeply.
 void place_in_zone(const Model& model, RockPoints& points, Row row, Row block, const Vec3& place, double tolerance) {
     const Span zones = model.blocks.zones[block];
     double best = -std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ BlockFinder::BlockFinder(const Model& model) : model_(model), same_(1e-10 * mode
     }
 }
 
-/// Visits blocks and their distances from the place, of those that are near enough.
+/// Visits blocks within reach of the place, with their distances.
 template <class Visit> void BlockFinder::each_near(const Vec3& place, double tolerance, const Visit& visit) const {
     for (Row block = 0; block < static_cast<Row>(boxes_.size()); ++block) {
         const Box& box = boxes_[static_cast<std::size_t>(block)];

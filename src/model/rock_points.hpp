@@ -1,4 +1,4 @@
-// Points of structures in the rock: which block and zone they lie in, and where that is now.
+// Points of structures in the rock: their block and zone, and their present position.
 #pragma once
 
 #include "model/blocks.hpp"
@@ -12,7 +12,7 @@ namespace kaya {
 
 struct Model;
 
-/// Columns of a table whose rows lie in blocks. They are placed anew when their block is gone or has got another shape.
+/// Columns of a table whose rows lie in blocks. Rows are placed again when their block was deleted or changed its shape.
 struct RockPoints {
     Column<BlockId> block;                 ///< an id of none: outside of the rock
     Column<std::int32_t> shape;            ///< Blocks::shape when it was placed there
@@ -34,8 +34,8 @@ class BlockFinder {
 public:
     explicit BlockFinder(const Model& model);
 
-    /// Of several, as where blocks touch, that whose centroid is nearest; no_row when the place is farther than `tolerance` outside
-    /// of all, or than a millionth of a block's size where that is more.
+    /// Among several, where blocks are in contact, the block whose centroid is nearest; no_row when the place is farther outside all blocks
+    /// than `tolerance`, or than a millionth of a block's size if that is more.
     Row at(const Vec3& place, double tolerance = 0) const;
     /// Whether another block than `own` is nearer than that to a place.
     bool other_at(const Vec3& place, Row own, double tolerance) const;
@@ -56,10 +56,10 @@ private:
 void place_in_rock(const Model& model, const BlockFinder& finder, RockPoints& points, Row row, const Vec3& place,
                    double tolerance = 0);
 
-/// The row of the block that it lies in; no_row when it is outside of the rock.
+/// The row of the containing block; no_row outside the rock.
 Row rock_block(const Model& model, const RockPoints& points, Row row);
 
-/// How many of those rows lie in the rock.
+/// The number of rows inside the rock.
 std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes);
 
 /// Whether the block that it was placed in is still there, with the shape that it had then.

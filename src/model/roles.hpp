@@ -1,5 +1,5 @@
-// What columns mean for their rows. Cutting, copying, excavating, filling and `reset`, and the check of a model, are
-// loops over roles: a new column says its role once, in columns(), and all of them know what to do with it.
+// Roles of columns. Cutting, copying, excavating, filling, `reset` and the consistency check are loops over roles: a new column declares
+// its role once, in columns().
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 namespace kaya {
 
 enum class Role : std::uint8_t {
-    identity,   ///< ids, numbers, revisions: each row has its own
-    link,       ///< rows of other tables, or their ids
-    local_link, ///< rows counted from the first of their block: right wherever the block is
-    setting,    ///< what the user has given: pieces and copies have it as well
-    condition,  ///< what is held or filled with water: pieces have it, copies do not; blocks that are filled in keep it
-    load,       ///< pieces share it by volume; blocks that are filled in and copies have none
-    motion,     ///< velocities: blocks that are filled in and copies are at rest
+    identity,     ///< ids, numbers, revisions: each row has its own
+    link,         ///< rows of other tables, or their ids
+    local_link,   ///< rows counted from the first of their block: right wherever the block is
+    setting,      ///< set by the user: pieces and copies inherit it
+    condition,    ///< holds and water: pieces inherit it, copies do not; refilled blocks keep it
+    load,         ///< pieces share it by volume; blocks that are filled in and copies have none
+    motion,       ///< velocities: blocks that are filled in and copies are at rest
     displacement, ///< the same, and `reset disp` and `reset jdisp` set it to zero
     state,        ///< forces, stresses, history: blocks that are filled in and copies carry nothing
     geometry      ///< shape, place and mass
 };
 
-/// The role of a column, and what its numbers stand for: rows of the table `To`, or of a list of the model.
+/// The role of a column, and the target of its numbers: rows of the table `To`, or of a list of the model.
 template <class To = void> struct ColumnRole {
     Role role;
     bool may_be_none = false; ///< no_row is allowed

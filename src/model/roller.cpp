@@ -3,7 +3,7 @@
 namespace kaya {
 
 Vec3 roller_change(const Roller& roller, const Vec3& value, std::uint8_t fixed, const Vec3& speed) {
-    // Gram and Schmidt: what of each direction is free and not yet spoken for.
+    // Gram and Schmidt: the part of each direction orthogonal to the earlier ones.
     constexpr double parallel = 1e-6;
     std::array<Vec3, 3> basis;
     std::array<double, 3> part{};

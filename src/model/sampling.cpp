@@ -16,7 +16,7 @@ using Kind = HistorySource::Kind;
 
 bool has_place(Kind kind) { return kind != Kind::global && kind != Kind::function; }
 
-/// The row where the source's object is now, no_row when it is gone.
+/// The present row of the source's object; no_row when it was deleted.
 Row present_row(const Model& model, const HistorySource& source) {
     if (source.kind == Kind::cable_node)
         return node_of_cable(model, static_cast<std::int32_t>(source.slot), source.offset);
@@ -37,8 +37,8 @@ double sample(const Model& model, const Field& field, Row row) {
                      "name one of its components");
 }
 
-/// What a sub-contact has for itself has the name that it has in files for ParaView. Only who knows the joint models knows its
-/// value: it is asked for as "jmodel_NAME of ROW".
+/// A sub-contact's own value has the name that it has in files for ParaView. Only the joint models can read it: it is requested as
+/// "jmodel_NAME of ROW".
 constexpr std::string_view own_beginning = "jmodel_";
 
 bool is_own_value(const HistorySource& source) {
@@ -138,7 +138,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
     auto& histories = model.histories;
     const bool due = is_due(model);
     if (histories.all.empty() || (!due && !any_rate(histories))) return;
-    // Values first, then all of them at once: a function of the deck may fail half way.
+    // Values first, then all of them at once: a function of the deck may throw.
     std::vector<double> values;
     values.reserve(histories.all.size());
     for (auto& history : histories.all) {
@@ -157,7 +157,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
         if (has_place(source.kind)) {
             source.row = present_row(model, source);
             if (source.row == no_row && count_of(model, source.kind) > 0) locate(model, source);
-            if (source.row == no_row) { // nothing of the kind is left: the run goes on all the same
+            if (source.row == no_row) { // none of the kind is left: the run continues
                 values.push_back(std::numeric_limits<double>::quiet_NaN());
                 continue;
             }

@@ -1,4 +1,4 @@
-// Takes the samples of histories.
+// Samples of histories.
 #pragma once
 
 #include "model/history.hpp"
@@ -21,11 +21,11 @@ const Field* sampled_field(const HistorySource& source);
 /// with the lower row. Throws Diagnostic when the model has none of that kind.
 void locate(const Model& model, HistorySource& source);
 
-/// Adds a history, numbered one up, and locates it. Its first sample is the next one taken.
-/// An empty label becomes the name of the quantity.
+/// Adds a history with the next number and locates it. Its first sample is the next one taken. An empty label becomes the name of the
+/// quantity.
 History& add_history(Model& model, HistorySource source, std::string label = {});
 
-/// What a history records, for lists and messages; nothing for the whole model, a function, and what is gone.
+/// The recorded object, for lists and messages; none for the whole model, a function, and a deleted object.
 struct SampledObject {
     std::string name;    ///< "gridpoint 5"
     Vec3 place;          ///< where it is now
@@ -37,13 +37,12 @@ std::optional<SampledObject> sampled_object(const Model& model, const HistorySou
 /// Whether the next call of sample_histories reads zones.
 bool samples_zones(const Model& model);
 
-/// One sample of every history, and its time and cycle, when the cycle is one of each `interval`; nothing
-/// when there is no history. `script_value` gives the value of a function
-/// or variable of the deck. An object that is gone is looked for anew; NaN when there is none of its kind
-/// left. When anything throws, no history has got a sample.
+/// Takes one sample of every history, with its time and cycle, in each `interval`-th cycle; does nothing without histories. `script_value`
+/// returns the value of a function or variable of the deck. If the object was deleted, the nearest one is used; NaN when none of its kind
+/// is left. When anything throws, no history gets a sample.
 void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value);
 
-/// Forgets all samples; the histories stay.
+/// Removes all samples; the histories stay.
 void reset_histories(Histories& histories);
 
 } // namespace kaya

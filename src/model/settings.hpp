@@ -1,4 +1,4 @@
-// What applies to the whole model, and where it stands in time.
+// Settings of the whole model, and its clock.
 #pragma once
 
 #include "base/vector.hpp"
@@ -10,12 +10,12 @@ namespace kaya {
 /// How motion is damped. Equations: docs/theory/damping.md.
 enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
 
-/// Where the water pressure in joints comes from.
+/// Source of the water pressure in joints.
 enum class Water : std::int32_t {
     none,   ///< nobody touches SubContacts::pore_pressure
     table,  ///< hydrostatic below a plane
     field,  ///< linear in space
-    points, ///< of the gridpoints beside, Gridpoints::pore_pressure
+    points, ///< of the adjacent gridpoints, Gridpoints::pore_pressure
     ground  ///< hydrostatic below Model::water_ground
 };
 
@@ -23,14 +23,14 @@ enum class Water : std::int32_t {
 enum class MassScaling : std::int32_t {
     none,
     full,   ///< all, so that all allow the same step; for static solution
-    partial ///< those that allow a shorter step than Settings::scaled_time_step get more
+    partial ///< only bodies with a shorter stable step than Settings::scaled_time_step get more mass
 };
 
 struct Settings {
     Vec3 gravity = Vec3::Zero();
     Damping damping = Damping::local;
     double local_factor = 0.8;        ///< alpha of F_d = -alpha |F| sgn(v)
-    double global_ratio = 0.5;        ///< damping power asked for, over the rate of change of kinetic energy
+    double global_ratio = 0.5;        ///< wanted damping power over the rate of change of kinetic energy
     double rayleigh_fraction = 0;     ///< of critical damping, at
     double rayleigh_frequency = 0;    ///< cycles/time
     bool rayleigh_mass = true;        ///< the part that is proportional to mass acts
@@ -48,7 +48,7 @@ struct Settings {
     Vec3 water_direction = Vec3::Zero(); ///< of a table: unit normal, upward; of a field: gradient
     bool dynamic = false;
     bool large_strain = true;
-    bool energy = true;                          ///< keep the account of energy
+    bool energy = true;                          ///< keep the energy account
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
     /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the
@@ -56,22 +56,22 @@ struct Settings {
     std::int32_t default_properties = -1;
 };
 
-/// The part of the largest stable step that is taken. On the way to rest stability is enough; motion that is to be
-/// followed needs several steps for each of its periods, or touches that come and go make energy.
+/// The fraction of the largest stable step that is used. In static solution stability is enough; motion that is to be followed needs
+/// several steps for each of its periods, or opening and closing contacts create energy.
 double time_step_fraction(const Settings& settings);
 
-/// Numbers that the cycle keeps from step to step.
+/// Numbers that the cycle carries from step to step.
 struct Clock {
     double time = 0;
     std::int64_t cycle = 0;
     double time_step = 0;        ///< 0: not computed yet
-    double last_step = 0;        ///< that which brought the bodies to where they are; 0: none yet
+    double last_step = 0;        ///< the step that led to the present positions; 0: none yet
     double global_viscosity = 0; ///< of adaptive global damping, 1/time
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
     double factor_of_safety = 0;                                  ///< of the last `solve fos`; 0: none yet
 
-    /// From the middle of the last step, where velocities stand, to the middle of this one: forces act for so long.
+    /// From the middle of the last step, the time of the velocities, to the middle of this one: the time during which forces act.
     double kick() const { return last_step > 0 ? 0.5 * (last_step + time_step) : time_step; }
 };
 

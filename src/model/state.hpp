@@ -1,5 +1,5 @@
-// The one walk over everything that a Model holds. Hash, save and restore are archives that are led
-// along it, so that none of them can forget what another one knows.
+// The one walk over everything that a Model holds. Hash, save and restore are archives that follow it, so that none can omit what another
+// includes.
 #pragma once
 
 #include "model/kinds.hpp"
@@ -222,7 +222,7 @@ template <class Archive, class Tag> void visit_ids(Archive& archive, IdMap<Tag>&
         archive.list("generations", generations);
         archive.list("free", ids.free_slots());
     });
-    // Columns of different lengths: the longer one is seen by the check of the whole model.
+    // Columns of different lengths: the check of the whole model reports the longer one.
     const std::size_t count = std::max(rows.size(), generations.size());
     rows.resize(count, no_row);
     generations.resize(count, 0);
@@ -247,11 +247,11 @@ template <class Archive> void visit_column(Archive& archive, const std::string& 
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = {gridpoints[i], weights[i]};
 }
 
-/// Objects have no bytes of their own to look at; visit_objects takes what they save.
+/// Objects have no plain bytes; visit_objects takes what they save.
 template <class Archive> void visit_column(Archive&, const std::string&, Column<JointObject>&) {}
 
-/// What joint models keep as objects: one size per row, and all bytes one after the other. An archive that
-/// restores leaves them asleep, since their joint models are loaded later.
+/// Objects of joint models: one size per row, and all bytes one after the other. A restoring archive leaves them unloaded, since their
+/// joint models are loaded later.
 template <class Archive> void visit_objects(Archive& archive, Column<JointObject>& objects) {
     Column<std::uint64_t> sizes;
     Column<std::uint8_t> bytes;
@@ -279,7 +279,7 @@ template <class Archive> void visit_objects(Archive& archive, Column<JointObject
 template <class Archive, class T> void visit_table(Archive& archive, const char* name, T& table) {
     archive.section(name, [&] {
         if constexpr (requires { table.history_columns; }) { archive.value("history_columns", table.history_columns); }
-        if constexpr (requires { table.keeps_dashpots; }) // not hashed: the column says it
+        if constexpr (requires { table.keeps_dashpots; }) // not hashed: the column itself is
             archive.aside([&] { archive.value("keeps_dashpots", table.keeps_dashpots); });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; }) archive.value("field_columns", table.field_columns);
@@ -298,7 +298,7 @@ template <class Archive> void visit_state(Archive& archive, Model& model) {
            time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number,
            next_shape_number, next_contact_number, next_sub_contact_number, stale, unreduced, forces_set, taken_over] =
         model;
-    // The tables named above stand here only to be counted: Model::tables() is their list.
+    // The tables named above appear here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
     model.structure_tables([&](const char* name, auto& table) { visit_table(archive, name, table); });

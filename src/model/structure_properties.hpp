@@ -1,4 +1,4 @@
-// What `structure property` gives to a number, for cables, beams and liners.
+// Values of `structure property` numbers, for cables, beams and liners.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct StructureProperties {
     double link_tension = unlimited;
 
     double axial_stiffness() const { return area * young; } ///< force
-    /// Whether links are springs, or hold without giving way.
+    /// Whether links are springs, or rigid.
     bool has_springs() const { return link_normal < unlimited || link_shear < unlimited; }
     bool operator==(const StructureProperties&) const = default;
 };
@@ -50,7 +50,7 @@ struct StructureProperty {
 };
 const std::vector<StructureProperty>& structure_properties();
 
-/// Whether it has another value than a set that nobody has touched.
+/// Whether it differs from the initial value.
 bool is_given(const StructureProperties& properties, const StructureProperty& property);
 
 } // namespace kaya

@@ -70,7 +70,7 @@ private:
     const StructureProperties* properties_ = nullptr;
 };
 
-/// What is wrong with how a node hangs on the rock.
+/// Checks the link of a node to the rock.
 void check_link(const Model& model, Row node) {
     const auto& nodes = model.structures.member_nodes;
     const Row member = nodes.member[node], block = rock_block(model, nodes, node);

@@ -1,4 +1,4 @@
-// What stands in the rock and on its faces: cables, beams and liners.
+// Structures in the rock and on its faces: cables, beams and liners.
 #pragma once
 
 #include "model/cables.hpp"
@@ -21,15 +21,15 @@ struct Structures {
     std::int32_t next_number = 1;
 
     bool any() const { return !cables.empty() || !members.empty() || !properties.empty(); }
-    /// Whether one of them stands in the model.
+    /// Whether the model has any.
     bool stand() const { return !cables.empty() || !members.empty(); }
 };
 
-/// Puts nodes into the blocks and zones at their places where their block is gone or has got another shape.
+/// Places nodes again whose block was deleted or changed its shape.
 void place_structures(Model& model);
 
-/// Gives structures what follows from their properties: tension to new cables, masses and stiffnesses to nodes of beams and
-/// liners. Throws Diagnostic when properties are missing, or are not those of their kind.
+/// Applies properties to structures: tension to new cables, masses and stiffnesses to nodes of beams and liners. Throws Diagnostic when
+/// properties are missing, or belong to another kind.
 void take_structure_properties(Model& model);
 
 } // namespace kaya

@@ -17,7 +17,7 @@ Row root_of(std::vector<Row>& parent, Row i) {
     return i;
 }
 
-/// Bodies with zones of which a block is gone from a pair.
+/// Zoned bodies that have lost a block of a pair.
 std::set<std::int32_t> bodies_that_lost_a_block(const Model& model) {
     const auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
@@ -27,14 +27,14 @@ std::set<std::int32_t> bodies_that_lost_a_block(const Model& model) {
         if ((a == no_row) == (b == no_row)) continue;
         bodies.insert(blocks.body[a == no_row ? b : a]);
     }
-    // One that was joined anew meanwhile has ties to come.
+    // A body joined again meanwhile gets its ties later.
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (blocks.tied_shape[b] != blocks.shape[b]) bodies.erase(blocks.body[b]);
     bodies.erase(0);
     return bodies;
 }
 
-/// Gives the parts of the bodies that no tie holds together numbers of their own.
+/// Gives separate numbers to the parts of bodies that no tie holds together.
 void part_bodies(Model& model, const std::set<std::int32_t>& bodies) {
     auto& blocks = model.blocks;
     std::vector<Row> parent(blocks.size());
@@ -52,7 +52,7 @@ void part_bodies(Model& model, const std::set<std::int32_t>& bodies) {
         for (const Row b : members) blocks.body[b] = members.size() == 1 ? 0 : blocks.number[first];
 }
 
-/// Keeps the pairs listed with their ties.
+/// Keeps the listed pairs with their ties.
 void keep_pairs(Model& model, const std::vector<Row>& kept) {
     auto& pairs = model.tied_pairs;
     if (kept.size() == pairs.size()) return;
@@ -115,7 +115,7 @@ void drop_void_ties(Model& model) {
     for (std::size_t p = 0; p < model.tied_pairs.size(); ++p) {
         std::array<Row, 2> pair;
         if (!blocks_of_pair(model, static_cast<Row>(p), pair)) continue;
-        // Who is joined again may have come to lie face on face.
+        // Blocks that are joined again may have faces in contact now.
         if (model.tied_pairs.ties[p].count == 0 && (untied(pair[0]) || untied(pair[1]))) continue;
         kept.push_back(static_cast<Row>(p));
     }

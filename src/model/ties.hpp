@@ -1,4 +1,4 @@
-// What holds joined blocks with zones together: docs/theory/ties.md.
+// Ties between joined zoned blocks: docs/theory/ties.md.
 #pragma once
 
 #include "model/blocks.hpp"
@@ -14,14 +14,14 @@ struct Model;
 
 class Ties;
 
-/// Pairs of joined blocks with zones whose surfaces have been looked at: there are no contacts between them.
-/// Blocks stand here by their ids, so that nothing needs to be renamed when rows move.
+/// Pairs of joined zoned blocks whose surfaces have been checked: they have no contacts. Blocks are stored by id, so nothing is renamed
+/// when rows move.
 class TiedPairs : public Table<TiedPairs> {
 public:
     Column<BlockId> block1, block2;
     Column<std::int32_t> shape1,
-        shape2;        ///< Blocks::shape when they were looked at; the pair is void when it is another
-    Column<Span> ties; ///< a pair's rows are contiguous and in the order of pairs; none where no faces lie on
+        shape2;        ///< Blocks::shape at that check; the pair is void when it has changed
+    Column<Span> ties; ///< a pair's rows are contiguous and in the order of pairs; none without common faces
                        ///< each other
 
     template <class Visit> void columns(Visit&& visit) {
@@ -43,9 +43,9 @@ public:
     Column<std::array<Row, 3>> gridpoints1, gridpoints2; ///< of the triangle that holds the place
     Column<std::array<double, 3>> weights1, weights2;    ///< sum to 1; of an exact tie 1, 0, 0
     Column<Row> zone1, zone2;                            ///< behind the triangles
-    Column<double> area;                                 ///< of the common face that the place stands for
+    Column<double> area;                                 ///< share of the common face
     Column<Vec3> force;                                  ///< of a spring on the second block, global axes
-    Column<Vec3> dashpot;                                ///< viscous force besides, where damping asks for it
+    Column<Vec3> dashpot;                                ///< additional viscous force, with damping
 
     template <class Visit> void columns(Visit&& visit) {
         visit("pair", pair, link<TiedPairs>());
@@ -64,11 +64,10 @@ public:
     }
 };
 
-/// The rows of the two blocks of a pair; nothing when one is gone, has got another shape, or they are joined
-/// no longer.
+/// The rows of the two blocks of a pair; none when one was deleted, changed its shape, or they are no longer joined.
 bool blocks_of_pair(const Model& model, Row pair, std::array<Row, 2>& blocks);
 
-/// Which blocks are a looked-at pair at present; derived.
+/// Which pairs of blocks have been checked; derived data.
 class TiedBlocks {
 public:
     explicit TiedBlocks(const Model& model);
@@ -81,7 +80,7 @@ private:
 /// The faces on which another block of the same body is tied, as ascending rows.
 std::vector<Row> tied_faces(const Model& model);
 
-/// Takes out the pairs that are void. A body that has lost a block to them comes apart where no tie is left.
+/// Removes void pairs. A body that has lost a block is separated where no tie is left.
 void drop_void_ties(Model& model);
 
 } // namespace kaya

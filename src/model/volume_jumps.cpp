@@ -11,7 +11,7 @@ namespace kaya {
 namespace {
 
 constexpr double most = 4;
-/// Of triangles that are the same, in parts of the size of the blocks.
+/// Distance of coinciding triangles, in parts of the size of the blocks.
 constexpr double same_place = 1e-7;
 
 struct Side {
@@ -59,7 +59,7 @@ private:
         return (x[corners[0]] + x[corners[1]] + x[corners[2]]) / 3;
     }
 
-    /// Sides of zones stand twice in the list inside of a block, and once on its faces.
+    /// Inside a block each side of a zone occurs twice in the list, on its faces once.
     void visit(Row block) {
         std::vector<Side> sides;
         const Span zones = model_.blocks.zones[block];
@@ -84,7 +84,7 @@ private:
         }
     }
 
-    /// With the zone of an earlier block on the other side of a face.
+    /// The pair with the zone of an earlier block on the other side of a face.
     void across(Row zone, const Vec3& place) {
         const Cell low = cell_of(place - Vec3::Constant(tolerance_)),
                    high = cell_of(place + Vec3::Constant(tolerance_));

@@ -1,4 +1,4 @@
-// Zones beside zones that are much larger.
+// Zones adjacent to much larger zones.
 #pragma once
 
 #include "model/model.hpp"
@@ -14,7 +14,7 @@ struct VolumeJumps {
     std::array<Row, 2> blocks{no_row, no_row}; ///< of the worst, the one with the larger zone first
 };
 
-/// Pairs whose volumes differ by more than 4 to 1, inside of the blocks and across the faces that they share with others whose triangles are the same.
+/// Pairs whose volumes differ by more than 4 to 1, inside blocks and across faces that share their triangles.
 VolumeJumps volume_jumps(const Model& model, const std::vector<Row>& blocks);
 
 } // namespace kaya

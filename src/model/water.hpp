@@ -5,14 +5,14 @@
 
 namespace kaya {
 
-/// Where the settings say that water is, and how it presses; compression positive, never below 0.
+/// Water pressure according to the settings; compression positive, never below 0.
 class WaterPressure {
 public:
     explicit WaterPressure(const Model& model);
 
     /// Below a table, or of a field; not where gridpoints have it.
     double at(const Vec3& place) const;
-    /// The same before negative pressures are taken as 0: linear in space, but below a ground surface.
+    /// The same without the limit at 0: linear in position, except below a ground surface.
     double unlimited_at(const Vec3& place) const;
     double at_gridpoint(Row gridpoint) const;
     /// Mean of the zone's gridpoints.
@@ -20,7 +20,7 @@ public:
 
 private:
     const Model& model_;
-    double at_origin_ = 0; ///< linear in space, but for what would be negative
+    double at_origin_ = 0; ///< linear in position, before the limit at 0
     Vec3 gradient_ = Vec3::Zero();
     double weight_ = 0; ///< of the water below a ground surface
 };
