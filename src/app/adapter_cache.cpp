@@ -79,7 +79,7 @@ AdapterCache::AdapterCache(const std::vector<std::string>& line, const fs::path&
     std::set<fs::path> headers;
     for (const auto& entry : fs::recursive_directory_iterator(include / "kaya", ignored))
         if (entry.is_regular_file(ignored)) headers.insert(entry.path());
-    for (const auto& header : headers) all += fmt::format("{}\n{}", header.string(), file_text(header).value_or(""));
+    for (const auto& header : headers) all += fmt::format("{}\n{}", header.string(), door::system_text(header.c_str()));
     if (!door::make_folders(folder, Use::own) && access(folder.c_str(), W_OK) == 0)
         file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
 }
