@@ -1,5 +1,6 @@
 #include "app/adapter_cache.hpp"
 
+#include "base/diagnostic.hpp"
 #include "base/door.hpp"
 #include "base/sha256.hpp"
 #include "base/whole_file.hpp"
@@ -80,8 +81,10 @@ AdapterCache::AdapterCache(const std::vector<std::string>& line, const fs::path&
     for (const auto& entry : fs::recursive_directory_iterator(include / "kaya", ignored))
         if (entry.is_regular_file(ignored)) headers.insert(entry.path());
     for (const auto& header : headers) all += fmt::format("{}\n{}", header.string(), door::system_text(header.c_str()));
-    if (!door::make_folders(folder, Use::own) && access(folder.c_str(), W_OK) == 0)
-        file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
+    try {
+        if (!door::make_folders(folder, Use::own) && access(folder.c_str(), W_OK) == 0)
+            file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
+    } catch (const Diagnostic&) {} // XDG_CACHE_HOME may name a place that holds no cache
 }
 
 fs::path AdapterCache::object(const fs::path& draft, const std::function<bool()>& compile) const {
