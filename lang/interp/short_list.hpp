@@ -1,4 +1,4 @@
-// What a hint shows of the words that may stand at a place: all of a few, of many the nearest ones and the topic of `kaya help` that lists all.
+// The words that a hint shows for a place: all if they are few; else the nearest ones and the topic of `kaya help` that lists all.
 #pragma once
 
 #include "lang/interp/lexer.hpp"

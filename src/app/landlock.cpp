@@ -18,7 +18,7 @@ constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 // Rights missing from older headers.
 constexpr std::uint64_t right_to_refer = 1ULL << 13, right_to_truncate = 1ULL << 14;
 
-// What headers of older systems do not have, either.
+// These too are missing in the headers of older systems.
 constexpr std::uint64_t to_bind = 1ULL << 0, to_connect = 1ULL << 1; // TCP
 constexpr auto rule_of_port = static_cast<landlock_rule_type>(2);
 struct Ruleset {

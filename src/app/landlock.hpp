@@ -12,7 +12,7 @@ int landlock_version();
 /// The first version that knows connections.
 inline constexpr int landlock_with_connections = 4;
 
-/// What stays open. Folders hold for all below them.
+/// The files and ports that stay open. A folder stands for everything below it.
 struct KernelLock {
     std::vector<std::filesystem::path> writable; ///< and readable
     std::vector<std::filesystem::path> readable;

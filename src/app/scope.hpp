@@ -1,4 +1,4 @@
-// What each subcommand of the program may use: one table, which `kaya info --scopes` prints and by which the gate is shut.
+// The files and ports that each subcommand may use: one table. `kaya info --scopes` prints it, and the gate is set from it.
 #pragma once
 
 #include "app/run.hpp"

@@ -14,7 +14,7 @@
 
 namespace kaya::door {
 
-/// What holds for this process and for those that it forks, as the kernel's lock does: hence no argument of functions.
+/// One gate for this process and those that it forks, like the kernel's lock; for that reason no function takes it as an argument.
 void set_gate(std::shared_ptr<Gate> gate);
 /// That gate; an open one for who asks when there is none.
 std::shared_ptr<Gate> gate();
