@@ -1,5 +1,6 @@
 #include "lang/script/machine.hpp"
 
+#include "base/terminal_text.hpp"
 #include "lang/script/arithmetic.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/guard.hpp"
@@ -96,7 +97,7 @@ Machine::~Machine() { lua_close(lua); }
 void print_line(Machine& machine, const std::string& line) {
     if (machine.restoring) return;
     if (machine.sink) machine.sink(line);
-    else std::printf("%s\n", line.c_str());
+    else print_text(stdout, line + "\n");
 }
 
 } // namespace kaya::script

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/whole_file.hpp"
 #include "commands/lua_joint_models.hpp"
+#include "commands/output.hpp"
 #include "jointtest/bench.hpp"
 #include "study/command_output.hpp"
 #include "zonetest/zone_bench.hpp"
@@ -69,7 +70,7 @@ int carry_out(Order& order, const std::vector<fs::path>& folders) {
         return std::nullopt;
     });
     const auto report = run_bench(registry, order.bench);
-    fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
+    print_result(report.text + (order.no_picture ? "" : draw(report.figure)));
     return report.doubtful || (order.strict && report.odd) ? static_cast<int>(Fault::run) : 0;
 }
 
@@ -86,7 +87,7 @@ int carry_out(ZoneOrder& order, const std::vector<fs::path>& folders) {
     ZoneModels models;
     models.set_path(folders);
     const auto report = run_zone_bench(models, order.bench);
-    fmt::print("{}{}\n", report.text, order.no_picture ? "" : draw(report.figure));
+    print_result(report.text + (order.no_picture ? "" : draw(report.figure)));
     return order.strict && report.odd ? static_cast<int>(Fault::run) : 0;
 }
 

@@ -5,9 +5,10 @@
 #include "app/scope.hpp"
 #include "app/study_commands.hpp"
 #include "app/tool_commands.hpp"
+#include "app/model_commands.hpp"
 #include "base/door.hpp"
 #include "base/memory.hpp"
-#include "app/model_commands.hpp"
+#include "base/terminal_text.hpp"
 #include "laws/crash_report.hpp"
 
 #include <CLI/CLI.hpp>
@@ -117,9 +118,11 @@ void open_missing_streams() {
     } catch (const std::exception& error) {
         if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos) {
             std::fflush(stdout);
-            std::fprintf(stderr,
-                         "error: the system gives no more threads (%s); there is not enough memory, or too many run\n",
-                         error.what());
+            kaya::print_text(
+                stderr,
+                fmt::format(
+                    "error: the system gives no more threads ({}); there is not enough memory, or too many run\n",
+                    error.what()));
             std::_Exit(static_cast<int>(kaya::Fault::run));
         }
     } catch (...) { // the crash report names it
@@ -144,17 +147,18 @@ int main(int argc, char** argv) {
     try {
         return kaya::start(argc, argv);
     } catch (const std::bad_alloc&) {
-        std::fputs("error: there is not enough memory to begin\n", stderr);
+        kaya::print_text(stderr, "error: there is not enough memory to begin\n");
         return static_cast<int>(kaya::Fault::run);
     } catch (const std::system_error& error) {
         if (error.code() == std::errc::broken_pipe) return kaya::nobody_reads;
-        std::fprintf(stderr, "error: %s\n", error.what());
+        kaya::print_text(stderr, fmt::format("error: {}\n", error.what()));
         return static_cast<int>(kaya::Fault::run);
     } catch (const kaya::Diagnostic& error) {
-        std::fputs((kaya::render(error) + "\n").c_str(), stderr);
+        if (error.code == kaya::broken_pipe) return kaya::nobody_reads;
+        kaya::print_text(stderr, kaya::render(error) + "\n");
         return static_cast<int>(error.fault);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "error: kaya itself failed: %s\n", error.what());
+        kaya::print_text(stderr, fmt::format("error: kaya itself failed: {}\n", error.what()));
         return static_cast<int>(kaya::Fault::own);
     }
 }

@@ -3,8 +3,10 @@
 #include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
 #include "base/door.hpp"
+#include "base/terminal_text.hpp"
 #include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
+#include "study/command_output.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -15,12 +17,8 @@
 #include <memory>
 #include <regex>
 #include <set>
-#include <spawn.h>
 #include <sstream>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace kaya {
 
@@ -63,16 +61,11 @@ Words compiler_words(const std::string& asked) {
     throw Diagnostic("there is no C++ compiler", "install g++ or clang++, or name one: --compiler NAME");
 }
 
-/// Runs a program and waits; its exit status, or 128 and the signal that ended it.
+/// Runs a program, shows its output, which contains lines of the sources, and returns its status.
 int run_program(const Words& words) {
-    std::vector<char*> arguments;
-    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    pid_t child = 0;
-    if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) return 127;
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    const CommandOutput said = output_of(words);
+    print_text(stderr, said.output);
+    return said.status;
 }
 
 /// A source that returns std::string where the base class has its own text needs the two to be one.
@@ -172,8 +165,7 @@ void compile(const BuildOrder& order, const fs::path& include, const fs::path& l
     const std::string text = all_text(order.sources);
     const Lines lines = lines_of(order, text, include);
     const auto run = [&](const Words& line) {
-        if (order.show) fmt::print(stderr, "{}\n", fmt::join(line, " "));
-        std::fflush(nullptr);
+        if (order.show) print_text(stderr, fmt::format("{}\n", fmt::join(line, " ")));
         return run_program(line);
     };
     const auto refuse = [&](const fs::path& what, int status) {

@@ -4,7 +4,9 @@
 #include "app/new_model.hpp"
 #include "app/permissions.hpp"
 #include "base/diagnostic.hpp"
+#include "base/terminal_text.hpp"
 #include "commands/lua_joint_models.hpp"
+#include "commands/output.hpp"
 #include "laws/joint_model.hpp"
 
 #include <algorithm>
@@ -33,11 +35,11 @@ std::string properties_text(const LawTable& model) {
 
 void describe(const LawTable& model, const char* kind, std::uint32_t interface, bool keeps_objects = false) {
     const auto line = [](const char* what, const std::string& text) {
-        if (!text.empty()) fmt::print("  {:<11} {}\n", what, text);
+        if (!text.empty()) print_result(fmt::format("  {:<11} {}", what, text));
     };
     std::vector<std::string> kept;
     for (const auto& variable : model.history) kept.push_back(variable.name);
-    fmt::print("{}\n", model.name);
+    print_result(model.name);
     line("kind", kind);
     line("title", model.title);
     line("file", model.file.string());
@@ -53,7 +55,7 @@ void describe(const JointModel& model) {
     describe(model, "joint model", model.descriptor().interface_version, model.keeps_objects());
     std::vector<std::string> fields;
     for (const auto& field : model.fields) fields.push_back(field.name);
-    if (!fields.empty()) fmt::print("  {:<11} {}\n", "fields", fmt::join(fields, ", "));
+    if (!fields.empty()) print_result(fmt::format("  {:<11} {}", "fields", fmt::join(fields, ", ")));
 }
 void describe(const ZoneModel& model) { describe(model, "zone model", KAYA_ZMODEL_INTERFACE); }
 
@@ -62,7 +64,7 @@ void allow_built(const fs::path& library) {
     try {
         allow(library);
     } catch (const Diagnostic& problem) {
-        fmt::print(stderr, "note: the library is not allowed for good: {}\n", problem.message);
+        print_text(stderr, fmt::format("note: the library is not allowed for good: {}\n", problem.message));
     }
 }
 
@@ -94,7 +96,7 @@ int list_plugins(const std::vector<std::string>& names, const std::vector<fs::pa
             if (zone_model) describe(registry.zones.get(name));
             else describe(registry.get(name));
         } catch (const Diagnostic& error) {
-            fmt::print("{}\n  {:<11} {}\n", name, "refused", error.message);
+            print_result(fmt::format("{}\n  {:<11} {}", name, "refused", error.message));
             status = static_cast<int>(Fault::deck);
         }
     }
@@ -172,8 +174,8 @@ template <class Models> void add_new(CLI::App& app, const char* command, const c
             Models models;
             models.set_path(folders());
             for (const auto& file : write_new_model(writing.kinds, {*name, ".", models.available()}))
-                fmt::print("{}\n", file.string());
-            fmt::print(fmt::runtime(writing.next), *name);
+                print_result(file.string());
+            print_result(fmt::format(fmt::runtime(writing.next), *name));
             return 0;
         };
     });

@@ -4,6 +4,7 @@
 #include "app/study_deck.hpp"
 #include "base/door.hpp"
 #include "base/whole_file.hpp"
+#include "commands/output.hpp"
 #include "lang/interp/lexer.hpp"
 #include "lang/script/value_text.hpp"
 #include "model/model.hpp"
@@ -193,7 +194,7 @@ int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& p
     write("results.csv", csv_of(answers.cases, answers.outcomes, study.asked));
     write("results.h5", hdf5_of(answers.cases, answers.outcomes, study.asked));
     write("report.html", report_page(study, answers, program_version()));
-    fmt::print("{}results: {}\n", summary_text(study, answers), (path / "results.csv").string());
+    print_result(fmt::format("{}results: {}", summary_text(study, answers), (path / "results.csv").string()));
     return 0;
 }
 
@@ -225,8 +226,8 @@ Kept kept_runs(const StudyFolder& folder) {
 int show(const StudyOrder& wanted) {
     const StudyFolder folder{fs::path(wanted.folder)};
     const Kept kept = kept_runs(folder);
-    fmt::print("{}", table_text(kept.cases, kept.outcomes, kept.study.asked, 100));
-    if (kept.missing > 0) fmt::print("{} runs are not done yet\n", kept.missing);
+    print_result(table_text(kept.cases, kept.outcomes, kept.study.asked, 100));
+    if (kept.missing > 0) print_result(fmt::format("{} runs are not done yet", kept.missing));
     return 0;
 }
 
@@ -240,7 +241,7 @@ int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
                          kept.cases.empty() ? "" : fmt::format("the last is {}", kept.cases.back().number));
     const Outcome& before = kept.outcomes[static_cast<std::size_t>(found - kept.cases.begin())];
     const fs::path deck = write_case_deck(kept.study, *found);
-    fmt::print("{}\n", deck.string());
+    print_result(deck.string());
     order.decks = {deck.string()};
     std::string hash;
     order.ended = [&](Session& session) { hash = fmt::format("{:016x}", state_hash(session.model)); };
@@ -251,9 +252,9 @@ int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
     prepare_run(order, CLI::App());
     const int status = run(order, program);
     if (before.hash.empty()) return status;
-    fmt::print("{}\n", hash == before.hash ? "the final state is that of the study"
-                                           : fmt::format("the final state is not that of the study: {} instead of {}",
-                                                         hash, before.hash));
+    print_result(hash == before.hash
+                     ? "the final state is that of the study"
+                     : fmt::format("the final state is not that of the study: {} instead of {}", hash, before.hash));
     return hash == before.hash ? status : static_cast<int>(Fault::run);
 }
 

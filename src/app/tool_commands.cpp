@@ -48,8 +48,7 @@ int check(const Names& decks, bool as_json) {
         try {
             const DeckReport report = check_deck(deck, {"."});
             const std::string text = as_json ? report.json_lines() : report.text(deck);
-            if (as_json) fmt::print("{}", text);
-            else output.print(text);
+            if (!text.empty()) output.print(text);
             if (!report.can_run()) status = static_cast<int>(Fault::deck);
         } catch (const Diagnostic& error) {
             output.message(error);
@@ -81,7 +80,7 @@ void add_format(CLI::App& app, std::function<int()>& chosen) {
 
 void add_explain(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "explain", "explain a message by its code, or list the codes", [](const Words& words) {
-        fmt::print("{}", words.name.empty() ? code_list() : explanation(words.name));
+        print_result(words.name.empty() ? code_list() : explanation(words.name));
         return 0;
     });
     tool.command->add_option("code", tool.words->name, "as shown in brackets after a message on a terminal");
@@ -91,18 +90,18 @@ void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path&
               std::function<int()>& chosen) {
     const Tool tool(app, chosen, "info", "say what a saved model holds", [&order, program](const Words& words) {
         if (words.first) {
-            fmt::print("{}", describe_sandbox(policy_of(order, program)));
+            print_result(describe_sandbox(policy_of(order, program)));
             return 0;
         }
         if (words.second) {
-            fmt::print("{}", scope_table());
+            print_result(scope_table());
             return 0;
         }
         if (words.name.empty())
             throw Diagnostic("info needs the name of a file",
                              "such as: kaya info wall.kaya.h5, or kaya info --sandbox");
         try {
-            fmt::print("{}", describe_save_file(find_saved(words.name)));
+            print_result(describe_save_file(find_saved(words.name)));
         } catch (Diagnostic& problem) {
             problem.hint = "info reads a file that 'save' has written";
             problem.fault = Fault::deck;
@@ -120,7 +119,7 @@ void add_report(CLI::App& app, const RunOrder& order, const std::filesystem::pat
     const Tool tool(app, chosen, "report",
                     "make a page of a saved model for a browser: numbers, curves, a view to turn",
                     [&order, program](const Words& words) {
-                        fmt::print("{}\n", write_report(words.names, words.name, joint_folders(order, program)));
+                        print_result(write_report(words.names, words.name, joint_folders(order, program)));
                         return 0;
                     });
     tool.command
@@ -135,8 +134,7 @@ void add_export(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "export",
                     "write the tables of a saved model as CSV: blocks, zones, contacts, histories and all others",
                     [](const Words& words) {
-                        for (const auto& name : export_saved(words.name, words.folder, words.first))
-                            fmt::print("{}\n", name);
+                        for (const auto& name : export_saved(words.name, words.folder, words.first)) print_result(name);
                         return 0;
                     });
     tool.command->add_option("file", tool.words->name, "a file that 'save' has written")->required();
@@ -147,7 +145,7 @@ void add_export(CLI::App& app, std::function<int()>& chosen) {
 void add_diff(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "diff", "say in what two saved models differ", [](const Words& words) {
         const std::string difference = difference_of(words.names);
-        fmt::print("{}", difference.empty() ? "the same\n" : difference);
+        print_result(difference.empty() ? "the same" : difference);
         return difference.empty() ? 0 : 1;
     });
     tool.command->add_option("file", tool.words->names, "two files that 'save' has written")->required()->expected(2);
@@ -158,7 +156,7 @@ void add_allow(CLI::App& app, std::function<int()>& chosen) {
                     "allow runs a folder or a joint model, for good; without one, list what is allowed",
                     [](const Words& words) {
                         for (const auto& path : words.names) words.first ? revoke(path) : allow(path);
-                        fmt::print("{}", describe(read_permissions()));
+                        print_result(describe(read_permissions()));
                         return 0;
                     });
     tool.command->add_option("path", tool.words->names, "folders, or libraries as they are now");
@@ -174,7 +172,7 @@ void add_check(CLI::App& app, std::function<int()>& chosen) {
 
 void add_help(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "help", "list the commands of decks, or explain one of them", [](const Words& words) {
-        fmt::print("{}\n", help_text(fmt::format("{}", fmt::join(words.names, " "))));
+        print_result(help_text(fmt::format("{}", fmt::join(words.names, " "))));
         return 0;
     });
     tool.command->add_option("command", tool.words->names,

@@ -117,7 +117,7 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
             const auto source = lang::read_source(path, deck);
             const std::string text = lang::format_deck(lang::classic(), source);
             if (what == Formatting::write) write_whole_file(path.string(), text);
-            else if (what == Formatting::show) output.print(text);
+            else if (what == Formatting::show) output.print_deck(text);
             else if (file_text(path) != text) {
                 output.print(fmt::format("{} is not in its long form", deck));
                 status = static_cast<int>(Fault::deck);

@@ -1,10 +1,13 @@
 #include "base/diagnostic.hpp"
 #include "base/nearest_words.hpp"
 
+#include "base/terminal_text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <functional>
 #include <numeric>
 
 namespace kaya {
@@ -55,15 +58,19 @@ std::string underlined(const Diagnostic& d) {
     }
     length = std::min<int>(length, std::max<int>(1, static_cast<int>(line.size()) - column + 1));
 
+    // Control characters take more columns on the screen than bytes in the line.
+    const auto from = static_cast<std::size_t>(column - 1),
+               to = std::min(line.size(), from + static_cast<std::size_t>(length));
+    const std::string before = terminal_text(std::string_view(line).substr(0, from)),
+                      marked = terminal_text(std::string_view(line).substr(from, to - from)),
+                      after = terminal_text(std::string_view(line).substr(to));
     std::string below;
-    for (int i = 0; i < column - 1; ++i) {
-        if (line[i] == '\t') below += '\t';
-        else if (!continues_character(line[i])) below += ' ';
+    for (const char c : before) {
+        if (c == '\t') below += '\t';
+        else if (!continues_character(c)) below += ' ';
     }
-    for (int i = 0; i < length; ++i)
-        if (column - 1 + i >= static_cast<int>(line.size()) || !continues_character(line[column - 1 + i])) below += '^';
-    const std::string number = std::to_string(d.place.line);
-    return fmt::format("  {:>4} | {}\n  {:>4} | {}", number, line, "", below);
+    below.append(std::max<std::size_t>(1, std::ranges::count_if(marked, std::not_fn(continues_character))), '^');
+    return fmt::format("  {:>4} | {}{}{}\n  {:>4} | {}", d.place.line, before, marked, after, "", below);
 }
 
 /// Mistakes between a word as typed and one that may have been meant.
@@ -108,11 +115,11 @@ Mistakes mistakes(std::string_view typed, std::string_view meant, Rows& rows, in
 /// A message may hold a word of the deck, and that may be a whole file: its beginning is enough, and its end.
 std::string readable(const std::string& message) {
     constexpr std::size_t longest = 500, kept = 200;
-    if (message.size() <= longest) return message;
+    if (message.size() <= longest) return terminal_text(message);
     std::size_t from = kept, to = message.size() - kept;
     while (from > 0 && continues_character(message[from])) --from;
     while (to < message.size() && continues_character(message[to])) ++to;
-    return fmt::format("{} ... {}", message.substr(0, from), message.substr(to));
+    return fmt::format("{} ... {}", terminal_text(message.substr(0, from)), terminal_text(message.substr(to)));
 }
 
 } // namespace
@@ -125,16 +132,16 @@ std::string render(const Diagnostic& d, bool colour, bool with_code) {
     if (colour && !code.empty()) code = fmt::format(" \033[2m[{}]\033[0m", d.code);
     std::string text;
     if (d.place) {
-        text = fmt::format("{}:{}:{}: {}: {}{}", d.place.source->name, d.place.line, d.place.column, kind,
-                           readable(d.message), code);
+        text = fmt::format("{}:{}:{}: {}: {}{}", terminal_text(d.place.source->name), d.place.line, d.place.column,
+                           kind, readable(d.message), code);
         const std::string lines = underlined(d);
         if (!lines.empty()) text += "\n" + lines;
-        if (!d.hint.empty()) text += lines.empty() ? "\n  " + d.hint : " " + d.hint;
+        if (!d.hint.empty()) text += (lines.empty() ? "\n  " : " ") + terminal_text(d.hint);
     } else {
         text = fmt::format("{}: {}{}", kind, readable(d.message), code);
-        if (!d.hint.empty()) text += "\n  " + d.hint;
+        if (!d.hint.empty()) text += "\n  " + terminal_text(d.hint);
     }
-    for (const auto& line : d.context) text += "\n  " + line;
+    for (const auto& line : d.context) text += "\n  " + terminal_text(line);
     return text;
 }
 

@@ -6,7 +6,7 @@
 
 namespace kaya {
 
-/// Escapes the text for HTML and XML; control characters are left out.
+/// Escapes the text for HTML and XML; characters that neither may hold are shown as base/terminal_text shows them.
 std::string markup_text(std::string_view text);
 
 } // namespace kaya

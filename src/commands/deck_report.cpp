@@ -128,8 +128,8 @@ std::string DeckReport::json_lines() const {
                                                {"message", line.text},
                                                {"hint", line.hint},
                                                {"proposal", proposal}};
-        // Invalid UTF-8 in a deck is replaced by the replacement character.
-        text += object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        // Characters outside of ASCII, control characters among them, are written as \u and digits, invalid UTF-8 as the replacement character.
+        text += object.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
     return text;
 }

@@ -1,5 +1,6 @@
 #include "commands/output.hpp"
 
+#include "base/terminal_text.hpp"
 #include "commands/fitted.hpp"
 
 #include <cerrno>
@@ -30,6 +31,8 @@ Output::~Output() = default;
 
 namespace {
 
+constexpr const char* the_results = "the standard output";
+
 [[noreturn]] void fail_to_write(const std::string& name) {
     Diagnostic error(fmt::format("cannot write to {}: {}", name, std::strerror(errno)), "is the disk full?",
                      Fault::run);
@@ -41,8 +44,7 @@ namespace {
 
 void Output::write(std::FILE* stream, std::string_view text, const std::string& name) {
     errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-    if (written && std::fputc('\n', stream) != EOF) return;
+    if (print_text(stream, text) && std::fputc('\n', stream) != EOF) return;
     fail_to_write(name);
 }
 
@@ -54,8 +56,14 @@ void Output::print(std::string_view text) {
         caught_->push_back('\n');
         return;
     }
-    write(results_, text, "the standard output");
+    write(results_, text, the_results);
     if (log_ != nullptr) write(log_.get(), text, "the log file " + log_name_);
+}
+
+void Output::print_deck(const std::string& text) {
+    if (isatty(fileno(results_)) == 1) return print(text);
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), results_) != text.size()) fail_to_write(the_results);
 }
 
 Output::Caught::~Caught() {
@@ -71,35 +79,37 @@ void Output::message(const Diagnostic& diagnostic) {
     end_refresh();
     // Text printed before the message must appear before it when both go to one terminal or file.
     std::fflush(results_);
+    // render() has replaced control characters of its texts; the colours are ours.
     const std::string text = render(diagnostic, colour_, terminal_);
-    fmt::print(messages_, "{}\n", terminal_ ? fitted(text, columns_of(messages_)) : text);
+    std::fputs(((terminal_ ? fitted(text, columns_of(messages_)) : text) + '\n').c_str(), messages_);
     std::fflush(messages_);
-    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", render(diagnostic, false, true));
+    log_only(render(diagnostic, false, true));
 }
 
 void Output::say(std::string_view text) {
-    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", text);
+    log_only(text);
     if (quiet) return;
     end_refresh();
     std::fflush(results_);
-    fmt::print(messages_, "{}\n", text);
+    print_text(messages_, fmt::format("{}\n", text));
     std::fflush(messages_);
 }
 
 void Output::log_only(std::string_view text) {
-    if (log_ != nullptr) fmt::print(log_.get(), "{}\n", text);
+    if (log_ != nullptr) print_text(log_.get(), fmt::format("{}\n", text));
 }
 
 void Output::refresh(std::string_view text) {
     if (quiet || !terminal_) return;
-    fmt::print(messages_, "\r{:<{}}", text, refreshed_);
-    refreshed_ = text.size();
+    const std::string shown = terminal_text(text);
+    std::fputs(fmt::format("\r{:<{}}", shown, refreshed_).c_str(), messages_);
+    refreshed_ = shown.size();
     std::fflush(messages_);
 }
 
 void Output::end_refresh() {
     if (refreshed_ == 0) return;
-    fmt::print(messages_, "\r{:<{}}\r", "", refreshed_);
+    std::fputs(fmt::format("\r{:<{}}\r", "", refreshed_).c_str(), messages_);
     refreshed_ = 0;
 }
 
@@ -124,10 +134,16 @@ void Output::stop_log() {
 void Output::flush() {
     std::fflush(messages_);
     errno = 0;
-    if (std::fflush(results_) != 0 || std::ferror(results_) != 0) fail_to_write("the standard output");
+    if (std::fflush(results_) != 0 || std::ferror(results_) != 0) fail_to_write(the_results);
     if (log_ != nullptr && std::fflush(log_.get()) != 0)
         throw Diagnostic(fmt::format("cannot write to the log file {}: {}", log_name_, std::strerror(errno)),
                          "is the disk full?", Fault::run);
+}
+
+void print_result(std::string_view text) {
+    Output output(stdout, stderr);
+    output.print(text);
+    output.flush();
 }
 
 } // namespace kaya

@@ -1,4 +1,5 @@
-// Output of a session: results to one stream, messages to another, both to the log.
+// Output of a session: results to one stream, messages to another, both to the log. All of it is shown by base/terminal_text, in files too: they
+// are read on terminals.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -25,6 +26,9 @@ public:
 
     /// One or more lines of results; the last line end is added.
     void print(std::string_view text);
+
+    /// A deck: unchanged into a file or a pipe, so that `kaya fmt a.3dd > b.3dd` keeps each byte; on a terminal as other text.
+    void print_deck(const std::string& text);
 
     /// A message in the form of base/diagnostic. Never throws: a message must not hide what it reports.
     void message(const Diagnostic& diagnostic);
@@ -80,5 +84,8 @@ private:
     std::string* caught_ = nullptr; ///< the present capture; null: the stream
     std::size_t refreshed_ = 0;     ///< width of the present progress line
 };
+
+/// Results of a subcommand without a session: to the standard output.
+void print_result(std::string_view text);
 
 } // namespace kaya

@@ -1,7 +1,9 @@
 #include "laws/crash_report.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/terminal_text.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstddef>
@@ -105,7 +107,14 @@ bool ships(const std::string& file) {
 class Sentence {
 public:
     Sentence& operator<<(const char* text) {
-        for (; text && *text && length_ < sizeof text_; ++text) text_[length_++] = *text;
+        std::string_view rest = text == nullptr ? "" : text;
+        while (!rest.empty()) {
+            const auto character = first_for_terminal(rest);
+            if (length_ + character.size > sizeof text_) break;
+            std::copy_n(character.bytes, character.size, text_ + length_);
+            length_ += character.size;
+            rest.remove_prefix(character.taken);
+        }
         return *this;
     }
     Sentence& operator<<(long number) {

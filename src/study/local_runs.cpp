@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/door.hpp"
+#include "base/terminal_text.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -83,8 +84,8 @@ private:
     try {
         if (door::enter(folder)) status = run(one, outcome);
     } catch (const Diagnostic& problem) { // an outcome that could not be written
-        std::fputs((render(problem) + "\n").c_str(), stderr);
-    } catch (const std::exception& problem) { std::fprintf(stderr, "error: %s\n", problem.what()); }
+        print_text(stderr, render(problem) + "\n");
+    } catch (const std::exception& problem) { print_text(stderr, fmt::format("error: {}\n", problem.what())); }
     std::fflush(nullptr);
     std::_Exit(status);
 }

@@ -1,5 +1,7 @@
 #include "study/study_progress.hpp"
 
+#include "base/terminal_text.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
@@ -46,20 +48,21 @@ void StudyProgress::show(bool last) {
     if (!last && done_ > 0)
         line +=
             fmt::format(", {} left", duration(spent / static_cast<double>(done_) * static_cast<double>(runs_ - done)));
-    if (terminal_) fmt::print(stderr, "\r\033[K{}", line);
-    else fmt::print(stderr, "{}\n", line);
+    if (terminal_) clear_line(stderr);
+    print_text(stderr, terminal_ ? line : line + '\n');
     std::fflush(stderr);
 }
 
 void StudyProgress::end() {
     if (quiet_ || !terminal_) return;
-    fmt::print(stderr, "\r\033[K");
+    clear_line(stderr);
     std::fflush(stderr);
 }
 
 void StudyProgress::say(const std::string& text) {
     if (quiet_) return;
-    fmt::print(stderr, "{}{}\n", terminal_ ? "\r\033[K" : "", text);
+    if (terminal_) clear_line(stderr);
+    print_text(stderr, text + '\n');
 }
 
 } // namespace kaya
