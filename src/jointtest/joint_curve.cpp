@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "jointtest/gnuplot_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -271,19 +272,16 @@ std::string curve_figure(const JointCurve& curve, const std::string& title) {
     // A path without shear is a closure test.
     const bool sheared = std::any_of(curve.points.begin(), curve.points.end(),
                                      [&](const CurvePoint& p) { return p.shear[0] != curve.points.front().shear[0]; });
-    std::string name;
-    for (const char c : title)
-        if (c != '"' && c != '\\') name += c;
     if (!sheared)
-        return fmt::format("{}set title \"{}\"\nset xlabel \"closure\"\nset ylabel \"normal stress\"\nset key off\n"
+        return fmt::format("{}set title {}\nset xlabel \"closure\"\nset ylabel \"normal stress\"\nset key off\n"
                            "plot $curve using (-$4):3 with lines lw 2\n",
-                           script, name);
+                           script, gnuplot_text(title));
     return fmt::format(
-        "{}set multiplot layout 2,1 title \"{}\"\nset xlabel \"shear displacement\"\n"
+        "{}set multiplot layout 2,1 title {}\nset xlabel \"shear displacement\"\n"
         "set key outside top center horizontal\nset ylabel \"stress\"\n"
         "plot $curve using 1:2 with lines lw 2 title \"shear\", $curve using 1:3 with lines lw 1.5 title \"normal\"\n"
         "set ylabel \"opening\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
-        script, name);
+        script, gnuplot_text(title));
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "zonetest/zone_curve.hpp"
 
 #include "base/diagnostic.hpp"
+#include "jointtest/gnuplot_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,15 +163,12 @@ std::string zone_curve_figure(const ZoneCurve& curve, const std::string& title) 
         script += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", zone.strain[axial], zone.deviator(), zone.mean_stress(),
                               zone.volume_strain());
     }
-    std::string name;
-    for (const char c : title)
-        if (c != '"' && c != '\\') name += c;
     return fmt::format(
-        "{}EOD\nset multiplot layout 2,1 title \"{}\"\nset xlabel \"{} strain\"\nset key outside top center horizontal\n"
+        "{}EOD\nset multiplot layout 2,1 title {}\nset xlabel \"{} strain\"\nset key outside top center horizontal\n"
         "set ylabel \"stress\"\nplot $curve using 1:2 with lines lw 2 title \"deviator\", "
         "$curve using 1:3 with lines lw 1.5 title \"mean\"\n"
         "set ylabel \"volume strain\"\nset key off\nplot $curve using 1:4 with lines lw 2\nunset multiplot\n",
-        script, name, component_names[axial]);
+        script, gnuplot_text(title), component_names[axial]);
 }
 
 } // namespace kaya
