@@ -1,6 +1,6 @@
 #include "io/field_csv.hpp"
 
-#include "io/csv.hpp"
+#include "base/csv.hpp"
 
 #include <algorithm>
 #include <array>

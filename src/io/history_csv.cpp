@@ -1,7 +1,7 @@
 #include "io/history_csv.hpp"
 
+#include "base/csv.hpp"
 #include "base/diagnostic.hpp"
-#include "io/csv.hpp"
 #include "base/whole_file.hpp"
 #include "model/field.hpp"
 #include "model/sampling.hpp"

@@ -1,5 +1,6 @@
 #include "jointtest/csv_table.hpp"
 
+#include "base/csv.hpp"
 #include "base/diagnostic.hpp"
 #include "base/whole_file.hpp"
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sstream>
 
 namespace kaya {
@@ -105,7 +105,8 @@ CsvTable read_csv(const std::filesystem::path& file) {
 
 void write_csv(const CsvTable& table, const std::filesystem::path& file) {
     std::ostringstream stream;
-    stream << fmt::format("{}\n", fmt::join(table.names, ","));
+    for (std::size_t k = 0; k < table.names.size(); ++k) stream << (k ? "," : "") << csv_cell(table.names[k]);
+    stream << '\n';
     for (std::size_t row = 0; row < table.rows(); ++row) {
         for (std::size_t k = 0; k < table.columns.size(); ++k)
             stream << (k ? "," : "") << fmt::format("{:.17g}", table.columns[k][row]);

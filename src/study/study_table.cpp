@@ -1,6 +1,6 @@
 #include "study/study_table.hpp"
 
-#include "io/csv.hpp"
+#include "base/csv.hpp"
 #include "io/hdf5_tree.hpp"
 
 #include <algorithm>

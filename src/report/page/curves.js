@@ -108,7 +108,9 @@ class CurveView {
         if (from !== undefined && Math.abs(to - from) > 0.01 * (this.span[1] - this.span[0])) this.draw([Math.min(from, to), Math.max(from, to)]);
     }
     download() {
-        let text = `time,"${this.title.replace(/"/g, '""')}"\n`;
+        // An apostrophe keeps a spreadsheet from taking the title for a formula.
+        const title = this.title.replace(/^[=+\-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20]/, "'$&");
+        let text = `time,"${title.replace(/"/g, '""')}"\n`;
         this.times.forEach((t, i) => { text += `${t},${isFinite(this.values[i]) ? this.values[i] : ''}\n`; });
         const link = document.createElement('a');
         link.href = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));

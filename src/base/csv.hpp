@@ -6,7 +6,8 @@
 
 namespace kaya {
 
-/// One cell. RFC 4180: quoted if it contains a separator, with quotes doubled.
+/// One cell. RFC 4180: quoted if it contains a separator, with quotes doubled. A text that a spreadsheet takes for a formula gets an apostrophe in
+/// front; a number does not.
 std::string csv_cell(std::string_view text);
 
 /// A number with the fewest digits that give back the same bits; an empty cell for NaN.
