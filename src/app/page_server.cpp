@@ -2,13 +2,16 @@
 
 #include "base/diagnostic.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/http.hpp>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fmt/format.h>
+#include <list>
 #include <mutex>
 #include <poll.h>
 #include <pthread.h>
@@ -16,6 +19,7 @@
 #include <sys/random.h>
 #include <sys/socket.h>
 #include <thread>
+#include <vector>
 
 namespace kaya {
 
@@ -49,87 +53,137 @@ constexpr const char* reload_script =
 
 namespace http = boost::beast::http;
 using tcp = boost::asio::ip::tcp;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+// Limits of one connection. A browser needs a few connections at a time.
+constexpr std::size_t most_connections = 32;
+constexpr std::size_t longest_head = 8192;
+constexpr std::chrono::seconds head_time{2};    ///< from the first moment to the end of its request
+constexpr std::chrono::seconds silence_time{5}; ///< without taking a byte of its answer
+constexpr std::chrono::seconds answer_time{60}; ///< to the last byte of it
+constexpr int tick = 100;                       ///< milliseconds after which limits are looked at
+
+/// Serves one request and is closed. No call on its socket blocks.
+struct Connection {
+    tcp::socket socket;
+    std::string head;                        ///< of the request, as far as it has come
+    std::string answer;                      ///< the head of the answer; empty: the request is not whole
+    std::shared_ptr<const std::string> body; ///< that follows
+    std::size_t sent = 0;                    ///< of both
+    Clock::time_point began = Clock::now();
+    Clock::time_point last = began; ///< when a byte went either way
+
+    explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
+
+    bool is_asking() const { return answer.empty(); }
+    bool is_late(Clock::time_point now) const {
+        return is_asking() ? now - began > head_time : now - last > silence_time || now - began > answer_time;
+    }
+    std::string_view left() const {
+        return sent < answer.size() ? std::string_view(answer).substr(sent)
+                                    : std::string_view(*body).substr(sent - answer.size());
+    }
+    /// False when the other side has closed, or the request is too long.
+    bool read() {
+        std::array<char, 2048> part{};
+        const auto size = ::recv(socket.native_handle(), part.data(), part.size(), MSG_DONTWAIT);
+        if (size < 0) return errno == EAGAIN || errno == EINTR;
+        head.append(part.data(), static_cast<std::size_t>(size));
+        last = Clock::now();
+        return size > 0 && head.size() <= longest_head;
+    }
+    /// False when all is sent, or the other side has closed.
+    bool write() {
+        const auto text = left();
+        const auto size = ::send(socket.native_handle(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (size < 0) return errno == EAGAIN || errno == EINTR;
+        sent += static_cast<std::size_t>(size);
+        last = Clock::now();
+        return sent < answer.size() + body->size();
+    }
+};
+
+} // namespace
 
 struct PageServer::Server {
     boost::asio::io_context context;
     tcp::acceptor acceptor{context};
     std::string path; ///< "/0f3a.../"
     std::thread thread;
+    std::list<Connection> connections; ///< of the thread
     std::atomic<bool> ends = false;
     std::atomic<std::int64_t> asked = 0; ///< seconds of the steady clock
     std::mutex mutex;                    ///< of the page and its version
-    std::string page =
-        "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>";
+    std::shared_ptr<const std::string> page = std::make_shared<std::string>(
+        "<!DOCTYPE html><title>kaya</title><meta http-equiv=\"refresh\" content=\"2\"><p>The run has not begun to cycle yet.</p>");
     int version = 0;
 
     static std::int64_t now() {
-        return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now().time_since_epoch())
-            .count();
+        return std::chrono::duration_cast<std::chrono::seconds>(Clock::now().time_since_epoch()).count();
     }
 
-    http::response<http::string_body> answer(const http::request<http::empty_body>& request) {
-        http::response<http::string_body> response(http::status::ok, request.version());
+    /// Fills in the answer.
+    void answer(Connection& to, const http::request<http::empty_body>& request) {
+        http::response<http::empty_body> response(http::status::ok, request.version());
         response.set(http::field::cache_control, "no-store");
         response.set(http::field::content_type, "text/plain");
+        to.body = std::make_shared<std::string>();
         if (request.method() != http::verb::get) response.result(http::status::method_not_allowed);
         else if (request.target() == path || request.target() == path + "version") {
             asked = now();
             const std::lock_guard lock(mutex);
             const bool whole = request.target() == path;
             if (whole) response.set(http::field::content_type, "text/html; charset=utf-8");
-            response.body() = whole ? page : std::to_string(version);
+            to.body = whole ? page : std::make_shared<const std::string>(std::to_string(version));
         } else response.result(http::status::not_found);
         response.keep_alive(false);
-        response.prepare_payload();
-        return response;
+        response.content_length(to.body->size());
+        std::ostringstream text;
+        text << response.base();
+        to.answer = text.str();
     }
 
-    /// Until the socket is ready. False when it is not in time, or the run ends.
-    bool ready(int socket, short what, std::chrono::steady_clock::time_point until) const {
-        while (!ends && std::chrono::steady_clock::now() < until) {
-            pollfd asked_for{socket, what, 0};
-            if (::poll(&asked_for, 1, 100) > 0) return true;
-        }
-        return false;
+    /// False when the connection can be closed.
+    bool advance(Connection& one, short ready) {
+        if (!one.is_asking()) return (ready & (POLLOUT | POLLERR | POLLHUP)) == 0 || one.write();
+        if (ready == 0) return true;
+        if (!one.read()) return false;
+        if (one.head.find("\r\n\r\n") == std::string::npos) return true;
+        http::request_parser<http::empty_body> parser;
+        boost::system::error_code problem;
+        parser.put(boost::asio::buffer(one.head), problem);
+        if (problem || !parser.is_header_done()) return false;
+        answer(one, parser.get());
+        return true;
     }
 
-    /// The head of a request as far as it was received; the rest is ignored.
-    std::string read_head(int socket) const {
-        constexpr std::size_t longest = 8192;
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-        std::string text;
-        std::array<char, 1024> part{};
-        while (text.size() < longest && text.find("\r\n\r\n") == std::string::npos && ready(socket, POLLIN, until)) {
-            const auto size = ::recv(socket, part.data(), part.size(), 0);
-            if (size <= 0) break;
-            text.append(part.data(), static_cast<std::size_t>(size));
-        }
-        return text;
+    /// Replaces the connection that was idle longest if there are too many.
+    void accept() {
+        if (connections.size() >= most_connections)
+            connections.erase(std::ranges::min_element(connections, {}, &Connection::last));
+        boost::system::error_code problem;
+        tcp::socket socket(context);
+        acceptor.accept(socket, problem);
+        if (!problem) connections.emplace_back(std::move(socket));
+        else if (problem != boost::asio::error::would_block) // as a rule the process has too many open files
+            std::this_thread::sleep_for(std::chrono::milliseconds(tick));
     }
 
-    void write(int socket, std::string_view text) const {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-        while (!text.empty() && ready(socket, POLLOUT, until)) {
-            const auto size = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-            if (size < 0) return;
-            text.remove_prefix(static_cast<std::size_t>(size));
-        }
-    }
-
-    /// One after the other: there is one reader. A connection that says nothing is given up.
     void serve() {
+        std::vector<pollfd> sockets;
         while (!ends) {
-            boost::system::error_code problem;
-            tcp::socket socket(context);
-            acceptor.accept(socket, problem);
-            if (problem) continue;
-            const std::string head = read_head(socket.native_handle());
-            http::request_parser<http::empty_body> parser;
-            parser.put(boost::asio::buffer(head), problem);
-            if (problem || !parser.is_header_done()) continue;
-            std::ostringstream text;
-            text << answer(parser.get());
-            write(socket.native_handle(), text.view());
+            sockets.assign(1, {acceptor.native_handle(), POLLIN, 0});
+            for (auto& one : connections)
+                sockets.push_back(
+                    {one.socket.native_handle(), static_cast<short>(one.is_asking() ? POLLIN : POLLOUT), 0});
+            if (::poll(sockets.data(), sockets.size(), tick) < 0) continue;
+            const auto time = Clock::now();
+            auto socket = sockets.begin() + 1;
+            for (auto one = connections.begin(); one != connections.end(); ++socket)
+                one = advance(*one, socket->revents) && !one->is_late(time) ? std::next(one) : connections.erase(one);
+            if (sockets.front().revents != 0) accept();
         }
     }
 };
@@ -143,7 +197,8 @@ PageServer::PageServer(int port) : server_(std::make_unique<Server>()) {
     own.acceptor.open(place.protocol(), problem);
     if (!problem) own.acceptor.set_option(tcp::acceptor::reuse_address(true), problem);
     if (!problem) own.acceptor.bind(place, problem);
-    if (!problem) own.acceptor.listen(8, problem);
+    if (!problem) own.acceptor.listen(static_cast<int>(most_connections), problem);
+    if (!problem) own.acceptor.non_blocking(true, problem);
     if (problem)
         throw Diagnostic(fmt::format("port {} cannot be used: {}", port, problem.message()),
                          "another program has it, or it is below 1024: --watch 0 takes any that is free", Fault::run);
@@ -158,7 +213,7 @@ PageServer::PageServer(int port) : server_(std::make_unique<Server>()) {
 
 PageServer::~PageServer() {
     server_->ends = true;
-    ::shutdown(server_->acceptor.native_handle(), SHUT_RDWR); // a call that waits for a connection returns
+    ::shutdown(server_->acceptor.native_handle(), SHUT_RDWR); // the thread need not wait for its tick
     server_->thread.join();
 }
 
@@ -166,9 +221,8 @@ void PageServer::show(std::string page) {
     const std::lock_guard lock(server_->mutex);
     std::string script = reload_script;
     script.replace(script.find('@'), 1, std::to_string(++server_->version));
-    const auto end = page.rfind("</body>");
-    server_->page = std::move(page);
-    if (end != std::string::npos) server_->page.insert(end, script);
+    if (const auto end = page.rfind("</body>"); end != std::string::npos) page.insert(end, script);
+    server_->page = std::make_shared<const std::string>(std::move(page));
 }
 
 bool PageServer::is_read() const { return Server::now() - server_->asked < lately.count(); }

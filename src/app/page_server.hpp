@@ -6,8 +6,8 @@
 
 namespace kaya {
 
-/// Listens on the loopback address only, answers GET only, and only under an unguessable address. The page is the last one given. It has
-/// its own threads; the run does not wait for it.
+/// Listens on the loopback address only, answers GET only, and only under an unguessable address. The page is the last one given. Serves 32
+/// connections at a time; a slow or idle one delays no other and is closed after some seconds. It has its own thread; the run does not wait for it.
 class PageServer {
 public:
     /// Port 0: any free one. Throws Diagnostic when the port is taken.
