@@ -1,6 +1,7 @@
 #include "app/study_commands.hpp"
 
 #include "app/interrupt.hpp"
+#include "app/permissions.hpp"
 #include "app/study_deck.hpp"
 #include "base/door.hpp"
 #include "base/whole_file.hpp"
@@ -174,8 +175,23 @@ std::unique_ptr<Runs> runs_of(const StudyOrder& wanted, const RunOrder& order, c
     return std::make_unique<SlurmRuns>(folder, std::move(options), progress);
 }
 
+/// The user has named the study file and not its deck: outside of the folder of that file the deck needs a permission.
+void ask_for_deck(const Study& study, const RunOrder& order) {
+    if (order.options.trust) return;
+    const fs::path own = fs::path(study.file).parent_path();
+    Gate::Policy policy;
+    policy.folders = read_permissions().folders;
+    policy.folders.push_back(own.empty() ? fs::path(".") : own);
+    Gate gate;
+    gate.shut(std::move(policy));
+    try {
+        gate.may_read(study.deck);
+    } catch (Diagnostic& refused) { throw refused.at(study.deck_place); }
+}
+
 int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& program) {
     const Study study = read_study(wanted.file);
+    ask_for_deck(study, order);
     check_names(study);
     const fs::path path =
         wanted.folder.empty() ? fs::path(fs::path(wanted.file).stem().string() + "-study") : fs::path(wanted.folder);
@@ -235,6 +251,7 @@ int show(const StudyOrder& wanted) {
 int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
     const StudyFolder folder{fs::path(wanted.folder)};
     const Kept kept = kept_runs(folder);
+    ask_for_deck(kept.study, order);
     const auto found = std::ranges::find(kept.cases, wanted.number, &Case::number);
     if (found == kept.cases.end())
         throw Diagnostic(fmt::format("{} has no run {}", wanted.folder, wanted.number),
@@ -262,6 +279,7 @@ int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
 int work(const StudyOrder& wanted, const RunOrder& order, const fs::path& program) {
     const StudyFolder folder{fs::path(wanted.folder)};
     const Study study = read_study(folder.study_file(), folder.study_text());
+    ask_for_deck(study, order);
     StudyProgress progress(true);
     LocalRuns runs(folder, local_options(study, 1, true), run_case(order, study, program), progress);
     runs.all(cases_of_task(folder, wanted.batch, wanted.task, wanted.per_task));

@@ -89,6 +89,7 @@ struct Fit {
 struct Study {
     std::string file, text; ///< of the study itself
     std::string deck;       ///< as found from the current folder
+    Place deck_place;       ///< where the file names it
     std::string title;
     std::vector<Factor> factors;
     std::vector<Asked> asked;

@@ -423,9 +423,10 @@ Study read_study(const std::string& file, const std::string& text) {
     const auto deck = in.text("deck");
     if (!deck) in.fail(in.place(), "a study needs its deck", "write deck = \"slope.3dd\" in its first lines");
     study.deck = (fs::path(file).parent_path() / *deck).string();
+    study.deck_place = in.place_of(*in.find("deck"));
     std::error_code ignored;
     if (!fs::is_regular_file(study.deck, ignored))
-        in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck),
+        in.fail(study.deck_place, fmt::format("there is no deck '{}'", *deck),
                 "the deck is looked for next to the study file");
     study.title = in.text("title").value_or("");
     if (auto parameters = in.section("parameters")) read_parameters(*parameters, study);
