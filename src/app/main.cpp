@@ -7,6 +7,7 @@
 #include "app/tool_commands.hpp"
 #include "app/model_commands.hpp"
 #include "base/door.hpp"
+#include "base/limits.hpp"
 #include "base/memory.hpp"
 #include "base/terminal_text.hpp"
 #include "laws/crash_report.hpp"
@@ -145,6 +146,7 @@ int main(int argc, char** argv) {
     for (int k = 1; k < argc; ++k) words += std::string(" ") + argv[k];
     const kaya::AtCommand at_command(words);
     try {
+        kaya::require_stack_and_files();
         return kaya::start(argc, argv);
     } catch (const std::bad_alloc&) {
         kaya::print_text(stderr, "error: there is not enough memory to begin\n");
