@@ -2,6 +2,7 @@
 
 #include "laws/crash_report.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -14,7 +15,7 @@ namespace kaya {
 namespace {
 
 std::atomic<Session*> listening = nullptr;
-std::atomic<bool> asked = false;
+std::atomic<bool> asked = false, to_end = false;
 
 /// Time that a script has to hear of it.
 constexpr itimerval patience{{0, 0}, {0, 700'000}}, none{};
@@ -25,6 +26,7 @@ void end_if_deaf(int) {
     const Session* session = listening.load();
     tell_whom_it_waits_for();
     if (session == nullptr || !session->is_deaf()) return;
+    last_act();
     constexpr char message[] =
         "error: stopped by the user inside of one call into Lua's library that did not come to its end\n";
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
@@ -36,12 +38,26 @@ void end_if_deaf(int) {
 /// Signal-safe only: lock-free atomics, and letting a second signal end the program.
 void stop(int signal) {
     asked = true;
+    if (signal != SIGINT) to_end = true;
     if (Session* session = listening.load(); session != nullptr) session->interrupt();
     ::setitimer(ITIMER_REAL, &patience, nullptr);
     std::signal(signal, end_at_once);
 }
 
 } // namespace
+
+SignalActions::SignalActions() {
+    for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], nullptr, &actions_[i]);
+}
+
+SignalActions::~SignalActions() {
+    for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], &actions_[i], nullptr);
+}
+
+bool SignalActions::ignores(int signal) const {
+    const auto at = std::ranges::find(signals_, signal) - signals_.begin();
+    return actions_[static_cast<std::size_t>(at)].sa_handler == SIG_IGN;
+}
 
 InterruptGuard::InterruptGuard(Session& session)
     : listener_([&session] {
@@ -51,16 +67,22 @@ InterruptGuard::InterruptGuard(Session& session)
     std::signal(SIGALRM, end_if_deaf);
     std::signal(SIGINT, stop);
     std::signal(SIGTERM, stop);
-    // A terminal that is closed stops the run, unless it was started with nohup.
-    if (std::signal(SIGHUP, stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    if (!before_.ignores(SIGHUP)) std::signal(SIGHUP, stop);
 }
 
 bool InterruptGuard::was_asked() { return asked; }
 
-InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, end_at_once);
-    std::signal(SIGTERM, SIG_DFL);
-    listening = nullptr;
+InterruptGuard::~InterruptGuard() { listening = nullptr; }
+
+PromptSignals::PromptSignals() {
+    struct sigaction action {}; // without SA_RESTART: what reads returns
+    action.sa_handler = [](int signal) {
+        if (signal != SIGINT) to_end = true;
+    };
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (!before_.ignores(signal)) ::sigaction(signal, &action, nullptr);
 }
+
+bool PromptSignals::is_to_end() { return to_end; }
 
 } // namespace kaya

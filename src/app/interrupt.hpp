@@ -4,7 +4,26 @@
 #include "base/stop_point.hpp"
 #include "commands/session.hpp"
 
+#include <array>
+#include <csignal>
+
 namespace kaya {
+
+/// The actions of signals at its construction; its destructor restores them.
+class SignalActions {
+public:
+    SignalActions();
+    ~SignalActions();
+    SignalActions(const SignalActions&) = delete;
+    SignalActions& operator=(const SignalActions&) = delete;
+
+    /// SIGHUP is ignored under nohup.
+    bool ignores(int signal) const;
+
+private:
+    static constexpr std::array signals_{SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, signals_.size()> actions_{};
+};
 
 /// While it exists, an interrupt from the keyboard (or a request to end) goes to the session.
 class InterruptGuard {
@@ -19,6 +38,21 @@ public:
 
 private:
     StopListener listener_;
+    SignalActions before_;
+};
+
+/// While it exists and no InterruptGuard does, no signal ends the program: it interrupts the read from the terminal.
+class PromptSignals {
+public:
+    PromptSignals();
+    PromptSignals(const PromptSignals&) = delete;
+    PromptSignals& operator=(const PromptSignals&) = delete;
+
+    /// A signal asks the program to end: the terminal was closed, or the system shuts down.
+    static bool is_to_end();
+
+private:
+    SignalActions before_;
 };
 
 } // namespace kaya

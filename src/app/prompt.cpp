@@ -3,21 +3,21 @@
 #include "app/completion.hpp"
 #include "app/explanations.hpp"
 #include "app/interrupt.hpp"
+#include "app/keeper.hpp"
+#include "app/pager.hpp"
 #include "app/tools.hpp"
 #include "base/door.hpp"
+#include "base/terminal_text.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <clocale>
-#include <csignal>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <histedit.h>
 #include <iostream>
-#include <sstream>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace kaya {
@@ -28,39 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr int kept_lines = 1000;
 
-struct Screen {
-    std::size_t columns = 80, rows = 24;
-};
-
-Screen screen() {
-    winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {};
-    return {size.ws_col, size.ws_row};
-}
-
-/// Shows a long text by pages, on a terminal. The return key continues, q ends it.
-void show_by_pages(Session& session, const std::string& text) {
-    const bool terminal = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
-    const std::size_t page = std::max<std::size_t>(screen().rows, 4) - 2;
-    std::istringstream lines(text);
-    std::string part;
-    std::size_t shown = 0;
-    for (std::string line; std::getline(lines, line); ++shown) {
-        if (terminal && shown == page) {
-            session.output.print(part);
-            session.output.flush();
-            part.clear();
-            shown = 0;
-            std::fputs("-- more: the return key goes on, q ends --", stdout);
-            std::fflush(stdout);
-            std::string answer;
-            if (!std::getline(std::cin, answer) || answer.starts_with("q")) return;
-        }
-        part += line + "\n";
-    }
-    session.output.print(part);
-}
-
 /// The longest beginning that all words share.
 std::string common_beginning(const std::vector<std::string>& words) {
     std::string beginning = words.front();
@@ -70,9 +37,6 @@ std::string common_beginning(const std::vector<std::string>& words) {
     }
     return beginning;
 }
-
-/// At the prompt Ctrl-C clears the typed line.
-extern "C" void leave_line(int) {}
 
 class LineEditor {
 public:
@@ -107,22 +71,17 @@ public:
     /// Reads one line, without its end. `above` are the lines of an unfinished statement.
     Read read(const std::string& above, std::string& line) {
         before_ = above;
-        struct sigaction on_interrupt {
-        }, before{};
-        on_interrupt.sa_handler = leave_line; // without SA_RESTART: reading ends
-        sigaction(SIGINT, &on_interrupt, &before);
         int size = 0;
         errno = 0;
         const char* text = el_gets(editor_, &size);
         const int problem = errno;
-        sigaction(SIGINT, &before, nullptr);
         if (text == nullptr || size <= 0) {
             if (size < 0 && problem == EINTR) {
                 el_reset(editor_);
-                std::fputs("^C\n", stdout);
+                print_text(stdout, "^C\n");
                 return Read::interrupted;
             }
-            std::fputs("\n", stdout);
+            print_text(stdout, "\n");
             return Read::end;
         }
         line.assign(text, static_cast<std::size_t>(size));
@@ -155,7 +114,7 @@ private:
         rest.erase(0, std::min(typed, rest.size()));
         if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a folder goes on
         if (!rest.empty()) return el_insertstr(editor, rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
-        std::fputs(fmt::format("\n{}\n", filled(words, screen().columns - 1)).c_str(), stdout);
+        print_text(stdout, fmt::format("\n{}\n", filled(words, screen().columns - 1)));
         return CC_REDISPLAY;
     }
 
@@ -183,8 +142,8 @@ bool own_command(Session& session, const std::string& text) {
     }
     if (word != "help" && word != "explain") return false;
     const std::string rest = statement.raw(1);
-    if (word == "explain") show_by_pages(session, rest.empty() ? code_list() : explanation(rest));
-    else show_by_pages(session, help_text(rest));
+    if (word == "explain") show_by_pages(session.output, rest.empty() ? code_list() : explanation(rest));
+    else show_by_pages(session.output, help_text(rest));
     return true;
 }
 
@@ -233,17 +192,25 @@ int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // characters beyond ASCII take one column on the screen
     session.output.say(fmt::format(
         "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
+    session.autosave.find_earlier();
+    session.autosave.set_typed();
+    const PromptSignals signals;
+    const Keeper keeper(session);
     LineEditor editor(session);
     std::string text, line;
     for (;;) {
-        const auto read = editor.read(text, line);
-        if (read == LineEditor::Read::end) return 0;
+        const auto read = PromptSignals::is_to_end() ? LineEditor::Read::end : editor.read(text, line);
+        if (read == LineEditor::Read::end) {
+            session.autosave.keep(); // before anything is said: the terminal may have gone
+            return PromptSignals::is_to_end() ? static_cast<int>(Fault::run) : 0;
+        }
         if (read == LineEditor::Read::interrupted) {
             text.clear();
             continue;
         }
         text += line + '\n';
         if (lang::needs_more(lang::classic(), text)) continue;
+        session.autosave.before_typed();
         try {
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
         } catch (...) { show(session); }

@@ -1,6 +1,7 @@
 #include "commands/autosave.hpp"
 
 #include "base/door.hpp"
+#include "base/terminal_text.hpp"
 #include "commands/save_session.hpp"
 #include "commands/session.hpp"
 
@@ -41,7 +42,21 @@ void Autosave::find_earlier() {
 double Autosave::unsaved() const { return since_ ? std::chrono::duration<double>(Clock::now() - *since_).count() : 0; }
 
 bool Autosave::is_long() const {
-    return since_ && (!written_.empty() || (interval_ && unsaved() > std::min(*interval_, worth_keeping)));
+    return typed_ || (since_ && (!written_.empty() || (interval_ && unsaved() > std::min(*interval_, worth_keeping))));
+}
+
+bool Autosave::is_new() const { return session_.model.blocks.size() > 0 && state_hash(session_.model) != saved_hash_; }
+
+void Autosave::before_typed() {
+    constexpr std::chrono::milliseconds unnoticed{50};
+    if (failed_cycle_ == 0) last_good_.offer(session_, unnoticed); // the model after a failed cycle is unusable
+}
+
+void Autosave::saved() {
+    since_.reset();
+    failed_cycle_ = 0;
+    last_good_.drop();
+    if (typed_) saved_hash_ = state_hash(session_.model);
 }
 
 void Autosave::begins() {
@@ -101,9 +116,11 @@ void Autosave::write_before_failure() {
 }
 
 void Autosave::keep() {
+    if (kept_ || (typed_ && !is_new())) return;
     if (is_long() && failed_cycle_ > 0) write_before_failure();
     else if (is_long()) write();
     if (written_.empty()) return;
+    kept_ = true;
     const std::string before = failed_cycle_ == 0 ? ""
                                : cycle_ + 1 == failed_cycle_
                                    ? ", before the one that failed,"
@@ -112,7 +129,22 @@ void Autosave::keep() {
          fmt::format("'restore {}' goes on from there", written_));
 }
 
+void Autosave::keep_copy() {
+    if (last_good_.empty() || last_good_.is_void()) return;
+    const std::string name = file_name();
+    try {
+        session_.output_file(name);
+        last_good_.write(name, "the last copy before the program ended in the midst of a command");
+    } catch (const Diagnostic& problem) {
+        print_text(stderr, fmt::format("\nthe model could not be kept in '{}': {}\n", name, problem.message));
+        return;
+    }
+    print_text(stderr, fmt::format("\nthe model after cycle {0} is kept in '{1}': 'restore {1}' goes on from there\n",
+                                   last_good_.cycle(), name));
+}
+
 void Autosave::done() {
+    if (kept_) return;
     if (!written_.empty()) door::remove(written_);
     written_.clear();
 }

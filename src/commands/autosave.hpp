@@ -30,10 +30,7 @@ public:
     /// To be called after cycles, several times a second.
     void advanced();
     /// The model has been saved or discarded.
-    void saved() {
-        since_.reset();
-        last_good_.drop();
-    }
+    void saved();
     /// Suspends saving while the model is in a temporary state, for example with raised joint strength.
     void hold(bool on) { held_ += on ? 1 : -1; }
     /// A cycle has failed half way: the model is unusable, and the state before the cycle is kept instead.
@@ -41,8 +38,14 @@ public:
         failed_cycle_ = cycle;
         why_ = why;
     }
-    /// The run is cut off here: saves the model if it took long, and prints where.
+    /// Commands are typed: no deck can rebuild the model, so it is kept however short the run.
+    void set_typed() { typed_ = true; }
+    /// Call before each typed command.
+    void before_typed();
+    /// The run is cut off here: saves the model if it took long or was typed, and prints where.
     void keep();
+    /// The program ends inside a typed command: saves the last copy. Runs in another thread than the command, which is stopped.
+    void keep_copy();
     /// The run has ended normally.
     void done();
 
@@ -52,8 +55,10 @@ private:
     std::string file_name();
     /// Seconds of cycles that are in no file.
     double unsaved() const;
-    /// Whether more than a minute would be lost.
+    /// Whether more than a minute would be lost, or typed commands.
     bool is_long() const;
+    /// Whether typed commands have changed the model since it was saved.
+    bool is_new() const;
     bool write();
     void write_before_failure();
     bool into_file(const std::function<void(const std::string&)>& save, std::int64_t cycle);
@@ -68,7 +73,8 @@ private:
     std::int64_t failed_cycle_ = 0; ///< 0: none has failed
     std::string why_;               ///< it failed
     int held_ = 0;
-    bool complained_ = false;
+    bool complained_ = false, typed_ = false, kept_ = false;
+    std::uint64_t saved_hash_ = 0; ///< of the model that was saved last, when commands are typed
 };
 
 } // namespace kaya

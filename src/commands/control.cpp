@@ -3,13 +3,12 @@
 
 #include "base/lower_case.hpp"
 #include "base/parallel.hpp"
+#include "commands/keyboard.hpp"
 #include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
-#include <iostream>
-#include <unistd.h>
 
 namespace kaya {
 
@@ -67,10 +66,12 @@ void run(Session& session, const lang::Title& command) { session.title = command
 
 void run(Session& session, const lang::Pause&) {
     // A background run that reads its commands from a file cannot be continued by a key.
-    if (session.output.quiet || !session.output.on_terminal() || isatty(STDIN_FILENO) == 0) return;
+    if (session.output.quiet || !session.output.on_terminal() || !has_keyboard()) return;
     session.output.say("pause: press Enter to go on");
-    std::string line;
-    std::getline(std::cin, line);
+    auto pressed = read_key();
+    while (pressed && *pressed != '\n' && *pressed != '\r' && *pressed != key::interrupt) pressed = read_key();
+    if (pressed == key::interrupt) session.interrupt();
+    session.stop_if_interrupted();
 }
 
 void run(Session& session, const lang::Set& command) {

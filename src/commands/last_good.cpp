@@ -25,8 +25,8 @@ std::size_t bytes_of(Model& model) {
 
 } // namespace
 
-void LastGood::offer(Session& session) {
-    if (!taken_ || Clock::now() - when_ >= part_of_time * cost_) take(session);
+void LastGood::offer(Session& session, Clock::duration always) {
+    if (!taken_ || cost_ <= always || Clock::now() - when_ >= part_of_time * cost_) take(session);
 }
 
 void LastGood::take(Session& session) {

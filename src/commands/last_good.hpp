@@ -17,8 +17,10 @@ class Session;
 /// time; the cycles in between are repeated once after a failure.
 class LastGood {
 public:
-    /// The session follows a whole cycle, or before the first: it is copied if it is time for that.
-    void offer(Session& session);
+    using Clock = std::chrono::steady_clock;
+
+    /// The session follows a whole cycle, or before the first: it is copied if it is time for that, or a copy takes at most `always`.
+    void offer(Session& session, Clock::duration always = {});
     /// It is copied now.
     void take(Session& session);
     /// Something other than a cycle changes the session: the copy no longer leads to it.
@@ -27,6 +29,8 @@ public:
     void drop();
 
     bool empty() const { return !taken_; }
+    /// It has no blocks.
+    bool is_void() const { return model_.blocks.size() == 0; }
     std::int64_t cycle() const { return model_.clock.cycle; }
 
     /// Cycles the copy up to `cycle`, unless commands or scripts of the session have acted since it was taken. Stops early on request.
@@ -36,8 +40,6 @@ public:
     void write(const std::string& file, const std::string& remark);
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     Model model_;
     SaveExtras extras_;
     bool taken_ = false;

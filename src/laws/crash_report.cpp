@@ -31,6 +31,7 @@ namespace {
 
 thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal arrives in the thread that caused it
 std::atomic<bool> reporting = false;
+std::atomic<void (*)()> act_before_end = nullptr;
 
 std::atomic<const AtCommand*> at_command = nullptr;
 
@@ -197,6 +198,7 @@ void report(int signal, siginfo_t* info, void*) {
     }
     sentence << what_is_left;
     sentence.write();
+    last_act();
     raise(signal);
 }
 
@@ -216,6 +218,7 @@ void refuse_exit() {
              << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
     sentence.write();
+    last_act();
     leave(static_cast<int>(Fault::run));
 }
 
@@ -259,7 +262,14 @@ void end_at_once(int signal) {
         sentence << "\n";
         sentence.write();
     }
+    last_act();
     raise(signal);
+}
+
+void set_last_act(void (*act)()) { act_before_end = act; }
+
+void last_act() {
+    if (const auto act = act_before_end.load()) act();
 }
 
 void tell_whom_it_waits_for() {

@@ -31,6 +31,11 @@ void report_crashes();
 /// For a signal handler: ends the program by the signal, after naming the models that are at work.
 void end_at_once(int signal);
 
+/// Sets what is called before the program ends inside a command: by a crash, by exit() of a model, by a second Ctrl-C. It runs in a signal
+/// handler. Null: nothing.
+void set_last_act(void (*act)());
+void last_act();
+
 /// For a signal handler: says that the program waits for the models that are at work, if there are any.
 void tell_whom_it_waits_for();
 
