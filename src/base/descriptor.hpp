@@ -44,4 +44,7 @@ Descriptor open_beneath(int folder, const std::filesystem::path& below, int flag
 bool read_all(int descriptor, std::string& content, std::size_t most = std::string::npos);
 bool write_all(int descriptor, std::string_view content);
 
+/// A file in memory, without a name in any folder, that cannot be changed. Without a descriptor errno says why.
+Descriptor sealed_copy(const std::string& title, std::string_view content);
+
 } // namespace kaya

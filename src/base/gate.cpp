@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -51,14 +53,6 @@ fs::path folder_to_name(const fs::path& file, const fs::path& whole) {
 [[noreturn]] void refuse_other_kind(const fs::path& file) {
     refuse("file-special", fmt::format("'{}' is not an ordinary file", file.string()),
            "name an ordinary file; --trust allows pipes and devices");
-}
-
-/// Empty when it cannot be read.
-std::string digest_of_file(const fs::path& whole) {
-    const Descriptor root = handle_of("/", O_DIRECTORY);
-    const Descriptor file = open_beneath(root.number(), whole.relative_path(), O_RDONLY | O_NONBLOCK);
-    std::string bytes;
-    return file && read_all(file.number(), bytes) ? sha256(bytes) : std::string();
 }
 
 /// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
@@ -221,25 +215,42 @@ void Gate::may_write(const fs::path& file) {
     written_.insert(whole);
 }
 
-void Gate::may_load(const fs::path& file) {
-    if (!shut_) {
-        code_.insert(resolved(file));
-        return;
-    }
+/// Empty when its contents are not allowed. The library is loaded from the bytes that were compared.
+fs::path Gate::may_load_by_digest(const fs::path& whole) {
+    std::error_code ignored;
+    if (policy_.digests.empty() || !fs::is_regular_file(whole, ignored)) return {};
+    const Descriptor root = handle_of("/", O_DIRECTORY);
+    const Descriptor file = open_beneath(root.number(), whole.relative_path(), O_RDONLY | O_NONBLOCK);
+    std::string bytes;
+    if (!file || !read_all(file.number(), bytes)) return {};
+    const std::string digest = sha256(bytes);
+    if (!policy_.digests.contains(digest)) return {};
+    Descriptor& copy = copies_[digest];
+    if (!copy) copy = sealed_copy(whole.filename().string(), bytes);
+    if (!copy)
+        refuse("library-not-allowed", fmt::format("cannot copy joint model {} into memory", whole.string()),
+               std::strerror(errno));
+    return copy.name();
+}
+
+fs::path Gate::may_load(const fs::path& file) {
     const fs::path whole = resolved(file);
+    if (!shut_) {
+        code_.insert(whole);
+        return fs::absolute(file);
+    }
     if (written_.contains(whole))
         refuse("library-not-allowed", fmt::format("joint model {} was written by this run", file.string()),
                "load it in a run of its own");
     // By the name that is given, as the loader decides. A script of a joint model can do nothing but calculate.
     const bool in_folder = is_below(whole, policy_.libraries), is_script = file.extension() == ".lua";
     if (is_script && !in_folder) may_read(file);
-    std::error_code ignored;
-    const bool allowed = is_script || (in_folder && is_library_name(whole)) ||
-                         (fs::is_regular_file(whole, ignored) && policy_.digests.contains(digest_of_file(whole)));
-    if (!allowed)
+    const fs::path name = is_script ? file : in_folder && is_library_name(whole) ? whole : may_load_by_digest(whole);
+    if (name.empty())
         refuse("library-not-allowed", fmt::format("joint model {} is code that nobody has allowed", file.string()),
                fmt::format("if you know where it comes from, allow it once with: kaya allow {}", quoted(file)));
     code_.insert(whole);
+    return name;
 }
 
 Gate::Route Gate::route_to(const fs::path& file, Use use) {

@@ -46,8 +46,9 @@ public:
     /// Commands or functions: such a file is not overwritten by the run.
     void may_read_code(const std::filesystem::path& file);
     void may_write(const std::filesystem::path& file);
-    /// A joint model: a library, or a script of one.
-    void may_load(const std::filesystem::path& file);
+    /// A joint model: a library, or a script of one. Returns the name by which it is to be opened; exchanging `file` afterwards does not change what
+    /// that name leads to.
+    std::filesystem::path may_load(const std::filesystem::path& file);
 
     /// An allowed folder, open, and a path from there without links. Folder -1: the path is opened as it stands.
     struct Route {
@@ -70,10 +71,13 @@ private:
     void refuse_special(const std::filesystem::path& file, const std::filesystem::path& whole) const;
     void refuse_in_use(const std::filesystem::path& file, const std::filesystem::path& whole) const;
 
+    std::filesystem::path may_load_by_digest(const std::filesystem::path& whole);
+
     bool shut_ = false;
     Policy policy_;
     std::map<std::filesystem::path, Descriptor> opened_; ///< folders of the policy, by their resolved paths
-    std::set<std::filesystem::path> code_, written_;     ///< resolved
+    std::map<std::string, Descriptor> copies_; ///< of libraries, by digest; never closed: the loader knows them by name
+    std::set<std::filesystem::path> code_, written_; ///< resolved
 };
 
 } // namespace kaya

@@ -43,7 +43,7 @@ void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::fil
     joints.set_path(joint_folders);
     add_lua_loader(joints);
     joints.before_loading =
-        joints.zones.before_loading = [gate](const std::filesystem::path& file) { gate->may_load(file); };
+        joints.zones.before_loading = [gate](const std::filesystem::path& file) { return gate->may_load(file); };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;

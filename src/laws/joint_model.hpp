@@ -109,8 +109,8 @@ public:
     /// Files with that ending (".lua") are made into models by `maker`.
     void add_loader(const std::string& ending, Maker maker) { makers_[ending] = std::move(maker); }
 
-    /// Is asked with each file before anything of it runs; throws Diagnostic to refuse it.
-    std::function<void(const std::filesystem::path&)> before_loading;
+    /// Is asked with each file before anything of it runs, and gives the name by which the file is to be opened. Throws Diagnostic to refuse it.
+    std::function<std::filesystem::path(const std::filesystem::path&)> before_loading;
 
     /// The model with that keyword, loaded when it is not yet; libraries named as those of 3DEC are, libjmodelslip009.so, are
     /// opened to see what they hold. A name with a slash or with the ending .so, or one that is understood, is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),

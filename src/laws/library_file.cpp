@@ -45,7 +45,7 @@ namespace {
 
 constexpr unsigned patience = 30; ///< seconds that a library may take to be loaded
 
-[[noreturn]] void load_and_leave(const std::filesystem::path& file, const char* entry, int answer) {
+[[noreturn]] void load_and_leave(const std::filesystem::path& name, const char* entry, int answer) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
     alarm(patience);
     // What it prints is printed when it is loaded in earnest.
@@ -53,7 +53,7 @@ constexpr unsigned patience = 30; ///< seconds that a library may take to be loa
         dup2(nowhere.number(), STDOUT_FILENO);
         dup2(nowhere.number(), STDERR_FILENO);
     }
-    if (void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
         try {
             if (void* function = dlsym(library, entry)) reinterpret_cast<const void* (*)()>(function)();
         } catch (...) { // what is thrown is caught there, too
@@ -66,14 +66,14 @@ constexpr unsigned patience = 30; ///< seconds that a library may take to be loa
 
 } // namespace
 
-std::string fault_of_loading(const std::filesystem::path& file, const char* entry) {
+std::string fault_of_loading(const std::filesystem::path& name, const char* entry) {
     int ends[2];
     if (pipe(ends) != 0) return {};
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        load_and_leave(file, entry, ends[1]);
+        load_and_leave(name, entry, ends[1]);
     }
     close(ends[1]);
     char answer = 0;

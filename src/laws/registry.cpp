@@ -59,13 +59,14 @@ void refuse_other_files(const fs::path& file) {
                "build it with kaya_add_joint_model in CMake, or with c++ -shared -fPIC");
 }
 
-std::shared_ptr<void> open_library(const fs::path& file) {
-    if (const auto fault = fault_of_loading(file, entry_point); !fault.empty())
+/// `name` is that by which the loader opens the file.
+std::shared_ptr<void> open_library(const fs::path& file, const fs::path& name) {
+    if (const auto fault = fault_of_loading(name, entry_point); !fault.empty())
         refuse(
             "joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
             "look at what its source does before anything is asked of it: static objects, the functions that describe it");
-    // An absolute path keeps the system from looking elsewhere; local symbols keep models apart.
-    void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    // Local symbols keep models apart.
+    void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
     return {handle, [](void* h) { dlclose(h); }};
 }
@@ -116,13 +117,16 @@ std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     const auto maker = makers_.find(file.extension().string());
     // A file that is no library is harmless, and that is what its user wants to hear; unless it cannot even be read.
     if (maker == makers_.end() && door::peek(file)) refuse_other_files(file);
-    if (before_loading) before_loading(file);
-    if (maker == makers_.end()) refuse_other_files(file);
+    // An absolute path keeps the system from looking elsewhere.
+    const fs::path name = before_loading ? before_loading(file) : fs::absolute(file);
     if (maker != makers_.end()) return maker->second(file);
+    refuse_other_files(file);
     const AtWork at_work(called(file.filename().string(), file.string(), joint_law.noun), joint_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
-    const auto library = open_library(file);
+    const auto library = open_library(file, name);
     auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
+    // Objects of a model may outlive the registry, and their code must be there when they go.
+    if (model->keeps_objects()) dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     model->note_arithmetic(arithmetic.put_back());
     return model;
 }
@@ -182,8 +186,6 @@ const JointModel& JointRegistry::load(const fs::path& file) {
                fmt::format("a file in a folder that is searched must have the name of its model: {}{}", model->name,
                            file.extension().string()));
 
-    // Objects of a model may outlive the registry, and their code must be there when they go.
-    if (model->keeps_objects()) dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     model->tables = tables_->interface();
     models_.push_back(std::move(model));
     return *models_.back();

@@ -43,14 +43,15 @@ void refuse_other_files(const fs::path& file) {
                "build it with kaya_add_zone_model in CMake, or with c++ -shared -fPIC");
 }
 
-std::unique_ptr<ZoneModel> open(const fs::path& file) {
-    if (const auto fault = fault_of_loading(file, zone_law.entry_point); !fault.empty())
+/// `name` is that by which the loader opens the file.
+std::unique_ptr<ZoneModel> open(const fs::path& file, const fs::path& name) {
+    if (const auto fault = fault_of_loading(name, zone_law.entry_point); !fault.empty())
         refuse(
             "zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
             "look at what its source does before anything is asked of it: static objects, the functions that describe it");
     const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
-    void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("zone-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
     const std::shared_ptr<void> library(handle, [](void* h) { dlclose(h); });
     using Entry = const kaya_zmodel* (*)();
@@ -198,8 +199,7 @@ const ZoneModel& ZoneModels::load(const fs::path& file) {
         refuse("zone-model-unknown", fmt::format("there is no zone model file {}", file.string()),
                "a name with a slash or with the ending .so is a file; give its path from the working folder");
     refuse_other_files(file);
-    if (before_loading) before_loading(file);
-    auto model = open(file);
+    auto model = open(file, before_loading ? before_loading(file) : fs::absolute(file));
     const auto* loaded_one = find(model->name);
     const auto owner = loaded_one ? std::optional(loaded_one->file) : file_of(model->name);
     if (owner && !same_file(*owner, file))

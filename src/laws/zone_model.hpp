@@ -60,8 +60,8 @@ public:
     void set_path(const std::vector<std::filesystem::path>& folders) { path_ = with_zone_folders(folders); }
     void set_tables(const kaya_jtables* tables) { tables_ = tables; }
 
-    /// Is asked with each file before anything of it runs; throws Diagnostic to refuse it.
-    std::function<void(const std::filesystem::path&)> before_loading;
+    /// Is asked with each file before anything of it runs, and gives the name by which the file is to be opened. Throws Diagnostic to refuse it.
+    std::function<std::filesystem::path(const std::filesystem::path&)> before_loading;
 
     /// The model with that keyword, loaded when it is not yet. A name with a slash or with the ending .so is a file. Throws
     /// Diagnostic: not found (with the names that are there and did-you-mean), no zone model, other interface version, bad

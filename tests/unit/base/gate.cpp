@@ -51,6 +51,7 @@ protected:
     }
 
     test::ScratchFolder scratch;
+    std::error_code ignored;
     fs::path folder, work;
     Gate gate;
 };
@@ -123,6 +124,31 @@ TEST_F(GateTest, LoadsLibrariesOfItsFoldersAndThoseOfKnownDigest) {
     write(work / "mine.so", "\x7f"
                             "ELF nine");
     EXPECT_EQ(loaded(work / "mine.so"), "library-not-allowed");
+}
+
+TEST_F(GateTest, LoadsTheContentsThatItHasCompared) {
+    const std::string mine = "\x7f"
+                             "ELF mine";
+    write(work / "mine.so", mine), write(folder / "joints/law.so", "law"), write(work / "other.so", "other");
+    const fs::path name = gate.may_load(work / "mine.so");
+    EXPECT_EQ(gate.may_load(work / "mine.so"), name) << "the loader would take it for another library";
+    write(work / "mine.so", "\x7f"
+                            "ELF nine"); // in place
+    const auto text = [](const fs::path& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    EXPECT_EQ(text(name), mine);
+    fs::rename(work / "other.so", work / "mine.so");
+    EXPECT_EQ(text(name), mine);
+    write(name, "none");
+    fs::resize_file(name, 2, ignored);
+    EXPECT_EQ(text(name), mine) << "the copy can be changed";
+    // A link that leads to an allowed folder while the gate looks.
+    fs::create_symlink(folder / "joints/law.so", work / "link.so");
+    const fs::path behind = gate.may_load(work / "link.so");
+    fs::remove(work / "link.so"), write(work / "link.so", "other");
+    EXPECT_EQ(text(behind), "law");
 }
 
 TEST_F(GateTest, AScriptOfAJointModelMayBeReadUnlessTheRunWroteIt) {
