@@ -92,8 +92,8 @@ constexpr Explanation explanations[] = {
     {"file-hidden", "a name that decks do not write",
      "Files that begin with a point are settings of programs, files that end in .so are libraries of code. Give another name."},
     {"wide-folder", "a run in the home folder or in /",
-     "Without --trust a run may write everything below the folder where it starts that is not hidden: in the home folder\n"
-     "that is all of the user's work. Start runs in a folder of their own, or name one with --into."},
+     "Without --trust a run may write everything that is not hidden below the folder where it starts and below that of its deck:\n"
+     "in the home folder that is all of the user's work. Give decks a folder of their own, and start runs there."},
     {"library-not-allowed", "a joint model that nobody has allowed",
      "A library is code that can do whatever you can. Those of the installed folder, of --joints and of KAYA_JOINTS are loaded;\n"
      "another one is when 'kaya allow FILE' has named it as it is now. 'kaya jmodel build' allows what it makes."},

@@ -11,6 +11,7 @@
 #include "commands/journal.hpp"
 #include "commands/progress.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -206,24 +207,24 @@ void prepare_run(RunOrder& order, const CLI::App& app) {
     if (!order.into.empty()) go_into(order.into, order.decks, order.journal);
 }
 
-namespace {
-
-/// Where a run starts in the home folder, a deck may write all that the user has and that is not hidden.
-void warn_of_wide_folder(Session& session) {
-    std::error_code ignored;
-    const fs::path here = fs::current_path(ignored);
+std::optional<Diagnostic> warning_of_wide_folder(const std::vector<std::string>& files) {
+    std::vector<fs::path> folders{"."};
+    for (const auto& file : files)
+        if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) folders.push_back(folder);
     const char* home = std::getenv("HOME");
-    const bool at_home = home != nullptr && *home != '\0' && fs::equivalent(here, home, ignored);
-    if (!at_home && here != here.root_path()) return;
+    const auto is_wide = [&folders](const fs::path& wide) {
+        std::error_code ignored;
+        return std::ranges::any_of(folders, [&](const fs::path& one) { return fs::equivalent(one, wide, ignored); });
+    };
+    const bool at_home = home != nullptr && *home != '\0' && is_wide(home);
+    if (!at_home && !is_wide("/")) return std::nullopt;
     Diagnostic warning(
         fmt::format("the run may write every file below {} that is not hidden", at_home ? "your home folder" : "/"),
-        "start it in a folder of its own, or name one: --into FOLDER");
+        "move the deck to a folder of its own, and start it there");
     warning.severity = Severity::warning;
     warning.code = "wide-folder";
-    session.output.message(warning);
+    return warning;
 }
-
-} // namespace
 
 int run(RunOrder& order, const fs::path& program) {
     const auto painter = std::make_shared<Painter>(program / "kaya-painter");
@@ -235,7 +236,10 @@ int run(RunOrder& order, const fs::path& program) {
     order.options.joint_folders = joint_folders(order, program);
     Session session(order.options);
     session.painter = painter;
-    if (!order.options.trust && order.into.empty() && !order.decks.empty()) warn_of_wide_folder(session);
+    const std::vector<std::string> inputs = sandbox_of(order, program).inputs;
+    const bool typed = inputs.empty() && isatty(STDIN_FILENO) == 1;
+    if (const auto warning = warning_of_wide_folder(inputs); warning && !order.options.trust && !typed)
+        session.output.message(*warning);
     std::optional<RunReport> report;
     try {
         report.emplace(session, order.watch);

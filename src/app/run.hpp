@@ -45,6 +45,9 @@ Gate::Policy policy_of(const RunOrder& order, const std::filesystem::path& progr
 /// Checks that the decks exist before anything is written, so a misspelt command leaves no journal; then changes to the folder of the run.
 void prepare_run(RunOrder& order, const CLI::App& app);
 
+/// Where the current folder, or that of one of the files, is the home folder or /: a run may write all below it that is not hidden.
+std::optional<Diagnostic> warning_of_wide_folder(const std::vector<std::string>& files);
+
 /// Gives the exit status.
 int run(RunOrder& order, const std::filesystem::path& program);
 

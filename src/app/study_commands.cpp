@@ -198,6 +198,9 @@ int carry_out(const StudyOrder& wanted, const RunOrder& order, const fs::path& p
     if (wanted.anew) forget_runs(path);
     const auto cases = cases_of(study); // errors of the design are reported before a folder is made
     const bool first = !wanted.ranks || own_rank() == 0;
+    if (const auto warning = warning_of_wide_folder({wanted.file, study.deck});
+        warning && first && !order.options.trust)
+        Output(stdout, stderr).message(*warning);
     StudyProgress progress(order.options.quiet || wanted.quiet || !first);
     const StudyFolder folder(path, study, program_version(), wanted.ranks);
     if (wanted.again) forget_failures(folder, cases);
