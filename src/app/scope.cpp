@@ -40,6 +40,8 @@ const std::array table{
     Scope{"allow", "folders and libraries that are named", "the list of what is allowed", "nothing", {"path"}, {}, {}, none, true},
     Scope{"explain", "nothing", "nothing", "nothing", {}, {}, {}},
     Scope{"help", "nothing", "nothing", "nothing", {}, {}, {}},
+    Scope{"completion", "nothing", "nothing", "nothing", {}, {}, {}},
+    Scope{"manual", "nothing", "nothing", "nothing", {}, {}, {}},
 };
 // clang-format on
 
