@@ -1,6 +1,7 @@
 #include "app/scope.hpp"
 
 #include "app/adapter_cache.hpp"
+#include "app/command_line.hpp"
 #include "app/permissions.hpp"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ void enter_scope(const CLI::App& app, const RunOrder& order, const fs::path& pro
         throw Diagnostic(fmt::format("'{}' has no scope", words), "please report this: src/app/scope.cpp lacks a row",
                          Fault::own);
     SandboxOrder sandbox;
-    sandbox.inputs = words_given(command, scope->inputs);
+    for (const auto& input : words_given(command, scope->inputs)) sandbox.inputs.push_back(deck_file(input));
     sandbox.joint_folders = joint_folders(order, program);
     for (const auto& folder : words_given(command, scope->folders)) sandbox.outputs.emplace_back(folder);
     for (const auto& file : words_given(command, scope->files))

@@ -48,7 +48,7 @@ int check(const Names& decks, bool as_json) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
-            const DeckReport report = check_deck(deck, {"."});
+            const DeckReport report = check_deck(deck_file(deck), {"."});
             const std::string text = as_json ? report.json_lines() : report.text(deck);
             if (as_json) fmt::print("{}", text);
             else output.print(text);
@@ -170,7 +170,7 @@ void add_allow(CLI::App& app, std::function<int()>& chosen) {
 void add_check(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "check", "read decks and say what is wrong with them, without running them",
                     [](const Words& words) { return check(words.names, words.first); });
-    tool.command->add_option("deck", tool.words->names, "command files")->required();
+    tool.command->add_option("deck", tool.words->names, "command files; - is the standard input")->required();
     tool.command->add_flag("--json", tool.words->first, "one object of JSON per line, for editors");
 }
 
