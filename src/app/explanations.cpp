@@ -41,6 +41,9 @@ constexpr Explanation explanations[] = {
     {"newer-dialect", "commands of version 6 and later",
      "'model new', 'block create brick': the whole file is in another dialect. It is said once for a file, with the classic\n"
      "spelling of its first such line. 'kaya help' lists the classic commands."},
+    {"other-language", "a file of another program",
+     "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC or UDEC. The rest of the file is\n"
+     "not read. 'kaya help' lists the commands."},
     {"never-read", "a variable of FISH that is set and that nothing reads",
      "Another name at one letter from it is read: this one may be a slip of the pen. Whole decks are looked at, with\n"
      "the files that they call; nothing is said when a restored model or an unknown file may read it."},

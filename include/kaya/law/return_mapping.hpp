@@ -13,11 +13,19 @@
 namespace kaya::joints {
 
 /// What is left of a trial; shear is the length of the vector, whose direction stays.
+///
+/// A step takes up per area what its mean stresses do on the slip and on the opening that slip makes:
+///     (shear_before + shear)/2 slip - (normal_before + normal)/2 opening                                   (2)
+/// which is what is put in less what the springs hold more than before. Stresses before are those at the start of the step,
+/// not of the trial; a shear vector counts with its part along the trial.
 struct Returned {
     double normal, shear;
-    double slip; ///< in this step, from 0
-    /// What slip took up per area: the mean of the shear before and after. What dilation stores is in the normal spring.
-    double work(double trial_shear) const { return 0.5 * (trial_shear + shear) * slip; }
+    double slip;    ///< in this step, from 0
+    double opening; ///< that dilation made of the slip
+    /// The first term of (2), energy per area: all of it where nothing dilates.
+    double work(double shear_before) const { return 0.5 * (shear_before + shear) * slip; }
+    /// The second term of (2): what dilation gives to the load that it lifts. To be taken off.
+    double lifting(double normal_before) const { return 0.5 * (normal_before + normal) * opening; }
 };
 
 struct Springs {
@@ -32,7 +40,8 @@ struct Springs {
     const double slip = std::max(0.0, excess) / (k.shear + k.normal * tan_friction * tan_dilation);
     // Beyond that the shear would turn round: the strength is 0 there.
     const double kept = std::min(slip, trial_shear / k.shear);
-    return {trial_normal + k.normal * tan_dilation * kept, trial_shear - k.shear * kept, kept};
+    const double opening = tan_dilation * kept;
+    return {trial_normal + k.normal * opening, trial_shear - k.shear * kept, kept, opening};
 }
 
 /// Any strength(normal, slip) that is not below 0 and is continuous: (1) by the root of the difference, which lies between no
@@ -41,9 +50,9 @@ template <class Strength>
 Returned return_to(Strength strength, double trial_normal, double trial_shear, Springs k, double tan_dilation) {
     const auto normal_at = [&](double slip) { return trial_normal + k.normal * tan_dilation * slip; };
     const auto excess = [&](double slip) { return trial_shear - k.shear * slip - strength(normal_at(slip), slip); };
-    if (!(excess(0) > 0)) return {trial_normal, trial_shear, 0};
+    if (!(excess(0) > 0)) return {trial_normal, trial_shear, 0, 0};
     const double slip = bracketed_root(excess, 0, trial_shear / k.shear).x;
-    return {normal_at(slip), std::max(0.0, trial_shear - k.shear * slip), slip};
+    return {normal_at(slip), std::max(0.0, trial_shear - k.shear * slip), slip, tan_dilation * slip};
 }
 
 } // namespace kaya::joints
