@@ -184,7 +184,7 @@ void add_help(CLI::App& app, std::function<int()>& chosen) {
 void add_completion(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "completion", "print a script with which a shell completes kaya's command line",
                     [&app](const Words& words) {
-                        fmt::print("{}", completion_script(tool_tree(app), words.name));
+                        print_result(completion_script(tool_tree(app), words.name));
                         return 0;
                     });
     tool.command->add_option("shell", tool.words->name, "bash, zsh or fish")->required();
@@ -192,7 +192,7 @@ void add_completion(CLI::App& app, std::function<int()>& chosen) {
 
 void add_manual(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "manual", "print the page of 'man kaya'", [&app](const Words&) {
-        fmt::print("{}", manual_page(tool_tree(app), program_version()));
+        print_result(manual_page(tool_tree(app), program_version()));
         return 0;
     });
 }
