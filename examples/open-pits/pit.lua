@@ -70,39 +70,46 @@ function pit.barton(p, jcs)
     end)
 end
 
--- Factors of slip surfaces in the section of the middle, which knows nothing of the sides.
+-- Factors of the weakest slip surfaces, along fault and layer and through the rock, in the section of the middle, which knows nothing of the sides.
 function pit.slices(p)
     local from = ("limit equilibrium section %g %g 0 direction -1 0 0 "):format(0.5 * p.length, p.section)
-    command(from .. "polylines spencer")
-    command(from .. "circles bishop")
+    local function factor(surfaces)
+        command(from .. surfaces)
+        command "set @weakest [fos]"
+        return ("%.3f"):format(fish.weakest)
+    end
+    return { factor "polylines spencer", factor "circles bishop" }
 end
 
--- Displacements of the points, and the greatest over the length of the slope.
+-- Displacements of the points, and the greatest over the length of the slope; the same as a cell of the table in README.md.
 function pit.report(p, title)
     print(title)
-    local most = 0
+    local most, cell = 0, {}
     for _, point in ipairs(p.points) do
         local d = nearest("gridpoint", point[2], point[3], point[4]).displacement
         local horizontal = math.sqrt(d.x * d.x + d.y * d.y)
         most = math.max(most, horizontal)
+        cell[#cell + 1] = ("%.2f"):format(horizontal)
         print(("  %s: horizontal %.2f m, vertical %.2f m"):format(point[1], horizontal, d.z))
     end
     print(("  most, over the length of the slope: %.2f %%"):format(100 * most / p.length))
+    return ("%s: %.2f %%"):format(table.concat(cell, ", "), 100 * most / p.length)
 end
 
 function pit.run(p)
     pit.build(p)
     pit.load(p)
     pit.coulomb(p)
-    pit.slices(p)
+    local cells = pit.slices(p)
     command "solve ratio 1e-4 cycles 8000"
-    pit.report(p, "Mohr-Coulomb")
+    cells[#cells + 1] = pit.report(p, "Mohr-Coulomb")
     if fish.trials > 0 then command "solve fos ratio 1e-4 resolution 0.02" end
     for _, jcs in ipairs { "jcs_printed", "jcs" } do
         pit.barton(p, jcs)
         command "solve ratio 1e-4 cycles 8000"
-        pit.report(p, jcs == "jcs" and "Barton-Bandis, wall strengths recomputed" or "Barton-Bandis, wall strengths as printed")
+        cells[#cells + 1] = pit.report(p, jcs == "jcs" and "Barton-Bandis, wall strengths recomputed" or "Barton-Bandis, wall strengths as printed")
     end
+    print(("row pits | [%s](%s) | %d | %s"):format(p.name, p.name, model.zone_count, table.concat(cells, " | ")))
 end
 
 return pit

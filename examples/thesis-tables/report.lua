@@ -175,6 +175,10 @@ function report.write(file_name, stated_stress, closing, stiffening, sheared, we
     misprints(file)
     file:close()
     print((summary():gsub("%*", "")))
+    -- The rows of the table in README.md.
+    for _, kind in ipairs(kinds) do
+        print(("row kinds | %s | %d of %d | %g %% | %.3f %%"):format(kind.name, kind.good, kind.rows, 100 * kind.tolerance, 100 * kind.worst))
+    end
     local f = require("figure").new("Shear box, normal stress 0.5 to 10 MPa", "shear displacement, mm", "shear stress, MPa")
     for _, test in ipairs(sheared) do
         if test.table.varies == "stress" and test.row[1] % 5 < 1 then
