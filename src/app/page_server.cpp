@@ -53,7 +53,7 @@ constexpr const char* reload_script =
 
 namespace http = boost::beast::http;
 using tcp = boost::asio::ip::tcp;
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 namespace {
 
@@ -72,13 +72,13 @@ struct Connection {
     std::string answer;                      ///< the head of the answer; empty: the request is not whole
     std::shared_ptr<const std::string> body; ///< that follows
     std::size_t sent = 0;                    ///< of both
-    Clock::time_point began = Clock::now();
-    Clock::time_point last = began; ///< when a byte went either way
+    SteadyClock::time_point began = SteadyClock::now();
+    SteadyClock::time_point last = began; ///< when a byte went either way
 
     explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
 
     bool is_asking() const { return answer.empty(); }
-    bool is_late(Clock::time_point now) const {
+    bool is_late(SteadyClock::time_point now) const {
         return is_asking() ? now - began > head_time : now - last > silence_time || now - began > answer_time;
     }
     std::string_view left() const {
@@ -91,7 +91,7 @@ struct Connection {
         const auto size = ::recv(socket.native_handle(), part.data(), part.size(), MSG_DONTWAIT);
         if (size < 0) return errno == EAGAIN || errno == EINTR;
         head.append(part.data(), static_cast<std::size_t>(size));
-        last = Clock::now();
+        last = SteadyClock::now();
         return size > 0 && head.size() <= longest_head;
     }
     /// False when all is sent, or the other side has closed.
@@ -100,7 +100,7 @@ struct Connection {
         const auto size = ::send(socket.native_handle(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (size < 0) return errno == EAGAIN || errno == EINTR;
         sent += static_cast<std::size_t>(size);
-        last = Clock::now();
+        last = SteadyClock::now();
         return sent < answer.size() + body->size();
     }
 };
@@ -121,7 +121,7 @@ struct PageServer::Server {
     int version = 0;
 
     static std::int64_t now() {
-        return std::chrono::duration_cast<std::chrono::seconds>(Clock::now().time_since_epoch()).count();
+        return std::chrono::duration_cast<std::chrono::seconds>(SteadyClock::now().time_since_epoch()).count();
     }
 
     /// Fills in the answer.
@@ -179,7 +179,7 @@ struct PageServer::Server {
                 sockets.push_back(
                     {one.socket.native_handle(), static_cast<short>(one.is_asking() ? POLLIN : POLLOUT), 0});
             if (::poll(sockets.data(), sockets.size(), tick) < 0) continue;
-            const auto time = Clock::now();
+            const auto time = SteadyClock::now();
             auto socket = sockets.begin() + 1;
             for (auto one = connections.begin(); one != connections.end(); ++socket)
                 one = advance(*one, socket->revents) && !one->is_late(time) ? std::next(one) : connections.erase(one);
