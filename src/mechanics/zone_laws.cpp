@@ -85,8 +85,8 @@ void check_values(const Model& model, Row block, const ZoneModel& zone_model, co
                        Advice::change_material_value, {material, property.name}),
                given);
     }
-    for (const auto i : {zone_model.find_property("bulk"), zone_model.find_property("shear")})
-        if (i && !(values[*i] > 0))
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if ((zone_model.properties[i].name == "bulk" || zone_model.properties[i].name == "shear") && !(values[i] > 0))
             refuse(Advised(about_block(model, block, "has no stiffness: its bulk and shear moduli must be above 0"),
                            Advice::give_moduli, {material}),
                    given);

@@ -98,8 +98,7 @@ class Return {
 public:
     Return(const Strength& strength, const Moduli& moduli, const Vector3& tried)
         : moduli_(moduli), planes_(planes_of(strength)), tried_(tried),
-          size_(std::max({std::abs(tried[0]), std::abs(tried[2]), strength.uniaxial})),
-          outside_(1e-10 * size_ * (1 + strength.slope)) {}
+          size_(std::max({std::abs(tried[0]), std::abs(tried[2]), strength.uniaxial / (1 + strength.slope)})) {}
 
     /// Whether these planes flow at once; then the stress and what has flowed. Inlined: with numbers that are known no loop is left.
     [[gnu::always_inline]] bool flows(const ActiveSet& active, Vector3& s, Flow& flow) const {
@@ -111,14 +110,14 @@ public:
             amount[i] = dot(plane.a, tried_) - plane.r;
         }
         if (!solve(count, matrix, amount)) return false;
-        const double least = -1e-10 * size_ / moduli_.shear;
+        const double least = -rounding * size_ / moduli_.shear;
         if (std::any_of(amount, amount + count, [&](double x) { return x < least; })) return false;
         Vector3 strain{};
         for (int i = 0; i < count; ++i)
             for (int k = 0; k < 3; ++k) strain[k] += std::max(amount[i], 0.0) * planes_[active.plane[i]].b[k];
         const Vector3 lost = stress_of(strain), back{tried_[0] - lost[0], tried_[1] - lost[1], tried_[2] - lost[2]};
         if (std::any_of(planes_.begin(), planes_.end(),
-                        [&](const Plane& p) { return dot(p.a, back) - p.r > outside_; }))
+                        [&](const Plane& p) { return dot(p.a, back) - p.r > rounding * size_ * length_of(p); }))
             return false;
         s = back;
         flow.strain = strain;
@@ -140,8 +139,26 @@ private:
     const Moduli& moduli_;
     const std::array<Plane, 6> planes_;
     const Vector3& tried_;
-    const double size_, outside_; ///< outside: room for rounding
+    /// Of the coefficients of a plane: an excess over it is so much larger than the distance from it.
+    static double length_of(const Plane& p) { return std::abs(p.a[0]) + std::abs(p.a[1]) + std::abs(p.a[2]); }
+
+    static constexpr double rounding = 1e-10;
+    const double size_; ///< of the stresses
 };
+
+/// Brings principal stresses to the tip of a surface, where all are `tip`.
+inline Flow to_tip(double tip, const Moduli& moduli, Vector3& s) {
+    Flow flow;
+    const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear),
+                 poisson = 0.5 - young / (6 * moduli.bulk);
+    const Vector3 lost{s[0] - tip, s[1] - tip, s[2] - tip};
+    const double sum = lost[0] + lost[1] + lost[2];
+    for (int k = 0; k < 3; ++k) flow.strain[k] = ((1 + poisson) * lost[k] - poisson * sum) / young;
+    flow.along_tension = std::max(0.0, flow.strain[0]);
+    flow.tension = true;
+    s = {tip, tip, tip};
+    return flow;
+}
 
 /// Brings principal stresses (the greatest first) back to the surface (3).
 inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s) {
@@ -152,17 +169,8 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
     if (back.flows({1, {0}}, s, flow)) return flow; // by far the most
     for (std::size_t i = 1; i < std::size(active_sets); ++i)
         if (back.flows(active_sets[i], s, flow)) return flow;
-    // Beyond every corner: the tip.
-    const double tip = std::isfinite(strength.tension) ? strength.tension : 0;
-    const double young = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear),
-                 poisson = 0.5 - young / (6 * moduli.bulk);
-    Vector3 lost{s[0] - tip, s[1] - tip, s[2] - tip};
-    const double sum = lost[0] + lost[1] + lost[2];
-    for (int k = 0; k < 3; ++k) flow.strain[k] = ((1 + poisson) * lost[k] - poisson * sum) / young;
-    flow.along_tension = std::max(0.0, flow.strain[0]);
-    flow.tension = true;
-    s = {tip, tip, tip};
-    return flow;
+    // Beyond every corner.
+    return to_tip(std::isfinite(strength.tension) ? strength.tension : 0, moduli, s);
 }
 
 /// Bits of the state, as state_names has them: what flows now and what has flowed before.
