@@ -95,6 +95,15 @@ function(kaya_compile_together name groups apart)
   endforeach()
 endfunction()
 
+# Files that see the same large templates are compiled as one group, so that the templates are instantiated once.
+function(kaya_share_templates group)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+endfunction()
+
+# Code that runs once for a command, and not once for a zone or a contact: -O1 compiles it in three quarters of the time of -O3. The
+# numbers are the same at each level, since nothing here allows the compiler to reorder arithmetic (tests/determinism).
+set(KAYA_RUN_ONCE_PER_COMMAND $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+
 # What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
 add_custom_target(program)
 

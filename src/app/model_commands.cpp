@@ -7,6 +7,7 @@
 #include "commands/lua_joint_models.hpp"
 #include "laws/joint_model.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "app/adapter_cache.hpp"
 #include "app/permissions.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
