@@ -5,6 +5,7 @@
 #include "io/difference.hpp"
 #include "lang/interp/source.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

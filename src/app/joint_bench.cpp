@@ -8,6 +8,7 @@
 #include "study/command_output.hpp"
 #include "zonetest/zone_bench.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>

@@ -1,10 +1,13 @@
 // kaya jtest, kaya jfit and kaya ztest: one sub-contact of a joint model, or one zone of a zone model, without a deck.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace kaya {
 

@@ -9,6 +9,7 @@
 #include "commands/output.hpp"
 #include "laws/joint_model.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

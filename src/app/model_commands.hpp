@@ -1,9 +1,12 @@
 // Commands of the program that are about joint and zone models: jmodel build, zmodel build, new-jmodel, new-zmodel, plugin list.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace kaya {
 

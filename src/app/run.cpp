@@ -11,6 +11,7 @@
 #include "commands/journal.hpp"
 #include "commands/progress.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>

@@ -4,6 +4,7 @@
 #include "app/command_line.hpp"
 #include "app/permissions.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

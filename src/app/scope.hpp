@@ -4,11 +4,14 @@
 #include "app/run.hpp"
 #include "app/sandbox.hpp"
 
-#include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace kaya {
 

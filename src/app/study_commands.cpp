@@ -14,6 +14,7 @@
 #include "study/study_answers.hpp"
 #include "study/study_table.hpp"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
 #include <fmt/format.h>

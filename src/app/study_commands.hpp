@@ -3,8 +3,11 @@
 
 #include "app/run.hpp"
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace kaya {
 

@@ -11,6 +11,7 @@
 #include "io/difference.hpp"
 #include "io/info.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
 

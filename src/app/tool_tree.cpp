@@ -1,5 +1,7 @@
 #include "app/tool_tree.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace kaya {
 
 namespace {

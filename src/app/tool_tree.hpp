@@ -1,9 +1,12 @@
 // Subcommands and options as plain rows, for completion scripts and the manual.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace kaya {
 
