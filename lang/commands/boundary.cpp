@@ -24,7 +24,7 @@ Argument<double> velocity_argument(std::size_t component) {
     return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
 }
 
-/// Kinds of `hist`: each makes what is left of the line a factor that changes with time.
+/// Kinds of `hist`: each reads the rest of the line as a factor that varies with time.
 std::vector<KeywordSpec> multiplier_kinds() {
     Keywords<Multiplier> kinds;
     const auto frequency = real("f").unit("1/time").above(0);
@@ -84,7 +84,7 @@ template <class Command> void add_velocities(Entry<Command>& entry, std::string_
             i < 3 ? help : spin);
 }
 
-/// A value along a direction; several of them add up.
+/// A value along a direction; several values are added.
 template <class Command> void add_directed(Entry<Command>& entry, std::vector<Spelling> words,
                                            const Argument<double>& value, std::vector<Directed> Command::*member,
                                            std::string_view help) {

@@ -55,7 +55,7 @@ CommandSpec set() {
                 },
                 "accepted, without effect")
             .ignored();
-    // What shows a model on a screen takes the rest of its line.
+    // Commands that show a model on a screen take the rest of the line.
     for (const char* word : {"plot", "background", "directory", "output"})
         entry
             .special(

@@ -11,8 +11,8 @@ namespace kaya::lang {
 /// A vector of any length but 0.
 Vec3 read_direction(Reader& reader, const ArgumentSpec& spec);
 
-/// Reads two vectors that say in which axes the components of tensors (xx yy zz xy xz yz) are given, and turns these into global ones: x along the first vector, y
-/// in the plane of both. What is given after it on the line would stay as it is, and is refused.
+/// Reads two vectors that give the axes of the components of tensors (xx yy zz xy xz yz), and rotates the tensors into global axes: x is
+/// along the first vector, y in the plane of both. A tensor given after the vectors would not be rotated, and is refused.
 void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>& tensors, const ArgumentSpec& first,
                      const ArgumentSpec& second);
 

@@ -1,4 +1,4 @@
-// Commands that make zones, and those that pick blocks.
+// Commands that make zones, and commands that select blocks.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"

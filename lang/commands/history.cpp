@@ -1,4 +1,4 @@
-// Histories: what is recorded while the model cycles.
+// Histories: quantities recorded while the model cycles.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -15,7 +15,7 @@ struct Recorded {
     const char* help;
 };
 
-/// Words of `hist`: the field that each of them records. Fields of an object take a place, and the nearest object is recorded.
+/// Words of `hist` and the field that each of them records. Fields of an object take a place, and the nearest object is recorded.
 const std::vector<Recorded>& recorded() {
     using enum ObjectKind;
     static const std::vector<Recorded> words = {

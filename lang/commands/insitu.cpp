@@ -1,4 +1,4 @@
-// insitu: the stress that is there before anything happens.
+// insitu: initial stresses.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/directions.hpp"

@@ -10,7 +10,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// A word that only a joint model knows, and its value. The handler looks at the word when it runs.
+/// A word that only a joint model knows, and its value. The handler resolves the word when it runs.
 bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     const Word& word = *reader.peek();
     if (word.kind != WordKind::word) return false;

@@ -1,4 +1,4 @@
-// Commands of 3DEC that kaya knows by name only: a deck that uses one gets told so, with its line.
+// Commands of 3DEC that kaya knows by name only: a deck that uses one gets a message with its line.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/language.hpp"
 
@@ -11,7 +11,7 @@ struct Known {
     const char* about;
 };
 
-/// Of `generate` the forms that are missing; of the others the whole command.
+/// Of `generate` the missing forms; of the other commands the whole command.
 const std::vector<Known>& known() {
     static const std::vector<Known> commands = {
         {{"generate"}, {"center"}, "zones whose size varies: write generate edge center"},

@@ -1,4 +1,4 @@
-// What a user sees of a model: lists, pictures, files for other programs.
+// Output of a model: lists, pictures, files for other programs.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -10,7 +10,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// What may follow the word of a list.
+/// What may follow the name of a list.
 enum class Follows {
     range,   ///< a range, with or without its word
     objects, ///< the number of an object, or a range
@@ -87,8 +87,7 @@ std::vector<ArgumentSpec> arguments_after(Follows follows) {
     return {};
 }
 
-/// A range without its word, whose first element may have the name of a list, and is the word just taken: list block
-/// group stone.
+/// A range without the word `range`. Its first element, the word just taken, may have the name of a list: list block group stone.
 bool read_element(Reader& reader, List& command) {
     const Word& word = reader.previous();
     const KeywordSpec* element = word.kind == WordKind::word ? find_keyword(range_elements(), word.folded) : nullptr;
@@ -100,7 +99,7 @@ bool read_element(Reader& reader, List& command) {
     return true;
 }
 
-/// A word that is neither a list nor a range nor near to one: what may follow is little.
+/// A word that is neither a list nor a range nor close to one; few words may follow.
 void refuse_after(const Word& word, const Listed& item) {
     if (word.kind != WordKind::word || word.text == "?") return;
     std::vector<std::string_view> others{"range", "jmat"};
@@ -124,7 +123,7 @@ void refuse_after(const Word& word, const Listed& item) {
     throw d.at(word.place);
 }
 
-/// What follows the word of a list.
+/// Reads what follows the name of a list.
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
     if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
@@ -221,7 +220,7 @@ CommandSpec ignored(const char* word, const char* help, const char* instead) {
     return entry;
 }
 
-/// The words of a line from the second on, as they stand; up to `range`, whose phrase is left in `range`.
+/// The words of a line from the second on, as typed; the range phrase, from `range` on, is left in `range`.
 std::vector<Plot::Item> plot_words(const Statement& statement, std::string* range) {
     std::vector<Plot::Item> words;
     for (std::size_t i = 1; i < statement.words.size(); ++i) {

@@ -1,4 +1,4 @@
-// The range phrase as a table: each element says what follows it and adds one RangeElement.
+// The range phrase as a table: each element reads its parts and adds one RangeElement.
 #include "lang/commands/range_parts.hpp"
 
 #include "lang/interp/short_list.hpp"
@@ -226,7 +226,7 @@ void block_id(Keywords<RangePhrase>& table) {
         "`block id n`: the same as bid");
 }
 
-/// Several names may follow one nrange; each is an element of its own.
+/// Several names may follow one nrange; each is a separate element.
 void named_ranges(Keywords<RangePhrase>& table) {
     const auto name = text("name").spec;
     table.special(
@@ -245,7 +245,7 @@ void named_ranges(Keywords<RangePhrase>& table) {
         "a range that was given a name with range name");
 }
 
-/// Elements whose parts have a reader of their own; some of them stand for all of a group.
+/// Elements whose parts need a special reader; some of them cover all kinds of a group.
 void own_element(Keywords<RangePhrase>& table, Kind kind) {
     switch (kind) {
     case Kind::box: return space_elements(table);

@@ -36,7 +36,7 @@ enum class RangeKind {
     joint_group,         ///< contacts of the group name
     excavated,           ///< blocks that fill can put back
     joint_state,         ///< sub-contacts in the state name, and contacts that have one
-    surface,             ///< faces on which no other block lies, and what touches them
+    surface,             ///< faces without a block on the other side, and objects on them
     orientation,         ///< normal, and radius1 as tolerance in degrees: faces and contacts
     concave,             ///< bodies that are not convex
     edge_length,         ///< low..high, shortest edge of a block
@@ -57,7 +57,7 @@ struct RangeWords {
         limits,            ///< two limits
         name,
         flag, ///< nothing, on or off
-        own   ///< parts of its own: lang/commands/range.cpp
+        own   ///< special parts: lang/commands/range.cpp
     };
     RangeKind kind;
     Form form;

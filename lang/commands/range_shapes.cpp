@@ -34,7 +34,7 @@ Vec3 upward_normal(double dip_degrees, double dip_direction_degrees) {
     return {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
 }
 
-/// What is said about a plane while its words are read.
+/// The parts of a plane that have been read so far.
 struct PlaneText {
     double dip = 0, dip_direction = 0;
     std::optional<Vec3> normal;
@@ -241,7 +241,7 @@ std::vector<KeywordSpec> figure_words(bool round) {
     return std::move(list).list();
 }
 
-/// The corners lie in one plane: what else is asked with them would mean nothing.
+/// Refuses corners in one plane: they enclose no volume.
 void check_flat(const Reader& reader, const std::vector<Vec3>& vertices) {
     Vec3 normal = Vec3::Zero();
     double size = 0;

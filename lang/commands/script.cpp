@@ -33,7 +33,7 @@ CommandSpec callback() {
         [=](Reader& reader, FishCallback& callback) {
             callback.function = reader.text(name);
             callback.place = reader.previous().place;
-            // Newer versions number the parts of a cycle.
+            // Later versions number the parts of a cycle.
             constexpr double forces_are_known = 40;
             if (reader.at_number() && reader.real(location) < forces_are_known)
                 callback.when = FishCallback::When::before_cycle;
@@ -58,7 +58,7 @@ CommandSpec callback() {
     return entry;
 }
 
-/// set fishcall n NAME: the older way to say the same.
+/// set fishcall n NAME: the older form of the same command.
 CommandSpec fishcall() {
     const auto name = text("name").spec;
     Entry<FishCallback> entry({"set"}, {Spelling{"fishcall", 5}});
@@ -84,7 +84,7 @@ CommandSpec fishcall() {
         if (!callback.function.empty()) return false;
         const Word& word = *reader.peek();
         callback.place = word.place;
-        // @name would run the function here; its name is meant.
+        // @name would run the function here; the name itself is needed.
         callback.function = word.kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
         return true;
     });

@@ -1,4 +1,4 @@
-// Commands that give objects names and numbers, and those that take blocks out and put them back.
+// Commands that name and number objects, and commands that excavate blocks and fill them in.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -55,7 +55,7 @@ CommandSpec copy() {
     entry.keyword({"region"}, integer("n").at_least(0).at_most(2000000000), &Copy::region,
                   "region number of the copies; that of the block if not given");
     entry.keyword({"group"}, text("name"), &Copy::group, "group of the copies; that of the block if not given");
-    entry.range(&Copy::range, true); // region and group stand for the copies; the range begins with its word
+    entry.range(&Copy::range, true); // region and group apply to the copies; the range needs its word
     entry.place(&Copy::place);
     entry.finish([](const Reader& reader, Copy& command) {
         if (!command.offset && !command.mirror)

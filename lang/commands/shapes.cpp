@@ -9,7 +9,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// What every kind of poly has.
+/// Options of every kind of poly.
 template <class Poly> void block_options(Entry<Poly>& entry) {
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](Poly & poly) -> auto& { return poly.options.*member; };
