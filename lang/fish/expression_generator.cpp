@@ -216,7 +216,7 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
                 .at(target.place);
         check_arguments(target, meaning);
         const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
-        if (component) { // vectors are values: a new one takes the place of the old one
+        if (component) { // vectors are values: a new one replaces the old one
             const std::string whole =
                 fmt::format("{}({}, {})", built_in('W', target.text), this->value(target.children[0]), value);
             return assignment(target.children[0], whole);

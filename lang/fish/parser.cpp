@@ -90,7 +90,7 @@ private:
 
     // --- blocks -----------------------------------------------------------------------------------
 
-    /// Statements up to a word that closes `opened`; the line then stands before that word.
+    /// Statements up to a word that closes `opened`; the line is then at that word.
     std::vector<Statement> block(const Block& opened) {
         open_.push_back(opened);
         if (open_.size() > deepest_block)
@@ -185,7 +185,7 @@ private:
         body.push_back(simple());
     }
 
-    /// An assignment, or an expression that is evaluated for what it does.
+    /// An assignment, or an expression that is evaluated for its side effects.
     Statement simple() {
         Statement made;
         made.place = line_.peek().place;
@@ -199,7 +199,7 @@ private:
             return made;
         }
         if (!line_.done()) {
-            // What begins like a statement and is none is more likely a slip of the pen than a name.
+            // A word that begins like a statement is more likely a misspelt statement than a name.
             const auto near = did_you_mean(left.text, {"loop", "if", "else", "elseif", "case_of", "case", "section",
                                                        "exit", "return", "local", "global", "array", "argument"});
             if (!near.empty() && !left.parentheses && !line_.peek().is_sign("("))
