@@ -98,7 +98,7 @@ std::string about_range(const Language& language) {
     return text;
 }
 
-/// Where below `before` a word may stand: among the keywords, and inside of each of them.
+/// The positions of a word below `before`: among the keywords, and inside of each of them.
 void add_places(std::string& text, const std::string& before, const std::vector<KeywordSpec>& keywords,
                 std::string_view word) {
     if (const KeywordSpec* found = find_keyword(keywords, word))
@@ -107,7 +107,7 @@ void add_places(std::string& text, const std::string& before, const std::vector<
         add_places(text, fmt::format("{} {} ...", before, keyword.words.front().word), keyword.keywords, word);
 }
 
-/// Where a word may stand that is no command; empty when nowhere.
+/// The positions of a word that is not a command; empty when there are none.
 std::string about_keyword(const Language& language, std::string_view word) {
     std::string text;
     for_each_command(language, [&](const CommandSpec& command) {

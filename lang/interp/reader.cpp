@@ -106,7 +106,7 @@ void Reader::missing(const ArgumentSpec& argument) const {
 
 namespace {
 
-/// 9,81: a number right behind a comma that stands right behind a number.
+/// 9,81: a number directly after a comma that directly follows a number.
 bool follows_comma(const Word& word) {
     if (word.kind != WordKind::number || !word.place || word.place.column < 3) return false;
     const auto& lines = word.place.source->lines;
@@ -256,7 +256,7 @@ Vec3 Reader::vector(const ArgumentSpec& argument) {
     const Word* word = peek();
     if (word && word->late()) {
         if (!has_values()) {
-            // It may be a vector or the first of three numbers: what follows tells which.
+            // It may be a vector or the first of three numbers: the next words decide.
             (void)real(argument);
             for (int i = 1; i < 3 && at_number(); ++i) (void)real(argument);
             return Vec3::Ones();
