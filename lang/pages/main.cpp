@@ -1,6 +1,6 @@
-// command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples
-// and errors come from the tables; the other sections of a page are written by people and kept. With --check
-// nothing is written, and the status is 1 when a page does not agree with the tables.
+// command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples and errors come from the
+// tables; the other sections of a page are written by hand and kept. With --check nothing is written, and the status is 1 when a page does
+// not agree with the tables.
 #include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
@@ -122,7 +122,7 @@ std::string errors(const Page& page) {
 
 using Sections = std::map<std::string, std::string>;
 
-/// Texts below the `## ` headings of a page that is there.
+/// Texts below the `## ` headings of an existing page.
 Sections sections_of(const fs::path& file) {
     Sections sections;
     std::istringstream stream(kaya::text_of_file(file));
