@@ -14,7 +14,7 @@ namespace kaya::script {
 
 namespace {
 
-/// A Lua function takes what it is given.
+/// A Lua function accepts any number of arguments.
 constexpr int most_lua_arguments = 50;
 
 using fish::is_constant;
@@ -86,8 +86,8 @@ void push_translated(Machine& machine, const std::string& name) {
     lua_pop(L, 1);
 }
 
-/// Stands in F for a function that has to be translated before it runs. Upvalue: its name.
-/// No object may live here during the call, because an error jumps over this function.
+/// Entry in F of a function that must be translated before it runs. Upvalue: its name. No object may live here during the call, because an
+/// error jumps over this function.
 int translate_and_call(lua_State* L) {
     push_translated(machine_of(L), lua_tostring(L, lua_upvalueindex(1)));
     lua_insert(L, 1);
@@ -175,7 +175,7 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
         throw Diagnostic(fmt::format("'{}' is a callback, so nobody gives it its arguments", function.name),
                          fmt::format("write before: fish callback remove {}", function.name))
             .at(function.place);
-    // Nothing is changed before the whole function is known to be right.
+    // Nothing is changed before the whole function has been checked.
     const auto dictionary = dictionary_of(machine, &function);
     const std::string generated = fish::generate(function, dictionary);
     const std::string chunk_name = machine.sources.add({function.name, function.place, true});

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 6> left_out{"coroutine",  "dofile",  "loa
 
 constexpr const char* how_to_walk = "objects come one after the other: for b in blocks() do ... end";
 
-/// Adds the names in the table on top of the stack, and of the tables in it where asked for.
+/// Adds the names in the table on top of the stack and, if `inner`, those of the tables in it.
 void add_names(lua_State* L, std::vector<std::string>& names, bool inner) {
     lua_pushnil(L);
     while (lua_next(L, -2) != 0) {
@@ -38,7 +38,7 @@ std::string near_name(lua_State* L, std::string_view word, bool inner) {
     std::vector<std::string> names;
     push_anchor(L, machine_of(L).anchors.environment);
     if (lua_istable(L, -1)) add_names(L, names, inner);
-    // What a deck cannot change stands behind its own names.
+    // Read-only names are behind the names of the deck.
     if (lua_getmetatable(L, -1) != 0) {
         lua_pushstring(L, "__index");
         if (lua_rawget(L, -2) == LUA_TTABLE) add_names(L, names, inner);
