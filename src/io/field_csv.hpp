@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-/// The kinds of objects that have tables, whose files are named by KindInfo::file.
+/// The kinds of objects that are exported as tables; KindInfo::file is the name of the file.
 std::span<const ObjectKind> exported_kinds();
 
 /// One row for each object, one column for each field; the header has the names of the fields. Vectors are given by their components, objects

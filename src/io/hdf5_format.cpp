@@ -62,7 +62,7 @@ void refuse_other_kinds(std::uint16_t kind) {
     }
 }
 
-/// The header of an object, which may go on elsewhere.
+/// The header of an object, which may continue in another block.
 std::vector<Message> messages_of(Image& image, Address header) {
     constexpr std::size_t prefix_size = 16;
     Bytes prefix(image.at(header, prefix_size));
@@ -124,7 +124,7 @@ template <class Leaf> void walk_tree(Image& image, Address root, int kind, std::
 struct KnownType {
     Scalar number;
     std::size_t size;
-    std::string_view description; ///< without the size, which stands after the first four bytes
+    std::string_view description; ///< without the size, which follows the first four bytes
 };
 constexpr KnownType known_types[] = {{Scalar::uint8, 1, "\x10\0\0\0\0\0\x08\0"sv},
                                      {Scalar::int32, 4, "\x10\x08\0\0\0\0\x20\0"sv},
@@ -180,7 +180,7 @@ void read_attribute(Bytes message, Group& group) {
     require(is_new, "has two attributes of one name");
 }
 
-/// Names of links stand in a heap, and links in tables of up to a few, at the leaves of a tree.
+/// Names of links are stored in a heap, and links in small tables at the leaves of a tree.
 void read_links(Image& image, Bytes message, Group& group) {
     const auto tree = message.number<Address>(), heap_at = message.number<Address>();
     constexpr std::size_t heap_size = 32, head_size = 8, entry_size = 40;
@@ -188,7 +188,7 @@ void read_links(Image& image, Bytes message, Group& group) {
     require(heap.take(4) == "HEAP" && heap.byte() == 0, "has no names");
     heap.skip(3);
     const auto names_size = heap.number<std::uint64_t>();
-    heap.skip(8); // free parts
+    heap.skip(8); // free space
     const auto names = image.at(heap.number<Address>(), names_size);
     walk_tree(image, tree, 0, sizeof(Address), [&](Bytes, Address table) {
         Bytes head(image.at(table, head_size));
@@ -231,7 +231,7 @@ void read_filters(Bytes message, Data& data) {
             "is packed by a filter other than shuffle and deflate");
 }
 
-/// A chunk is whole rows; all are there, each once.
+/// A chunk is a number of whole rows; every chunk occurs exactly once.
 void read_chunks(Image& image, Bytes layout, Data& data) {
     require(data.extent.size() == 2, "is cut into parts that are no rows");
     require(layout.byte() == 3, "is cut into parts of other dimensions than its own");
@@ -271,7 +271,7 @@ void read_layout(Image& image, Bytes layout, Data& data) {
     if (size > 0) data.stored = image.at(at, size);
 }
 
-/// Undoes what shuffle did: the first bytes of all numbers, then the second ones, and so on.
+/// The inverse of shuffle: the bytes are sorted as the first bytes of all numbers, then the second ones, and so on.
 std::string unshuffled(std::string_view bytes, std::size_t size) {
     std::string numbers(bytes.size(), '\0');
     const std::size_t count = bytes.size() / size;

@@ -19,7 +19,7 @@ namespace kaya {
 
 namespace {
 
-/// Looks whether the columns of a table that are in the file have that many rows, before the table grows.
+/// Checks that the columns of a table in the file have that many rows, before the table grows.
 struct RowCheck {
     TreeReader& tree;
     const std::set<std::string>& names;
@@ -36,15 +36,15 @@ struct RowCheck {
         if (tree.rows<S>(name, Plain<T>::count) != rows) throw TreeError("column " + name + " has other rows");
     }
 
-    /// Otherwise a small file could ask for more than any memory.
+    /// Otherwise a small file could request more than any memory.
     bool fills() const {
-        constexpr std::size_t most_missing = 8; // times what is there
+        constexpr std::size_t most_missing = 8; // times the size that is present
         return rows == 0 || missing <= most_missing * there;
     }
 };
 
-/// Leads the walk of model/state.hpp out of a tree. What the tree does not have stays as it is in a new model: the file is
-/// older than that column, value or table.
+/// Fills the walk of model/state.hpp from a tree. A value that the tree lacks keeps its initial value: the file is older than that column,
+/// value or table.
 class RestoreArchive {
 public:
     explicit RestoreArchive(TreeReader& tree) : tree_(tree), left_(tree.names()) {}
@@ -109,7 +109,7 @@ public:
         tree_.close_group();
     }
 
-    /// Names that the walk knows and the file does not have, and those of the file that the walk does not know.
+    /// Names that the walk has and the file lacks, and names of the file that the walk lacks.
     const std::vector<std::string>& missing() const { return missing_; }
     const std::vector<std::string>& unknown() const { return unknown_; }
 
@@ -135,7 +135,7 @@ private:
     }
 
     TreeReader& tree_;
-    std::set<std::string> left_; ///< names of the open group that the walk has not come to
+    std::set<std::string> left_; ///< names of the open group that the walk has not reached
     std::string path_;
     std::vector<std::string> missing_, unknown_;
 };
@@ -152,7 +152,7 @@ std::string writer_of(TreeReader& tree) {
     } catch (const TreeError&) { return {}; }
 }
 
-/// What was read is no model, or not the one that was saved.
+/// The data are not a model, or not the one that was saved.
 Diagnostic other_state(const std::string& name, std::string why, const RestoreArchive& archive) {
     if (!archive.missing().empty()) why += fmt::format("; it lacks {}", fmt::join(archive.missing(), ", "));
     return unusable(name, why);

@@ -47,7 +47,7 @@ template <> constexpr const char* type_name<std::int64_t> = "Int64";
 template <> constexpr const char* type_name<std::int32_t> = "Int32";
 template <> constexpr const char* type_name<std::uint8_t> = "UInt8";
 
-/// The XML elements of a file, and behind them its data.
+/// The XML elements of a file, followed by its data.
 struct Document {
     std::string text, data;
 
