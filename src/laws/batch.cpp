@@ -55,8 +55,8 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
         0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
 }
 
-/// Checksums of read-only inputs of a model. In a cycle those are the properties, shared by all batches; the columns are checked when the
-/// model is tried and when it initialises.
+/// Checksums of read-only inputs of a model. In a cycle only the properties are checked, which all batches share; the columns are checked
+/// when the model is tried and when it initialises.
 class ReadOnly {
 public:
     ReadOnly(const JointModel& model, const kaya_jbatch& batch, Guard guard) : columns_(guard == Guard::all) {

@@ -10,7 +10,7 @@ namespace kaya {
 
 namespace {
 
-/// An object that only remembers what another one saved.
+/// An object that only holds the saved bytes of another one.
 struct Asleep {
     kaya_jobject head;
     std::string bytes;

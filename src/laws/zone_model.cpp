@@ -220,7 +220,7 @@ const ZoneModel* ZoneModels::find(std::string_view name) const {
 }
 
 std::optional<fs::path> ZoneModels::file_of(const std::string& keyword) const {
-    // A joint model may have the same name and lie in the same folder: folders of zone models come first.
+    // A joint model may have the same name and be in the same folder: folders of zone models are searched first.
     const auto find = [&](bool of_zones) -> std::optional<fs::path> {
         for (const auto& folder : path_) {
             const fs::path file = folder / (keyword + library_ending);
