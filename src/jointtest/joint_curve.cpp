@@ -23,7 +23,7 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double t) {
     return p;
 }
 
-/// Drives the joint to points of the path, and stores what the boundary needs.
+/// Drives the joint to points of the path, and stores the state of the boundary.
 class Bench {
 public:
     Bench(SingleJoint joint, const CurveSettings& settings) : joint_(std::move(joint)), settings_(settings) {}
