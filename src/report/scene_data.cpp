@@ -25,12 +25,12 @@ namespace {
 struct Surface {
     std::vector<float> places, displacements;             ///< three for each corner, of the place before it moved
     std::vector<Row> gridpoints;                          ///< of each corner
-    std::vector<std::uint32_t> corners, triangles, lines; ///< counts, by block
+    std::vector<std::uint32_t> corners, triangles, lines; ///< numbers of them, by block
     std::vector<std::uint32_t> triangle_corners, line_corners;
     std::vector<std::uint32_t> numbers; ///< of blocks
 };
 
-/// Edges of a face: those of one of its triangles only.
+/// Edges of a face: edges that belong to one of its triangles only.
 void add_lines(const Model& model, Row block, const std::map<Row, std::uint32_t>& corner_of, Surface& surface) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> all;
     const Span faces = model.blocks.faces[block];
