@@ -25,7 +25,7 @@ struct Distribution {
     /// Of the distribution without its cut.
     double mean() const;
     double deviation() const;
-    /// "" when it is one, otherwise what is wrong with it: "the deviation must be above 0".
+    /// "" when it is valid, otherwise the reason: "the deviation must be above 0".
     std::string mistake() const;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 5> end_names{"done", "failed", "limit", "crashed", "lost"};
 
-/// Values stand in lists of name and value: a table would sort them by name.
+/// Values are stored as lists of name and value: a table would sort them by name.
 toml::array array_of(const std::vector<std::pair<std::string, StudyValue>>& values) {
     toml::array all;
     for (const auto& [name, value] : values) {

@@ -397,7 +397,7 @@ std::string text_of(const StudyValue& value) {
         std::string operator()(std::int64_t number) const { return fmt::format("{}", number); }
         std::string operator()(double number) const {
             std::string text = fmt::format("{}", number);
-            // A number with a point stays one: 30.0 / 4 is 7.5, and 30 / 4 is 7.
+            // A number with a decimal point keeps it: 30.0 / 4 is 7.5, and 30 / 4 is 7.
             if (text.find_first_of(".en") == std::string::npos) text += ".0";
             return text;
         }

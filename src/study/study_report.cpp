@@ -56,7 +56,7 @@ std::string svg_begin(int width, int height) {
         height, width);
 }
 
-/// One line for each run through all axes, coloured by the last of them.
+/// One line for each run through all axes, coloured by the last axis.
 std::string parallel_lines(const std::vector<Axis>& axes) {
     if (axes.size() < 2) return {};
     const int width = 160 * static_cast<int>(axes.size()) + 40, height = 380;
