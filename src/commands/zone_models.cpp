@@ -20,7 +20,7 @@ const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& com
     }
 }
 
-/// Removed rock: `zone model null` takes its blocks out, as `excavate` does.
+/// Removed rock: `zone model null` removes its blocks, as `excavate` does.
 constexpr std::string_view no_rock = "null";
 
 void take_out(Session& session, const lang::ZoneModelCommand& command, const std::vector<Row>& blocks) {
