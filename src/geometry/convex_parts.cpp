@@ -1,7 +1,7 @@
 // A concave solid as convex parts.
 //
 // The faces are sorted into a tree of half spaces (binary space partition: Fuchs, Kedem and Naylor 1980;
-// Thibault and Naylor 1987 for solids): the plane of one face splits both the space at hand, a convex
+// Thibault and Naylor 1987 for solids): the plane of one face splits both the present space, a convex
 // polyhedron, and the other faces; where no face is left, the space is inside or outside as the last
 // plane says. All pieces are convex all the way, so the cutting of convex polyhedra with its tolerance
 // does the whole work.
