@@ -60,7 +60,7 @@ struct ReadDeck {
     BareNames names;
 };
 
-/// The same as bind_deck for `kaya check`: however many mistakes there are, they are given back, not thrown.
+/// The same as bind_deck for `kaya check`: mistakes are returned and not thrown, however many there are.
 /// Throws Diagnostic when the deck cannot be read at all.
 ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<std::filesystem::path>& folders,
                    const Checks* checks = nullptr);

@@ -29,7 +29,7 @@ struct Options {
 /// Where in a cycle a script may run. A FISH whilestepping function runs at after_cycle.
 enum class Moment { before_cycle, after_forces, after_cycle };
 
-/// Throws Diagnostic at the first mistake in the text of a Lua chunk, of which nothing runs; `place` is where it begins.
+/// Throws Diagnostic at the first mistake in the text of a Lua chunk, without running it; `place` is where it begins.
 void check_lua_text(const std::string& text, const Place& place);
 
 /// All functions throw Diagnostic: with a place in the deck, and the stack of functions in `context`.

@@ -52,7 +52,7 @@ public:
         unread_ -= count;
         return bytes_.substr(first, count);
     }
-    /// The same file, of which nothing has been read.
+    /// The same file, unread.
     Image again() const { return Image(bytes_); }
 
 private:

@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// The text: one header row that names each column, then a row per sample. Numbers are written with
-/// the fewest digits that give back the same bits. The first columns are cycle and time, or the
+/// the fewest digits that preserve the bits. The first columns are cycle and time, or the
 /// history `versus` when it is given. A sample that a history does not have is an empty cell.
 /// No numbers: all histories. Throws Diagnostic for a number that is not there.
 std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,

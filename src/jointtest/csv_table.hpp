@@ -24,7 +24,7 @@ struct CsvTable {
 /// row has another length.
 CsvTable read_csv(const std::filesystem::path& file);
 
-/// With 17 digits, so that nothing is lost. Throws Diagnostic (Fault::run) when the file cannot be written.
+/// With 17 digits, which preserve the bits. Throws Diagnostic (Fault::run) when the file cannot be written.
 void write_csv(const CsvTable& table, const std::filesystem::path& file);
 
 } // namespace kaya

@@ -118,7 +118,7 @@ private:
             return true;
         };
         if (!place(a, false) || !place(b, true) || !(b.corner.x() - a.corner.x() > near_)) return std::nullopt;
-        // An upright leg would be no part of the surface, which would then end below the ground.
+        // An upright leg would not be part of the surface, which would then end below the ground.
         const auto upright = [&](const Leg& leg) {
             return leg.kind != Leg::Kind::daylight && std::abs(leg.end.x() - leg.corner.x()) <= near_;
         };

@@ -34,7 +34,7 @@ struct SlopeSection {
     std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
     double pressure_ratio = 0; ///< additional pore pressure, over the weight of the column above
     double water_weight = 0;   ///< force/length^3, of water in a tension crack
-    double seismic = 0;        ///< horizontal acceleration over gravity, to where the body slides
+    double seismic = 0;        ///< horizontal acceleration over gravity, in the direction of sliding
     double crack_depth = 0;    ///< a slip surface ends where it is so near below the ground
     double crack_water = 0;    ///< height of water in the crack
 };

@@ -16,7 +16,7 @@ namespace kaya {
 /// A number, truth or text: the value of a parameter, or a result. Nothing: a result that is not there.
 using StudyValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// As `param` and `kaya --set` read it, with the fewest digits that give back the same bits. "" for nothing.
+/// As `param` and `kaya --set` read it, with the fewest digits that preserve the bits. "" for nothing.
 std::string text_of(const StudyValue& value);
 /// NaN for texts and for nothing; 0 and 1 for truths.
 double number_of(const StudyValue& value);
