@@ -66,14 +66,14 @@ std::function<void(Reader&, void*)> reads(ArgumentSpec spec, Target target) {
 /// A list of keywords that act on one struct.
 template <class Struct> class Keywords {
 public:
-    /// One argument into one place.
+    /// One argument, stored in one member.
     template <class T, class Target>
     Keywords& keyword(std::vector<Spelling> words, Argument<T> argument, Target target, std::string_view help) {
         list_.push_back({std::move(words), {argument.spec}, help, detail::reads<Struct, T>(argument.spec, target), {}});
         return *this;
     }
 
-    /// No argument: does something to the struct.
+    /// No argument: calls a function on the struct.
     template <std::invocable<Struct&> Action>
     Keywords& action(std::vector<Spelling> words, Action action, std::string_view help) {
         list_.push_back(

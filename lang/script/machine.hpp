@@ -72,8 +72,8 @@ struct Machine {
     Random random;
     OpenFile file;
     std::function<void(const std::string&)> sink;
-    std::string unfinished_line;         ///< of io.write
-    std::filesystem::path script_folder; ///< of the deck that speaks last: searched by `require`
+    std::string unfinished_line;                                      ///< of io.write
+    std::filesystem::path script_folder;                              ///< of the present deck: searched by `require`
     std::function<std::vector<std::filesystem::path>()> deck_folders; ///< of the running file and its callers
 
     /// While a state is restored, Lua chunks run for their definitions only.

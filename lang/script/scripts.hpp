@@ -91,7 +91,7 @@ public:
     /// Stops the running script at its next instruction with a Diagnostic. May be called by a signal handler.
     void interrupt() noexcept;
 
-    /// A wish to stop has not been met, because one call into Lua's own library does not end. For signal handlers.
+    /// A requested stop is pending, because one call into Lua's own library does not end. For signal handlers.
     bool is_deaf() const noexcept;
 
     /// Tables by number, shared with the commands.

@@ -33,7 +33,7 @@ struct SaveExtras {
     std::vector<Item> scripts; ///< state of the script languages, by part
     std::vector<Item> decks;   ///< texts of the files that made this model, in order of reading
 
-    /// State that the file does not have: it is older than these columns, values and tables, which are as in a new model.
+    /// State that the file lacks: it is older than these columns, values and tables, which have their initial values.
     std::vector<std::string> missing;
 };
 

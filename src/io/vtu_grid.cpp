@@ -54,7 +54,7 @@ struct Document {
     void add(const VtuArray& array, bool counted) {
         const char* element = array.attributes.starts_with("type=\"String\"") ? "Array" : "DataArray";
         text += fmt::format("<{} {} Name=\"{}\"", element, array.attributes, markup_text(array.name));
-        // Of points and cells the piece gives the number.
+        // The piece has the numbers of points and cells.
         if (counted) text += fmt::format(" NumberOfTuples=\"{}\"", array.tuples);
         text += fmt::format(" format=\"appended\" offset=\"{}\">{}</{}>\n", data.size(), array.content, element);
         data += array.data;

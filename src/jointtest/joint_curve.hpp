@@ -40,7 +40,7 @@ struct JointCurve {
     std::vector<Finding> findings;            ///< stiffer than reported, jumps, energy created
 };
 
-/// Throws Diagnostic when the model fails or a stress cannot be had.
+/// Throws Diagnostic when the model fails or a stress cannot be reached.
 JointCurve follow_path(const JointModel& model, const std::vector<double>& values, const LoadPath& path,
                        const CurveSettings& settings);
 

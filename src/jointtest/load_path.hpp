@@ -1,4 +1,4 @@
-// The path that a joint is led along on the bench.
+// The path of a joint on the bench.
 #pragma once
 
 #include "jointtest/csv_table.hpp"

@@ -37,7 +37,7 @@ public:
         bool optional;                    ///< with an initial NaN: the law gets NaN
         std::uint32_t reduction = 0;      ///< kaya_zreduction
 
-        /// Whether a law can do without being given one.
+        /// Whether the property is optional.
         bool has_default() const { return optional || initial == initial; }
         /// Whether a value is within the limits; NaN is not.
         bool holds(double value) const { return value >= minimum && value <= maximum; }

@@ -10,7 +10,7 @@ namespace kaya {
 
 constexpr std::size_t most_zones_in_batch = 128; ///< zones in a batch
 constexpr std::size_t zone_column_length =
-    most_zones_in_batch + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
+    most_zones_in_batch + 8; ///< of a column: with powers of two all columns would share the same lines of the cache
 
 /// Columns of a batch for a zone model, and additional ones for the work after it.
 struct ZoneColumns {

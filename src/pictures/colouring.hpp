@@ -14,7 +14,7 @@ public:
     /// A text is converted to the index of its name. NaN for objects without a value.
     float value(const Model& model, Row row);
     bool gives_names() const { return !bar_.names.empty(); }
-    /// Of all values so far.
+    /// The range of all values so far.
     ColourBar bar() const;
 
 private:

@@ -20,7 +20,7 @@ Polygon kept_part(const Polygon& polygon, const CutPlane& plane);
 Polygon kept_line(const Corner& from, const Corner& to, const CutPlane& plane);
 /// The corners, in order, of the face that the plane makes in a tetrahedron.
 Polygon slice_of(const std::array<Corner, 4>& tetrahedron, const CutPlane& plane);
-/// Points of a plane in order around their middle: of a convex face.
+/// Sorts the points of a convex face around their middle.
 void put_in_order(Polygon& points, const Vec3& normal);
 
 void add_polygon(Layer& layer, const Polygon& polygon);

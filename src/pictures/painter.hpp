@@ -1,4 +1,4 @@
-// The program that draws, as kaya sees it.
+// The program that draws, seen from kaya.
 #pragma once
 
 #include "scene/wire.hpp"

@@ -111,7 +111,7 @@ std::string field_json(const Model& model, const Field& field, const char* of, c
                        json_text(field.unit), of, fmt::join(quoted, ","), packed_values(values));
 }
 
-/// A corner of a deformable block sees the mean of the zones around it, weighted with their volumes.
+/// A corner of a deformable block has the mean of the zones around it, weighted with their volumes.
 std::string stress_json(const Model& model, const Surface& surface, const char* name, double (*of)(const Model&, Row)) {
     std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
     for (Row zone = 0; zone < static_cast<Row>(model.zones.size()); ++zone)

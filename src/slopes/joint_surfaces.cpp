@@ -183,7 +183,7 @@ private:
         return best;
     }
 
-    /// From a net of all places downhill.
+    /// Minimises from the weakest places of a net.
     void consider(const Line& base, const Leg& a, const Leg& b) {
         std::vector<double> low, high;
         const double width = columns_.right() - columns_.left();

@@ -279,7 +279,7 @@ std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate
     return best;
 }
 
-/// Of a polyline with its inner corners at even distances.
+/// The factor of a polyline with its inner corners at even distances.
 double factor_of(const Search& search, const std::vector<double>& x, bool right) {
     const auto surface = search.polyline(x);
     return surface && search.slides(*surface, right) ? search.factor(*surface, search.asked().method) : no_answer;

@@ -200,7 +200,7 @@ std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const Sec
 
 namespace {
 
-/// Height of a surface at a distance: of a circle exactly.
+/// Height of a surface at a distance; exact for a circle.
 double surface_height(const SlipSurface& surface, double x) {
     if (surface.circle) {
         const double d = x - surface.circle->centre.x();
@@ -283,7 +283,7 @@ public:
         return slice;
     }
 
-    /// Of the middle of a base: how far from the chord.
+    /// Distance of the middle of a base from the chord.
     double depth(const SectionPoint& base) const {
         const SectionPoint off = base - SectionPoint(first_, surface_height(surface_, first_));
         return std::abs(chord_.x() * off.y() - chord_.y() * off.x()) / chord_.norm();

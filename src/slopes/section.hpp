@@ -35,7 +35,7 @@ struct SlopeSection {
     double pressure_ratio = 0; ///< additional pore pressure, over the weight of the column above
     double water_weight = 0;   ///< force/length^3, of water in a tension crack
     double seismic = 0;        ///< horizontal acceleration over gravity, in the direction of sliding
-    double crack_depth = 0;    ///< a slip surface ends where it is so near below the ground
+    double crack_depth = 0;    ///< depth below the ground at which a slip surface ends
     double crack_water = 0;    ///< height of water in the crack
 };
 

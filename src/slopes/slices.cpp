@@ -141,7 +141,7 @@ std::optional<double> Statics::bishop() {
     return factor;
 }
 
-/// The thrust that is left over at the right end; thrust_ is then filled. Grows with the factor. None where a base would wedge.
+/// The residual thrust at the right end; fills thrust_. Grows with the factor. None where a base would wedge.
 std::optional<double> Statics::end_force(double factor, double lambda) {
     thrust_.assign(lines_.size() + 1, 0.0);
     thrust_[0] = body_.water_force;
@@ -156,11 +156,11 @@ std::optional<double> Statics::end_force(double factor, double lambda) {
     return thrust_.back();
 }
 
-/// The factor with which no thrust is left over.
+/// The factor without residual thrust.
 std::optional<double> Statics::balanced(double lambda) {
     const auto left_over = [&](double factor) { return end_force(factor, lambda); };
     const auto found = [&](double factor) { return guess_ = factor; };
-    // With weak bases the body pushes, and as they get stronger the first change of sign is the answer.
+    // With weak bases the end force is positive; with increasing strength its first change of sign is the answer.
     double above = 1.2 * guess_;
     std::optional<double> upper = left_over(above);
     while (!upper || !(*upper > 0)) {
@@ -203,7 +203,7 @@ void Statics::find_normal_forces(double factor, double lambda) {
     }
 }
 
-/// The moment that is left over at the right end, when thrust_ is balanced.
+/// The residual moment at the right end, with thrust_ balanced.
 double Statics::end_moment(double lambda) {
     const std::size_t n = lines_.size();
     heights_.assign(n + 1, 0.0);
@@ -220,7 +220,7 @@ double Statics::end_moment(double lambda) {
     return moment;
 }
 
-/// Horizontal forces and moments. The moment that is left over falls as lambda grows: shear forces between slices turn the body back.
+/// Horizontal forces and moments. The residual moment decreases as lambda grows: shear forces between slices rotate the body back.
 std::optional<double> Statics::rigorous() {
     struct Try {
         double lambda, factor, moment;

@@ -1,4 +1,4 @@
-// Whether a rigid block that can slide nowhere turns out of its place.
+// Whether a rigid block that cannot slide rotates out of its place.
 #pragma once
 
 #include "base/vector.hpp"

@@ -54,7 +54,7 @@ public:
         if (is_wide(unknown)) return std::log(value / unknown.from) / std::log(unknown.to / unknown.from);
         return (value - unknown.from) / (unknown.to - unknown.from);
     }
-    /// How fast the value changes with its coordinate.
+    /// Derivative of the value with respect to its coordinate.
     double rate(const std::vector<double>& point, std::size_t j) const {
         const auto& unknown = fit_.unknowns[j];
         return is_wide(unknown) ? value(point, j) * std::log(unknown.to / unknown.from) : unknown.to - unknown.from;
@@ -78,7 +78,7 @@ public:
         return seen.value != 0 ? std::abs(seen.value) : 1;
     }
 
-    /// The sum of squares; a run that failed is worse than all before.
+    /// The sum of squares; for a failed run more than any before.
     double objective(const std::vector<double>& point) {
         const auto outcomes = at({point});
         const double sum = differences(outcomes[0]).squaredNorm();

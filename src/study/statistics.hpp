@@ -27,7 +27,7 @@ struct Probability {
 };
 Probability probability_of(const std::vector<double>& truths, const std::vector<double>& weights);
 
-/// Of the ranks of both; 0 where one does not vary.
+/// Rank correlation of both; 0 where one does not vary.
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
 /// A bar of a tornado plot. One at a time: the result at the low and high value of the parameter; otherwise the rank correlation in `high`.

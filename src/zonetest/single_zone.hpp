@@ -21,7 +21,7 @@ struct ZoneStep {
     double time = 0; ///< duration of the step
 };
 
-/// All that a zone is, in values: a copy is another zone in the same state.
+/// The state of a zone as values: a copy is another zone in the same state.
 class SingleZone {
 public:
     /// `values` in the order of the model's table. Throws Diagnostic for values that are missing or cannot work together.

@@ -26,7 +26,7 @@ struct ZoneCurve {
     std::vector<ZoneFinding> findings; ///< the first of each kind
 };
 
-/// Leads a zone along a path. Throws Diagnostic where the model fails or cannot carry a stress, with the point.
+/// Drives a zone along a path. Throws Diagnostic where the model fails or cannot carry a stress, with the point.
 ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
                            const ZoneCurveSettings& settings);
 

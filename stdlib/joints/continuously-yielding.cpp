@@ -159,7 +159,7 @@ struct Start {
     s.size = length(s.resistance), s.travel = length(s.motion);
     s.dot = s.resistance.x * s.motion.x + s.resistance.y * s.motion.y + s.resistance.z * s.motion.z;
     s.per_travel = s.travel > 0 ? 1 / larger(s.travel, tiny) : 0;
-    // Never more than it was worth at first.
+    // Never above its initial value.
     const double worn_off_by = smaller(s.size / larger(s.bound, tiny), joint.at_first / larger(s.tangent, tiny));
     s.over = s.bound > 0 ? larger(1.0, worn_off_by) : 1;
     // The motion reverses relative to the resistance.

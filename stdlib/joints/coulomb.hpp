@@ -310,7 +310,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
 /// New rows: open sides have a gap, and no bond that could pull them together.
 inline ptrdiff_t initialise(kaya_jbatch* batch) {
-    // A gap of this part of the size of the sub-contact is rounding of coordinates, and is none.
+    // A gap up to this part of the size of the sub-contact is rounding of coordinates and counts as closed.
     constexpr double rounding = 1e-9;
     double* gaps = batch->history[gap];
     for (std::size_t i = 0; i < batch->n; ++i) {

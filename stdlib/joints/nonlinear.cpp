@@ -198,7 +198,7 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
 
     // Work that is neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
     const double new_ks = joint.springs.shear.at(normal), old_size = length(old);
-    // A force that was put where no spring is has nothing stored.
+    // A force that was set without a spring stores no energy.
     const double stored_before = old_normal != 0 || joint.springs_at_rest ? 0.5 * old_size * old_size / old_ks : 0;
     const double stored = 0.5 * limit * limit / new_ks - stored_before;
     const double lifted = 0.5 * (old_normal + normal) * climbed;

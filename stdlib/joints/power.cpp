@@ -49,7 +49,7 @@ struct Speed {
     Speed(double constant_, double exponent_, double from_)
         : constant(constant_), exponent(exponent_), from(from_), log_constant(std::log(std::max(constant_, 1e-300))),
           acts(constant_ > 0 ? 1 : 0) {}
-    /// Of a stress above 0 with this logarithm.
+    /// Speed at a stress above 0 with this logarithm.
     [[gnu::always_inline]] double at(double log_stress) const {
         return acts * exponential(std::min(700.0, std::max(-700.0, log_constant + exponent * log_stress)));
     }

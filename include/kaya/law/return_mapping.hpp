@@ -30,7 +30,7 @@ struct Springs {
                                                          double cohesion, double tan_friction, double tan_dilation) {
     const double excess = trial_shear - std::max(0.0, cohesion + trial_normal * tan_friction);
     const double slip = std::max(0.0, excess) / (k.shear + k.normal * tan_friction * tan_dilation);
-    // Beyond that the shear would turn round: the strength is 0 there.
+    // Beyond that the shear would reverse: the strength is 0 there.
     const double kept = std::min(slip, trial_shear / k.shear);
     return {trial_normal + k.normal * tan_dilation * kept, trial_shear - k.shear * kept, kept};
 }
