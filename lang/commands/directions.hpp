@@ -23,7 +23,7 @@ template <class Command> void add_local_axes(Entry<Command>& entry) {
         {"local"}, {first.spec, second.spec},
         [=](Reader& reader, Command& command) {
             if (!command.stress)
-                throw Diagnostic("local has no stress to turn",
+                throw Diagnostic("local has no stress to rotate",
                                  "it stands after stress sxx syy szz sxy sxz syz and its gradients")
                     .at(reader.previous().place);
             read_local_axes(reader, {&*command.stress, &command.x_gradient, &command.y_gradient, &command.z_gradient},

@@ -91,7 +91,7 @@ void add_flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind ki
         help);
 }
 
-/// A number, or several of which one is enough.
+/// A number, or several numbers: one of them is enough.
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     ArgumentSpec number = integer("n").spec;
     number.repeated = true;
@@ -288,10 +288,10 @@ std::vector<KeywordSpec> all_elements() {
                 phrase.elements.back().negated = true;
                 return;
             }
-            throw Diagnostic("'not' stands before the element that it turns round", "write it after: range z 0 1 not")
+            throw Diagnostic("'not' stands before the element that it negates", "write it after: range z 0 1 not")
                 .at(reader.previous().place);
         },
-        "turns the element before it round");
+        "negates the element before it");
     elements_to_come(table);
     return std::move(table).list();
 }

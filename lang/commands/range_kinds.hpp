@@ -90,7 +90,7 @@ inline const std::vector<RangeWords>& range_words() {
         {RangeKind::group_intersection, own, {}, "", ""},
         {RangeKind::joint_model, name, {"jmodel"}, "", "contacts that have a joint model"},
         {RangeKind::volume, limits, {"volume"}, "volume", "blocks of a volume between two limits"},
-        {RangeKind::deformable, flag, {"deformable"}, "", "blocks with zones, and what belongs to them"},
+        {RangeKind::deformable, flag, {"deformable"}, "", "blocks with zones, and their parts"},
         {RangeKind::visible, flag, {"visible"}, "", "blocks that are not hidden"},
         {RangeKind::id_list, own, {}, "", ""},
         {RangeKind::joint_group, name, {"jgroup"}, "", "contacts of a group of joints"},

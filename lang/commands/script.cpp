@@ -46,7 +46,7 @@ CommandSpec callback() {
             callback.function = reader.text(name);
             callback.place = reader.previous().place;
         },
-        "the function is not run any more");
+        "stops running the function");
     entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
@@ -79,7 +79,7 @@ CommandSpec fishcall() {
             callback.remove = true;
             callback.function = std::move(function);
         },
-        "the function is not run any more");
+        "stops running the function");
     entry.otherwise({name}, [name](Reader& reader, FishCallback& callback) {
         if (!callback.function.empty()) return false;
         const Word& word = *reader.peek();
@@ -101,8 +101,7 @@ CommandSpec fishcall() {
 
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
-    entry.help(
-        "gives a FISH variable, or a property that the deck sets, a value, unless `kaya --set` or an earlier line has given it one");
+    entry.help("sets a FISH variable, or a property of the deck, unless `kaya --set` or an earlier line has set it");
     entry.place(&Parameter::place);
     const auto value = real("value").help("a number, a word or a text").spec;
     entry.otherwise({text("name").spec, value}, [value](Reader& reader, Parameter& parameter) {

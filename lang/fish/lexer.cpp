@@ -102,9 +102,7 @@ bool Lexer::next_line(std::vector<Token>& tokens) {
 bool Lexer::scan_line(std::vector<Token>& tokens) {
     for (bool continued = true; continued;) {
         if (next_ == lines_.size())
-            throw Diagnostic("the line goes on after its last mark, but the text ends here",
-                             "take the '&' or '...' away")
-                .at(here());
+            throw Diagnostic("the last line ends with a continuation mark", "remove the '&' or '...'").at(here());
         const std::string& line = lines_[next_];
         std::size_t length = 0;
         continued = is_continued(line, length);

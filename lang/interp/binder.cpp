@@ -413,7 +413,7 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
                 lexer.go_to(end + 1);
                 Diagnostic d(fmt::format("'{}' stands inside of {} '{}'", words[1].text, opens->name(),
                                          statement.words.back().text),
-                             "one function stands behind the other: put it before or behind the whole of that one");
+                             "functions cannot be nested: put it before or after that one");
                 d.code = "never-ended";
                 throw d.at(words[0].place);
             }

@@ -111,8 +111,7 @@ private:
         if (first == chain_.end()) return;
         std::string names;
         for (auto link = first; link != chain_.end(); ++link) names += link->second + " calls ";
-        throw Diagnostic(fmt::format("this call never comes to an end: {}{}", names, first->second),
-                         "take one of the calls out");
+        throw Diagnostic(fmt::format("endless calls of files: {}{}", names, first->second), "remove one of the calls");
     }
 
     /// The folder of the calling file first, then those of its callers, then the folder where the program was started.

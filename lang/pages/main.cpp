@@ -88,8 +88,7 @@ std::string arguments(const Page& page) {
             rows += fmt::format("| | {} | {} |\n", cell(describe(positional.argument)), cell(positional.argument.help));
         argument_rows(rows, command->keywords, "");
         if (command->range_elements)
-            rows +=
-                "| `range` | [a range phrase](../range-phrase.md) | what is meant; everything visible if not given |\n";
+            rows += "| `range` | [a range phrase](../range-phrase.md) | the objects; all visible ones if not given |\n";
         if (rows.empty()) continue;
         if (page.commands.size() > 1) out += fmt::format("`{}`\n\n", command->name());
         out += "| word | values | meaning |\n|---|---|---|\n" + rows + "\n";
@@ -116,7 +115,7 @@ std::string errors(const Page& page) {
     for (const auto* command : page.commands)
         for (const auto& example : command->wrong)
             rows += fmt::format("| `{}` | {} |\n", cell(example.text), cell(example.message));
-    if (rows.empty()) return "None of its own.\n";
+    if (rows.empty()) return "None.\n";
     return "| line | message |\n|---|---|\n" + rows;
 }
 

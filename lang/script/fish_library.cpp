@@ -172,7 +172,7 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     const bool is_callback = std::ranges::any_of(
         fish.hooks, [&](const StoredHook& hook) { return hook.function == function.name && !hook.whilestepping; });
     if (is_callback && !function.arguments.empty())
-        throw Diagnostic(fmt::format("'{}' is a callback, so nobody gives it its arguments", function.name),
+        throw Diagnostic(fmt::format("'{}' is a callback and cannot have arguments", function.name),
                          fmt::format("write before: fish callback remove {}", function.name))
             .at(function.place);
     // Nothing is changed before the whole function has been checked.
@@ -249,7 +249,7 @@ void push_expression(Machine& machine, const std::string& text, const Place& pla
     }
     const fish::Expression expression = fish::read_expression(bare_expression(text), place);
     const auto dictionary = dictionary_of(machine);
-    // A word of a command that means nothing is a slip of the pen; only an assignment makes a variable here.
+    // An unknown word of a command is a misspelling; only an assignment makes a variable here.
     for (const auto& name : expression.mentions) {
         if (name == expression.assigned || is_constant(name)) continue;
         if (dictionary(name).kind == fish::NameKind::variable && !variable_exists(machine, name))
@@ -280,7 +280,7 @@ void set_fish_name(Machine& machine, const std::string& given, int index) {
     lua_State* L = machine.lua;
     const std::string name = lower_case(given);
     if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name))
-        throw Diagnostic(fmt::format("'{}' is a FISH function: a value cannot be given to it", name));
+        throw Diagnostic(fmt::format("'{}' is a FISH function: it cannot be assigned", name));
     if (machine.fish.built_ins.contains(name))
         throw Diagnostic(fmt::format("'{}' is built in: a variable of this name cannot be made", name),
                          "use another name for the variable");

@@ -91,7 +91,7 @@ int nearest(lua_State* L) {
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
     World& world = machine_of(L).world;
     const auto relation = find_relation(world, RelationInfo::Form::nearest, -1, table);
-    if (relation < 0) throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+    if (relation < 0) throw Diagnostic("corners of faces cannot be searched", "search for the gridpoint", Fault::run);
     push_lua_value(L, world.relate(static_cast<std::size_t>(relation), {}, place));
     return 1;
 }

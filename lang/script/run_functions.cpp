@@ -25,8 +25,8 @@ World::Samples samples(lua_State* L, const char* function) {
 World::Samples some_samples(lua_State* L, const char* function) {
     const World::Samples all = samples(L, function);
     if (all.values.empty())
-        throw Diagnostic(fmt::format("'{}' is asked for a history that has no sample", function),
-                         "cycle before it is read", Fault::run);
+        throw Diagnostic(fmt::format("'{}' reads a history that has no sample", function), "cycle before it is read",
+                         Fault::run);
     return all;
 }
 

@@ -171,7 +171,7 @@ void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int
             .at(place);
     }
     if (!found->second.function.arguments.empty())
-        throw Diagnostic(fmt::format("'{}' runs in cycles, so nobody gives it its arguments", function),
+        throw Diagnostic(fmt::format("'{}' runs in cycles and cannot have arguments", function),
                          "take a function without arguments", Fault::run)
             .at(place);
     fish.hooks.push_back({name, static_cast<std::uint8_t>(moment), interval, false});
@@ -256,8 +256,8 @@ bool Scripts::running() const { return impl_->machine->depth > 0; }
 void Scripts::refuse_while_awaited(const char* what) const {
     if (impl_->machine->awaited > 0)
         throw Diagnostic(
-            fmt::format("'{}' cannot be given here: a command or a cycle waits for what the function gives", what),
-            "call the function on a line of its own, as @name, or from a Lua chunk", Fault::run);
+            fmt::format("'{}' cannot be given here: a command or a cycle waits for the value of the function", what),
+            "call the function on a separate line, as @name, or from a Lua chunk", Fault::run);
 }
 
 void Scripts::change_model(const ScriptState* state) {

@@ -66,7 +66,7 @@ double number_from(lua_State* L, const char* function) {
     if (lua_type(L, 1) != LUA_TSTRING) return number_argument(L, 1, function);
     const std::string text = text_argument(L, 1, function);
     if (!push_number(L, text))
-        throw Diagnostic(fmt::format("'{}' is given the text '{}', which is no number", function, text), {},
+        throw Diagnostic(fmt::format("'{}' is given the text '{}', which is not a number", function, text), {},
                          Fault::run);
     return lua_tonumber(L, -1);
 }

@@ -46,7 +46,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// gnuplot may be missing: the script is there for another day. It names no file that it writes: its own would go through links.
+/// gnuplot may be missing: the script is kept. gnuplot is not given the name of an output file: it would follow links.
 std::string draw(const fs::path& script) {
     fs::path picture = script;
     picture.replace_extension(".png");
@@ -111,7 +111,7 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
         return std::pair(sub, order);
     };
     const auto [testing, test] =
-        add("jtest", "lead one sub-contact of a joint model along a path and look at the answer");
+        add("jtest", "lead one sub-contact of a joint model along a path and check the response");
     testing->add_flag("--strict", test->strict, "exit with 2 when something odd was found");
     const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a curve that was measured");
     fitting->add_option("--fit", fit->fitted, "the properties, with commas between")->required();
@@ -125,7 +125,7 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
 void add_zone_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& folders,
                     std::function<int()>& chosen) {
     auto order = std::make_shared<ZoneOrder>();
-    auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and look at the answer");
+    auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and check the response");
     sub->add_option("model", order->bench.model, "name or file of the zone model")->required();
     sub->add_option("path", order->bench.path, "CSV file of the path: docs/writing-a-zone-model.md")->required();
     sub->add_option("values", order->settings, "properties: bulk=4e9 shear=3e9 cohesion=1e6 friction=30");

@@ -28,8 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_run_options(CLI::App& app, RunOrder& order) {
-    app.add_option("deck", order.decks,
-                   "command files, run one after the other in one session; - is the standard input");
+    app.add_option("deck", order.decks, "command files, run in order in one session; - is the standard input");
     app.add_option("--threads", order.options.threads,
                    "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
@@ -38,8 +37,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
         ->check([](const std::string& folder) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
-    app.add_option("--watch", order.watch,
-                   "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")
+    app.add_option("--watch", order.watch, "a port: a browser on this machine can follow the run; 0: any free port")
         ->check(CLI::Range(0, 65535));
     app.add_option("--into", order.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", order.options.strict, "warnings are errors");
@@ -154,7 +152,7 @@ int main(int argc, char** argv) {
         std::fputs((kaya::render(error) + "\n").c_str(), stderr);
         return static_cast<int>(error.fault);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "error: kaya itself failed: %s\n", error.what());
+        std::fprintf(stderr, "error: internal error: %s\n", error.what());
         return static_cast<int>(kaya::Fault::own);
     }
 }

@@ -195,13 +195,13 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder, const Fol
                         std::function<int()>& chosen) {
     add_jmodel(app, program_folder, chosen);
     add_zmodel(app, program_folder, chosen);
-    add_new<JointRegistry>(app, "new-jmodel", "write a joint model to begin with: source, deck, test and page",
+    add_new<JointRegistry>(app, "new-jmodel", "write a joint model to start from: source, deck, test and page",
                            {{"joint", "joint-shared"},
                             "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
                            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"},
                            joint_folders, chosen);
     add_new<ZoneModels>(
-        app, "new-zmodel", "write a zone model to begin with: source, path, test and page",
+        app, "new-zmodel", "write a zone model to start from: source, path, test and page",
         {{"zone"},
          "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv "
          "bulk=4e9 shear=3e9 strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},

@@ -27,7 +27,7 @@ struct Words {
 
 using Action = std::function<int(const Words&)>;
 
-/// A command, its words, and what makes its action the chosen one.
+/// A command, its words, and a function that makes its action the chosen one.
 struct Tool {
     CLI::App* command;
     std::shared_ptr<Words> words = std::make_shared<Words>();
@@ -89,7 +89,7 @@ void add_explain(CLI::App& app, std::function<int()>& chosen) {
 
 void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
               std::function<int()>& chosen) {
-    const Tool tool(app, chosen, "info", "say what a saved model holds", [&order, program](const Words& words) {
+    const Tool tool(app, chosen, "info", "describe a saved model", [&order, program](const Words& words) {
         if (words.first) {
             fmt::print("{}", describe_sandbox(policy_of(order, program)));
             return 0;
@@ -145,7 +145,7 @@ void add_export(CLI::App& app, std::function<int()>& chosen) {
 }
 
 void add_diff(CLI::App& app, std::function<int()>& chosen) {
-    const Tool tool(app, chosen, "diff", "say in what two saved models differ", [](const Words& words) {
+    const Tool tool(app, chosen, "diff", "list the differences of two saved models", [](const Words& words) {
         const std::string difference = difference_of(words.names);
         fmt::print("{}", difference.empty() ? "the same\n" : difference);
         return difference.empty() ? 0 : 1;

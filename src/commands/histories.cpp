@@ -68,7 +68,7 @@ void warn_of_far_place(Session& session, const History& history, const Place& wo
     Diagnostic warning(fmt::format("{} is {} away from {}: history {} records what is at {}", object->name,
                                    number_text(object->distance), place_text(history.source.place), history.number,
                                    place_text(object->place)),
-                       "look at the place, or take the history out: hist delete");
+                       "look at the place, or delete the history: hist delete");
     warning.code = "far-away";
     session.warn(warning.at(word));
 }

@@ -82,9 +82,9 @@ void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
 void doubt_damping(Session& session, const lang::Damp& command) {
     using enum lang::Damp::Kind;
     if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
-        session.warn(doubt(
-            fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
-            "0.8 is usual"));
+        session.warn(
+            doubt(fmt::format("a damping factor of {} takes all force from moving bodies", number_text(*command.value)),
+                  "0.8 is usual"));
 }
 
 void doubt_empty_model(Session& session, const Place& place) {

@@ -172,7 +172,7 @@ Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
 Chart chart_of(Session& session, const PlotView& view) {
     if (const auto net = std::ranges::find(view.items, PlotItem::Kind::net, &PlotItem::kind); net != view.items.end()) {
         if (view.items.size() > 1)
-            throw Diagnostic("a net is a picture of its own", "write a second plot line for the rest");
+            throw Diagnostic("a net needs a separate picture", "write a second plot line for the rest");
         return net_of(session, view, *net);
     }
     Chart chart;

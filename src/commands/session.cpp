@@ -236,7 +236,7 @@ std::string Session::run_name() {
     const std::string stem = stem_of_deck(deck);
     const auto taken = names_.take(stem);
     if (taken.is_new && taken.by_other) {
-        Diagnostic note(fmt::format("another run of '{}' is going on in this folder", stem),
+        Diagnostic note(fmt::format("another run of '{}' is running in this folder", stem),
                         fmt::format("the journal and the autosave of this one are called '{}'", taken.name));
         show_note(note);
     }

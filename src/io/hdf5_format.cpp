@@ -233,13 +233,13 @@ void read_filters(Bytes message, Data& data) {
 
 /// A chunk is a number of whole rows; every chunk occurs exactly once.
 void read_chunks(Image& image, Bytes layout, Data& data) {
-    require(data.extent.size() == 2, "is cut into parts that are no rows");
+    require(data.extent.size() == 2, "is cut into parts that are not rows");
     require(layout.byte() == 3, "is cut into parts of other dimensions than its own");
     const auto tree = layout.number<Address>();
     data.chunk_rows = layout.number<std::uint32_t>();
     const bool whole_rows = layout.number<std::uint32_t>() == data.extent[1];
     const std::uint64_t rows = data.extent[0];
-    require(whole_rows && data.chunk_rows > 0 && data.chunk_rows <= rows, "is cut into parts that are no rows");
+    require(whole_rows && data.chunk_rows > 0 && data.chunk_rows <= rows, "is cut into parts that are not rows");
     constexpr std::size_t key_size = 32; // of the index, where each chunk has one
     const std::uint64_t count = (rows - 1) / data.chunk_rows + 1;
     require(count <= image.size() / key_size, "claims to be larger than its file can hold");
@@ -300,9 +300,9 @@ std::uint64_t bytes_of(const ElementType& type, const Extent& extent) {
 
 Address root_group(Image& image) {
     constexpr std::size_t superblock_size = 96;
-    if (image.size() < superblock_size) refuse("it is no HDF5 file");
+    if (image.size() < superblock_size) refuse("it is not an HDF5 file");
     Bytes block(image.at(0, superblock_size));
-    if (block.take(8) != "\x89HDF\r\n\x1a\n"sv) refuse("it is no HDF5 file");
+    if (block.take(8) != "\x89HDF\r\n\x1a\n"sv) refuse("it is not an HDF5 file");
     const bool known = block.take(8) == "\0\0\0\0\0\x08\x08\0"sv;
     block.skip(8); // how full the indexes are
     if (!known || block.number<Address>() != 0) refuse("it is a kind of HDF5 file that saves are not");
@@ -320,7 +320,7 @@ Group read_group(Image& image, Address header) {
         has_links = true;
         read_links(image, Bytes(body), group);
     }
-    require(has_links, "is no group");
+    require(has_links, "is not a group");
     return group;
 }
 
@@ -337,7 +337,7 @@ Data read_data(Image& image, Address header) {
     };
     const auto type = only(data_type), extent = only(data_space), layout = only(data_layout),
                filters = only(filter_pipeline);
-    require(type && extent && layout, "is no data");
+    require(type && extent && layout, "is not a data set");
     Data data;
     data.type = type_of(Bytes(*type));
     data.extent = extent_of(Bytes(*extent));

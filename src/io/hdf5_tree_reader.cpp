@@ -111,7 +111,7 @@ void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, 
 
 std::string TreeReader::text(const std::string& name) {
     const auto data = state_->data(name);
-    if (!data.type.text || data.bytes != data.type.size) state_->refuse(name, "is no text");
+    if (!data.type.text || data.bytes != data.type.size) state_->refuse(name, "is not a text");
     std::string text(data.bytes, '\0');
     state_->named(name, [&] { hdf5::unpack(data, text.data()); });
     text.resize(std::strlen(text.c_str()));

@@ -142,7 +142,7 @@ private:
 
 Diagnostic unusable(const std::string& name, const std::string& why) {
     return Diagnostic(fmt::format("'{}' cannot be restored: {}", name, why),
-                      "the model is as it was; restore another save file", Fault::run);
+                      "the model is unchanged; restore another save file", Fault::run);
 }
 
 /// The name is at this place in every format so far.
@@ -164,7 +164,7 @@ Diagnostic unknown_state(const std::string& name, const RestoreArchive& archive,
         name, fmt::format("it holds {}, which this program does not know", fmt::join(archive.unknown(), ", ")),
         archive);
     refusal.hint =
-        fmt::format("the model is as it was; restore it with kaya {}, which wrote it, or a later one", writer);
+        fmt::format("the model is unchanged; restore it with kaya {}, which wrote it, or a later one", writer);
     return refusal;
 }
 
@@ -174,10 +174,10 @@ Diagnostic other_format(const std::string& name, std::int32_t version, const std
                                                     version, writer, first_kept_format, save_format_version));
     refusal.hint =
         version > save_format_version
-            ? "the model is as it was; restore it with the program that wrote it, or a later one"
+            ? "the model is unchanged; restore it with the program that wrote it, or a later one"
             : fmt::format(
-                  "the model is as it was; formats before {} are older than the first release: run the deck again, "
-                  "or go on with the program that wrote the file",
+                  "the model is unchanged; formats before {} are older than the first release: run the deck again, "
+                  "or continue with the program that wrote the file",
                   first_kept_format);
     return refusal;
 }

@@ -31,7 +31,7 @@ std::uint64_t digest_of(std::string_view bytes) {
 }
 
 Diagnostic unusable_file(std::string message) {
-    return Diagnostic(std::move(message), "the model is as it was; restore another save file", Fault::run);
+    return Diagnostic(std::move(message), "the model is unchanged; restore another save file", Fault::run);
 }
 
 } // namespace

@@ -105,7 +105,8 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
                                  kaya_jbatch& batch, const std::int32_t* numbers, const char* what, Guard guard) {
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
-        return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
+        return BatchFailure{
+            0, fmt::format("joint model {} stores objects, and this batch has no column for them", model.name)};
     batch.row = batch.n; // a model that works row by row reports its row
     ptrdiff_t row = -1;
     const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});

@@ -180,7 +180,7 @@ void report(int signal, siginfo_t* info, void*) {
                  << "', in " << last_work.load() << "\n  its library: " << last->file.c_str();
         add_command(sentence);
         sentence
-            << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that";
+            << "\n  a model that writes past its columns, or continues in another thread, does harm after its call; 'kaya jtest' looks for that";
     } else {
         sentence << "\nerror: the program" << deed;
         add_command(sentence);

@@ -86,7 +86,7 @@ template <class Descriptor> Descriptor LawTable::understood(const LawKind& kind,
         const bool newer = d->interface_version > kind.interface_version;
         Diagnostic error(fmt::format("{} {} was built for interface version {}, this program has version {}", kind.noun,
                                      file.string(), d->interface_version, kind.interface_version),
-                         newer ? "take a newer program, or build the model with the header of this one"
+                         newer ? "use a newer program, or build the model with the header of this one"
                                : fmt::format("build the model again with the {} of this program", kind.header));
         error.code = fmt::format("{}-version", kind.code);
         throw error;

@@ -114,7 +114,7 @@ template <class Call> std::optional<BatchFailure> call_fenced(const JointModel& 
     if (breach)
         return BatchFailure{
             0,
-            fmt::format("joint model {} wrote {}, where nothing of its own is: it takes more rows or more history "
+            fmt::format("joint model {} wrote {}, outside of its data: it takes more rows or more history "
                         "variables than there are",
                         model.name, *breach),
             true};

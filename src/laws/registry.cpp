@@ -61,9 +61,8 @@ void refuse_other_files(const fs::path& file) {
 
 std::shared_ptr<void> open_library(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, entry_point); !fault.empty())
-        refuse(
-            "joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
-            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+        refuse("joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
+               "check what its source does when it is loaded: static objects, the functions that describe it");
     // With an absolute path the system does not search other folders; local symbols keep models apart.
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
@@ -84,7 +83,7 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
     try {
         return entry();
     } catch (const std::exception& thrown) { refuse_thrown(thrown.what()); } catch (...) {
-        refuse_thrown("it threw what is not a std::exception");
+        refuse_thrown("it threw something other than a std::exception");
     }
     return nullptr;
 }

@@ -47,10 +47,9 @@ public:
             if (sum_of_bits(read_[k].column, 1) != read_[k].sum)
                 return fmt::format("wrote to '{}', which it may only read", read_[k].name);
         if (const auto breach = fences_.breach())
-            return fmt::format(
-                "wrote {}, where nothing of its own is: it takes more rows or more history variables than "
-                "there are",
-                *breach);
+            return fmt::format("wrote {}, outside of its data: it takes more rows or more history variables than "
+                               "there are",
+                               *breach);
         return std::nullopt;
     }
 
@@ -117,7 +116,7 @@ void try_zone(const ZoneModel& model, const std::vector<double>& values) {
     constexpr double strains[] = {1e-6, 1e-4, 1e-2};
     constexpr std::array<std::array<double, 6>, 4> directions{
         {{-1, -1, -1, 0, 0, 0}, {0, 0, -1, 0, 0, 0}, {0.3, -0.2, 0.1, 1, -0.5, 0.2}, {1, 1, 1, 0, 0, 0}}};
-    const std::vector<double> own = values; // the trial's, which may be spoilt
+    const std::vector<double> own = values; // the trial's, which may be damaged
     for (const auto& direction : directions) {
         LoneZone zone;
         auto batch = zone.batch(own);

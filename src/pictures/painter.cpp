@@ -110,7 +110,7 @@ std::string Painter::read(std::size_t size) {
             if (ready == 0) ::kill(process_, SIGKILL);
             end();
             no_picture(ready == 0 ? "drawing takes more than a minute" : "the program that draws has ended",
-                       "the run goes on; make the picture smaller, or use 'vtk write'");
+                       "the run continues; make the picture smaller, or use 'vtk write'");
         }
         at += static_cast<std::size_t>(got);
     }

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_losses = 3; ///< after that a killed run becomes a failed row
-constexpr double patience = 5; ///< seconds from the wish to end to the end
+constexpr double patience = 5; ///< seconds from the request to the end
 constexpr timespec poll{0, 50'000'000};
 constexpr const char* output_file = "output.txt";
 
@@ -143,7 +143,7 @@ void LocalRuns::finish(const Child& child, int status, double seconds) {
     if (outcome && outcome->end != Outcome::End::done && is_full(folder_.path())) {
         door::remove(folder_.outcome_file(one.number)); // it does not describe the run
         throw Diagnostic(fmt::format("the disk is full: {}", folder_.path().string()),
-                         "make room; the same command does what is left", Fault::run);
+                         "make room; the same command does the remaining runs", Fault::run);
     }
     if (!outcome) {
         outcome.emplace();
@@ -219,7 +219,7 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
         std::size_t done = 0;
         for (const auto& one : cases) done += folder_.outcome(one) ? 1 : 0;
         throw Diagnostic(fmt::format("stopped: {} of {} runs are done", done, cases.size()),
-                         "the same command does what is left", Fault::run);
+                         "the same command does the remaining runs", Fault::run);
     };
     try {
         while (!left.empty() || !children_.empty() || !elsewhere.empty() || !again_.empty()) {

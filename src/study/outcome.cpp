@@ -107,7 +107,7 @@ std::optional<Outcome> read_outcome(const std::filesystem::path& file, const Cas
     outcome.results = values_of(table["results"], file);
     if (values_of(table["values"], file) != one.values)
         throw Diagnostic(fmt::format("{} is of a run with other values", file.string()),
-                         "go on in another folder: --into", Fault::run);
+                         "continue in another folder: --into", Fault::run);
     return outcome;
 }
 

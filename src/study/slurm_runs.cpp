@@ -74,7 +74,7 @@ std::size_t SlurmRuns::most_tasks() const {
 void SlurmRuns::wait(double seconds, const std::vector<Case>& cases) {
     for (double waited = 0; waited < seconds; waited += 0.1) {
         if (options_.stop != nullptr && *options_.stop)
-            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs go on",
+            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs continue",
                                          cases.size() - left_of(cases).size(), cases.size()),
                              fmt::format("the same command follows them; scancel --name={} ends them", name_),
                              Fault::run);
@@ -113,7 +113,7 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
             return;
         }
         if (said.status == 127)
-            throw Diagnostic("there is no sbatch here", "leave --slurm away to run on this machine", Fault::run);
+            throw Diagnostic("there is no sbatch here", "omit --slurm to run on this machine", Fault::run);
         if (!nobody_answers(said.output) || waited > queue_patience)
             throw Diagnostic("sbatch: " + without_end(said.output), "the runs that are done are kept", Fault::run);
         wait(2, left);
@@ -123,7 +123,7 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
 bool SlurmRuns::has_jobs() {
     const auto said = output_of({"squeue", "--noheader", "--name=" + name_, "--format=%i"});
     if (said.status == 127)
-        throw Diagnostic("there is no squeue here", "leave --slurm away to run on this machine", Fault::run);
+        throw Diagnostic("there is no squeue here", "omit --slurm to run on this machine", Fault::run);
     if (said.status != 0) { // usually it is being restarted: jobs continue without it
         if (!deaf_) progress_.say("the queue does not answer: " + without_end(said.output));
         deaf_ = true;

@@ -28,7 +28,7 @@ std::optional<StudyValue> value_of(const toml::node& node) {
 
 StudyValue needed_value(const TomlSection& in, const toml::node& node) {
     auto value = value_of(node);
-    if (!value) in.fail(in.place_of(node), "a parameter takes numbers, truths and texts");
+    if (!value) in.fail(in.place_of(node), "a parameter is a number, a boolean or a string");
     return *value;
 }
 
@@ -37,7 +37,7 @@ void check_name(const TomlSection& in, const std::string& name, const char* what
     if (is_property(name) && std::string_view(what) == "parameter") return;
     const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 || !std::ranges::all_of(name, allowed))
-        in.fail(in.place_of(name), fmt::format("'{}' is no name of a {}", name, what),
+        in.fail(in.place_of(name), fmt::format("'{}' is not a valid name of a {}", name, what),
                 "a name has letters, digits and _, and does not begin with a digit");
 }
 

@@ -192,7 +192,7 @@ std::string report_page(const Study& study, const StudyAnswers& answers, const s
                         markup_text(study.deck), markup_text(version));
     page += "<h2>Results</h2>\n<pre>" + markup_text(summary_text(study, answers)) + "</pre>\n";
     if (!answers.tornado.empty())
-        page += fmt::format("<h2>What {} depends on</h2>\n{}", markup_text(study.tornado_of), tornado(answers.tornado));
+        page += fmt::format("<h2>Sensitivity of {}</h2>\n{}", markup_text(study.tornado_of), tornado(answers.tornado));
     const auto axes = axes_of(study, answers);
     if (axes.size() >= 2) page += "<h2>All runs</h2>\n<div class=\"wide\">" + parallel_lines(axes) + "</div>\n";
     std::string scatters;

@@ -139,7 +139,7 @@ struct PowerSprings {
         const PowerStiffness& kn = normal.stiffness();
         if (kn.exponent == 1 && !(kn.least > 0))
             return "exponent-normal is 1, with which no closure leads from a normal stress of 0 to another: give kn-minimum, "
-                   "the stiffness at first touch";
+                   "the stiffness at first contact";
         if (!(kn.greatest > 0) || !(shear.greatest > 0))
             return "kn-maximum or ks-maximum is 0: leave it out for no limit";
         if (kn.least > kn.greatest) return "kn-minimum is above kn-maximum: exchange them";

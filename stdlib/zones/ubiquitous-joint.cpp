@@ -139,9 +139,9 @@ ptrdiff_t run(kaya_zbatch* batch) {
 
 const char* check(const double* p) {
     if (p[dilation] > p[friction])
-        return "the dilation is above the friction: rock would make energy; give a smaller dilation";
+        return "the dilation is above the friction: rock would create energy; give a smaller dilation";
     if (p[joint_dilation] > p[joint_friction])
-        return "joint-dilation is above joint-friction: the planes would make energy; give a smaller one";
+        return "joint-dilation is above joint-friction: the planes would create energy; give a smaller one";
     return nullptr;
 }
 

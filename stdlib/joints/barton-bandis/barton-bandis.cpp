@@ -37,7 +37,7 @@ enum Property {
 };
 
 constexpr kaya_jproperty properties[] = {
-    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0, INFINITY, 0},
+    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first contact, k_ni", NAN, 0, INFINITY, 0},
     {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN, 0,
      INFINITY, 0},
     {"friction-residual", "resfriction jrfric", "angle", "residual angle of friction, phi_r", NAN, 0, 69, 0},
@@ -66,9 +66,9 @@ enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, history_c
 constexpr kaya_jhistory history[] = {
     {"closure", "length", "closure of the joint; negative: how far it is open"},
     {"mobilised", "length", "shear displacement spent on the mobilised curve"},
-    {"reversal-x", "stress", "shear stress at which the motion last turned back"},
-    {"reversal-y", "stress", "shear stress at which the motion last turned back"},
-    {"reversal-z", "stress", "shear stress at which the motion last turned back"},
+    {"reversal-x", "stress", "shear stress at the last reversal of the motion"},
+    {"reversal-y", "stress", "shear stress at the last reversal of the motion"},
+    {"reversal-z", "stress", "shear stress at the last reversal of the motion"},
 };
 static_assert(std::size(history) == history_count);
 
@@ -78,7 +78,7 @@ constexpr kaya_jfield fields[] = {
     {"jcso", "stress", "wall strength, where it differs", 0},
     {"sigmac", "stress", "uniaxial compressive strength of the rock, where it differs", 0},
     {"friction-residual", "angle", "residual angle of friction, where it differs", 0},
-    {"stiffness-normal", "stress/length", "normal stiffness at first touch, where it differs", 0},
+    {"stiffness-normal", "stress/length", "normal stiffness at first contact, where it differs", 0},
     {"stiffness-shear", "stress/length", "shear stiffness at a normal stress of 1 MPa, where it differs", 0},
 };
 constexpr size_t field_count = std::size(fields);
@@ -373,7 +373,7 @@ const char* check(const double* p) {
         Property property;
         const char* message;
     } positive[] = {
-        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
+        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first contact"},
         {stiffness_shear, "stiffness-shear (jks, K_j) is 0: give the shear stiffness of the joint at 1 MPa"},
         {jrco, "jrco is 0: a joint without roughness has no closure curve, use jmodel mohr for it"},
         {jcso, "jcso is 0: give the wall strength of the joint"},
