@@ -47,7 +47,7 @@ struct OtherProgram {
         walk(archive, model);
         return archive.digest();
     }
-    /// The saved image; with `hash` in place of its own if given.
+    /// The saved image; `hash` replaces its hash if given.
     std::string image(Model& model, std::uint64_t hash) const {
         TreeWriter tree;
         SaveArchive archive(tree);

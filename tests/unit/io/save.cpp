@@ -125,7 +125,7 @@ TEST(Save, ALargeModelKeepsEveryBitCompressedOrNot) {
     for (auto& mass : model.gridpoints.mass) mass = 1.0 / 3.0;
     ASSERT_EQ(inconsistency(model), "");
     const std::string image = save_image(model, {});
-    // 12,000 gridpoints of 200 bytes and more, of which only the 24 of the position do not repeat.
+    // 12,000 gridpoints of at least 200 bytes; only the 24 bytes of the position do not repeat.
     EXPECT_LT(image.size(), 2'000'000u);
     Model restored;
     restore_image(restored, image, "x.sav");
