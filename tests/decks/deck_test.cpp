@@ -11,9 +11,9 @@
 //   ;makes FILE   the file is there afterwards
 //   ;holds FILE text   the file is there and has a line with this text
 //   ;lacks FILE   the file is not there afterwards
-//   ;needs FILE   a file beside the deck that is copied into the folder first
-//   ;first DECK   a deck beside this one that is run in the folder first
-//   ;then DECK    a deck beside this one that is run in the folder afterwards, and ends well
+//   ;needs FILE   a file in the folder of the deck, copied into the run folder first
+//   ;first DECK   a deck in the same folder, run in the run folder first
+//   ;then DECK    a deck in the same folder, run in the run folder afterwards; it must succeed
 //   ;cut FILE N   only the first N bytes of the file are left, after that and before this deck runs
 //
 // With --bless the lines `;>` are written again from what the program prints. A printed number of four digits or more needs its `;because`.

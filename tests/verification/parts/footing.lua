@@ -47,7 +47,7 @@ return function(name, n, phi, psi, mesh, steps, low, high, slanting)
     local f, d = math.rad(phi), math.rad(psi)
     local part = math.cos(d) / (1 - math.sin(d) * math.sin(f))
     local exact, davis = prandtl(math.tan(f)), part * math.cos(f) * prandtl(part * math.sin(f))
-    verify.relative("D6, " .. name, "N_c beside that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
+    verify.relative("D6, " .. name, "N_c, against that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
     verify.absolute("D6, " .. name, "N_c short of Davis's estimate, parts", math.min(0, after / davis - 1), 0, low)
     verify.absolute("D6, " .. name, "growth of N_c in the last quarter, parts", after / before - 1, 0, 0.01)
 end
