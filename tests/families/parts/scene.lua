@@ -188,7 +188,7 @@ function scene.energy_rows(case, energy)
     rows.at_most(case, "kinetic and potential energy above what was there and put in, over the largest energy",
         energy.excess / scale, 1e-3)
     rows.at_least(case, "least energy stored in joints over the largest energy", energy.stored / scale, -1e-3)
-    rows.absolute(case, "energy not accounted for, over the largest energy", energy.error / scale, 0, 1e-3)
+    rows.absolute(case, "residual energy over the largest energy", energy.error / scale, 0, 1e-3)
 end
 
 return scene
