@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// work/ is the folder of the run, secret/ lies beside it.
+/// work/ is the folder of the run, secret/ is next to it.
 class GateTest : public testing::Test {
 protected:
     GateTest() {
@@ -33,7 +33,7 @@ protected:
 
     static void write(const fs::path& file, const std::string& text = "text") { std::ofstream(file) << text; }
 
-    /// The code of the refusal; empty when it is let through.
+    /// The code of the refusal; empty if it is permitted.
     template <class Ask> static std::string refused(Ask ask) {
         try {
             ask();

@@ -28,7 +28,7 @@ Diagnostic caught(const std::function<void()>& action) {
     return Diagnostic("nothing was thrown");
 }
 
-/// Runs it in a process of its own, which lacks files without a name if asked. Gives the process.
+/// Runs the action in a separate process, without unnamed files if requested. Returns the process.
 template <class Action> pid_t in_child(bool nameless, const Action& action) {
     const pid_t child = ::fork();
     if (child != 0) return child;
@@ -46,7 +46,7 @@ int status_of(pid_t child) {
     return status;
 }
 
-/// A file that a killed run has left in the folder.
+/// A file of a killed run in the folder.
 std::string left_over(const ScratchFolder& folder) {
     put(folder / "draft", "half");
     struct stat info {};
@@ -56,7 +56,7 @@ std::string left_over(const ScratchFolder& folder) {
     return name;
 }
 
-/// File systems with and without files that have no name.
+/// File systems with and without unnamed files.
 class EachFileSystem : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(WholeFile, EachFileSystem, testing::Bool());
 
@@ -74,7 +74,7 @@ TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-// Each process looks for what killed ones have left before its first file in a folder, just as the others write theirs.
+// Each process removes files of killed runs before its first file in a folder, while the others write theirs.
 TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles) {
     const ScratchFolder scratch;
     for (int round = 0; round < 100; ++round) {
@@ -141,7 +141,7 @@ TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) 
 TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
     const ScratchFolder folder;
     const std::string left = left_over(folder), written = left_over(folder), other = left_over(folder) + ".bak";
-    std::filesystem::copy_file(left, other); // the number in the name of a copy is that of another file
+    std::filesystem::copy_file(left, other); // the number in the name of a copy is the inode of another file
     std::filesystem::copy_file(left, folder / ".kaya-1.unfinished");
     for (const auto* name : {"results.kaya-backup", "a.csv.kaya-AbCdEf", ".kaya-notes", ".kaya-.unfinished"})
         put(folder / name, "precious");
@@ -150,7 +150,7 @@ TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
     const auto before = folder.file_count();
     EXPECT_EQ(status_of(in_child(true, [&] { write_whole_file(folder / "a.csv", "text"); })), 0);
     ::close(writer);
-    // One came, and two that were left went: that of `other` was not locked.
+    // One file was added, and two old ones were removed: that of `other` was not locked.
     EXPECT_EQ(folder.file_count(), before + 1 - 2);
     EXPECT_FALSE(std::filesystem::exists(left));
     EXPECT_TRUE(std::filesystem::exists(written));

@@ -1,4 +1,4 @@
-// jset as a deck gives it: what is conserved, what follows from the seed, what pieces take over.
+// jset in a deck: conservation, dependence on the seed, properties of pieces.
 #include "geometry/polyhedron.hpp"
 #include "model/build.hpp"
 #include "running.hpp"
@@ -62,7 +62,7 @@ TEST_F(Cuts, NoCutLeavesAnEdgeShorterThanTheTolerance) {
     EXPECT_GE(shortest_edge("tolerance 0.1"), 0.1);
     EXPECT_GT(model().blocks.size(), 100u);
     EXPECT_THAT(said(), HasSubstr("not made: too near to a corner of the block (tolerance 0.1)"));
-    // A cut through a corner is none that passes near to it.
+    // A cut through a corner is not one that passes near it.
     run("delete\npoly brick 0 1 0 1 0 1\njset dip 45 dd 90 org 0 0 1 tolerance 0.2\n");
     EXPECT_EQ(model().blocks.size(), 2u);
 }
@@ -111,7 +111,7 @@ TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
         EXPECT_EQ(model().group_names[blocks.group[b]], "a");
         EXPECT_EQ(blocks.fixed[b], fix_z);
         load += blocks.load[b];
-        // The velocity at the old centroid (1, 0.5, 0.5), seen from the piece.
+        // The velocity at the old centroid (1, 0.5, 0.5), relative to the piece.
         const Vec3 arm = Vec3(1, 0.5, 0.5) - blocks.centroid[b];
         EXPECT_LT((blocks.velocity[b] + Vec3(0, 0, 2).cross(arm) - Vec3(1, 0, 0)).norm(), 1e-14);
     }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A folder with decks that goes away.
+/// A temporary folder with decks.
 class DeckReportTest : public testing::Test {
 protected:
     void write(const char* name, const std::string& text) { test::put(folder_ / name, text); }
@@ -187,7 +187,7 @@ TEST(Decks, ThatRunAreCheckedAsSuch) {
     EXPECT_GT(count, 30);
 }
 
-/// Names of the commands that a file binds to, those inside of functions and of called files too.
+/// Names of the commands that a file binds to, including those in functions and called files.
 void gather(const lang::BoundFile& file, const lang::BareNames& bare, std::set<std::string>& names) {
     for (const auto& step : file.steps) {
         names.insert(step.command.spec->name());

@@ -10,7 +10,7 @@
 namespace kaya {
 namespace {
 
-/// A stream of the C library that keeps what is written to it.
+/// A stream of the C library that stores its output.
 class Catch {
 public:
     Catch() : stream_(std::tmpfile()) {}
@@ -43,7 +43,7 @@ protected:
 
     Catch results, messages;
     Output output{results.stream(), messages.stream()};
-    // Of this process: the tests of a fixture run at the same time.
+    // With the number of this process, because tests run in parallel.
     std::string log = testing::TempDir() + "kaya_output_test_" + std::to_string(::getpid()) + ".log";
 };
 

@@ -63,7 +63,7 @@ TEST(SavedRanges, ComeBackWithEveryBit) {
 
 TEST(SavedRanges, ATextThatIsCutOffIsRefused) {
     const std::string text = ranges_text(sample());
-    // The last character is a line end, which nothing needs.
+    // The last character is an optional line end.
     for (std::size_t length = 0; length + 1 < text.size(); ++length)
         EXPECT_THROW(ranges_from_text(text.substr(0, length)), Diagnostic) << length;
 }

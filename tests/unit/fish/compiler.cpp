@@ -1,4 +1,4 @@
-// Mistakes in the text of a function, each with its place and words; and what generated Lua looks like.
+// Errors in the text of a function, each with its position and words; and the generated Lua.
 #include "lang/fish/compiler.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ Place place_of(const std::string& text, int line = 1) {
     return {source, line, 1, 1};
 }
 
-/// A world with sin, a pointer function, a quantity that can only be read, and nothing else.
+/// A world with sin, a pointer function and a read-only quantity.
 Meaning meaning(std::string_view name) {
     if (name == "sin") return {NameKind::built_in, 1, 1, false};
     if (name == "max") return {NameKind::built_in, 1, 20, false};
@@ -106,7 +106,7 @@ const Mistake mistakes[] = {
     {"def f\n array a\nend", 2, 8, 1, "the array 'a' has no size", "write a(n) or a(n,m)"},
     {"def f\n array 3\nend", 2, 8, 1, "expected the name of an array, found '3'", ""},
     {"def f\n local 3\nend", 2, 8, 1, "expected the name of a variable, found '3'", ""},
-    // What only the meaning of names can tell.
+    // Errors that depend on the meaning of names.
     {"def f\n sin = 3\nend", 2, 2, 3, "'sin' can be read, not set", ""},
     {"def f\n time = 3\nend", 2, 2, 4, "'time' can be read, not set", "use another name for the variable"},
     {"def f\n a = sin(1,2)\nend", 2, 6, 3, "'sin' takes 1 argument, here it is given 2", ""},

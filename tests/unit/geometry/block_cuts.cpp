@@ -26,7 +26,7 @@ Volumes volumes_of(const TunnelCut& cut) {
     return volumes;
 }
 
-/// A pentagon, like a horseshoe, in the plane y.
+/// A horseshoe-shaped pentagon in the plane y.
 std::vector<Vec3> horseshoe(double y) { return {{-1, y, -1}, {1, y, -1}, {1, y, 0.5}, {0, y, 1}, {-1, y, 0.5}}; }
 
 } // namespace

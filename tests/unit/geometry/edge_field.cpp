@@ -21,7 +21,7 @@ TEST(EdgeField, GrowsFromTheCentreToWhatItIsFarAway) {
     EXPECT_NEAR(at(0), 0.2, 1e-12);
     EXPECT_NEAR(at(1), 0.4, 1e-12);
     EXPECT_NEAR(at(4), 1, 1e-12);
-    EXPECT_NEAR(at(6), 1.5, 1e-12); // a quarter of the way, since 0.2 is less
+    EXPECT_NEAR(at(6), 1.5, 1e-12); // a quarter of the distance, because 0.2 is less
     EXPECT_NEAR(at(8), 2, 1e-12);
     EXPECT_EQ(at(100), 2);
     const EdgeField coarse(0.5, {0, 0, 0}, 4, 2, 1); // finer outside

@@ -94,7 +94,7 @@ TEST(ReadMsh, MistakesAreNamedWithTheirLine) {
               "a.msh, line 17: hexahedron 1 has no volume");
 }
 
-/// Every part of a file that is cut off, and files with numbers that were changed, are refused or read: nothing else.
+/// Every truncated file, and files with changed numbers, are either refused or read.
 TEST(ReadMsh, BrokenFilesAreRefused) {
     for (std::size_t size = 0; size + 40 < two_tetrahedra.size(); ++size)
         EXPECT_NE(message_of(two_tetrahedra.substr(0, size)), "accepted") << size;

@@ -1,4 +1,4 @@
-// What the words of one line become.
+// Binding of the words of one line.
 #include "bound.hpp"
 
 namespace kaya::lang {

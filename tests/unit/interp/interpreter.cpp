@@ -1,4 +1,4 @@
-// Decks in files: binding before running, calls, ends, errors and where they point.
+// Decks in files: binding before running, calls, ends, errors and their positions.
 #include "lang/interp/interpreter.hpp"
 
 #include "lang/commands/commands.hpp"

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 const fs::path shipped_folder = KAYA_SHIPPED_MODELS;
 const fs::path plugin_folder = KAYA_TEST_PLUGINS;
 
-/// The diagnostic that getting a model gives.
+/// The diagnostic of loading a model.
 Diagnostic refusal(JointRegistry& registry, const std::string& name) {
     try {
         registry.get(name);
@@ -65,7 +65,8 @@ TEST(JointRegistry, KnowsModelsByTheWordsOf3dec) {
 TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
     const test::ScratchFolder scratch;
     const fs::path folder = scratch.path();
-    fs::copy_file(plugin_folder / "works.so", folder / "libjmodelsomething009.so"); // the file name lies
+    fs::copy_file(plugin_folder / "works.so",
+                  folder / "libjmodelsomething009.so"); // the file name differs from the model
     fs::copy_file(plugin_folder / "too-soft.so", folder / "jmodeltoo-soft007.so");
     fs::copy_file(plugin_folder / "no-entry.so", folder / "libjmodelbroken009.so");
     fs::copy_file(plugin_folder / "twin.so", folder / "jmodel-twin.so"); // not named like one

@@ -1,4 +1,4 @@
-// Every zone model that ships, one zone at a time: strength against closed forms, and what must hold on any path.
+// Every zone model that ships, one zone at a time: strength compared with closed forms, and requirements on any path.
 #include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
 #include "laws/zone_trial.hpp"
@@ -70,7 +70,7 @@ struct Zone {
         ASSERT_FALSE(failure) << failure->message;
         dissipated += dissipation;
     }
-    /// Shortens it along z under a pressure on its sides that stays.
+    /// Shortens it along z under a constant lateral pressure.
     void triaxial(double step, double side) {
         const Zone before = *this;
         Tensor increment = Tensor::Zero();
@@ -88,7 +88,7 @@ struct Zone {
             if (done) return;
         }
     }
-    /// The side pressure that there really is: where it yields the bench comes near to what was asked for only.
+    /// The actual lateral pressure: during yield the bench reaches the requested one only approximately.
     double side_pressure() const { return -0.5 * (stress[0] + stress[1]); }
     double axial_strength(double side, double step, int steps) {
         Tensor all_round = Tensor::Zero();
@@ -229,7 +229,7 @@ TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
 TEST(ZoneModels, APathThatIsTurnedGivesStressesThatAreTurned) {
     std::mt19937 random(1);
     for (const Zone& fresh : all_zones()) {
-        if (fresh.model.find_property("dip")) continue; // its planes do not turn along
+        if (fresh.model.find_property("dip")) continue; // its planes do not rotate with it
         const Eigen::Matrix3d turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().toRotationMatrix();
         Zone one = fresh, other = fresh;
         for (int i = 0; i < 500; ++i) {
@@ -251,7 +251,7 @@ Eigen::Vector3d normal_of(double dip, double dip_direction) {
 
 using Given = std::vector<std::pair<std::string, double>>;
 
-/// Random anisotropic rock that takes work for any strain.
+/// Random anisotropic rock with positive work for any strain.
 Given anisotropic_rock(std::mt19937& random) {
     std::uniform_real_distribution<double> uniform;
     const double plane = 1e9 * std::pow(10, 2 * uniform(random)), normal = 1e9 * std::pow(10, 2 * uniform(random)),
@@ -287,7 +287,7 @@ TEST(ZoneModels, AnisotropicRockThatIsTurnedWithItsPlanesGivesStressesThatAreTur
 
 using Square = std::array<std::array<double, 6>, 6>;
 
-/// Stiffness in six components of equal weight, found strain by strain.
+/// Stiffness in six components of equal weight, computed strain by strain.
 Square stiffness_of(const Given& given) {
     Square stiffness{};
     for (int k = 0; k < 6; ++k) {
@@ -300,7 +300,7 @@ Square stiffness_of(const Given& given) {
     return stiffness;
 }
 
-/// Whether a symmetric matrix and a multiple of the unit have positive eigenvalues only.
+/// Whether a symmetric matrix plus a multiple of the identity has only positive eigenvalues.
 bool is_positive(Square m, double unit) {
     for (int k = 0; k < 6; ++k) m[k][k] += unit;
     for (int k = 0; k < 6; ++k) {
@@ -357,7 +357,8 @@ TEST(ZoneModels, FlowTakesEnergyAndGivesNone) {
     for (const Zone& fresh : all_zones()) {
         Zone zone = fresh;
         double put_in = 0;
-        const auto [bulk, shear] = fresh.model.moduli(fresh.values); // at the greatest: what is stored is no less
+        const auto [bulk, shear] =
+            fresh.model.moduli(fresh.values); // with the largest moduli: a lower bound of the stored energy
         const auto stored = [bulk = bulk, shear = shear](const Zone& z) {
             const double mean = z.stress.head<3>().sum() / 3;
             Tensor deviator = z.stress;

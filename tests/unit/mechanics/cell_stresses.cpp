@@ -11,8 +11,8 @@ namespace {
 
 using test::Bench;
 
-/// Blocks of cells in several tiles, the last group of some not full, in motion from a state without stress; some of their cells have
-/// zones with stresses of their own.
+/// Blocks of cells in several tiles, the last group of some not full, in motion from a state without stress; some cells have zones with
+/// different stresses.
 struct MovingCells : Bench {
     MovingCells() {
         elastic(1, 2500, 1e9, 0.75e9);
@@ -51,7 +51,7 @@ TEST(CellStresses, AreKeptAsLongAsNobodyAsksForThem) {
     watched.run(5);
     const Cycle::Unwatched held(unwatched.cycle);
     unwatched.run(5);
-    EXPECT_EQ(unwatched.model.zones.stress[5], unwatched.model.zones.stress[6]); // nobody has written them
+    EXPECT_EQ(unwatched.model.zones.stress[5], unwatched.model.zones.stress[6]); // not written back
     EXPECT_EQ(unwatched.cycle.energy_in_zones(), watched.cycle.energy_in_zones());
     unwatched.expect_the_same_as(watched);
     unwatched.run(5);

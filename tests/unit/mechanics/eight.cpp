@@ -87,7 +87,7 @@ TEST(Eight, WhatIsNoNumberIsNotAbove0) {
 TEST(Eight, SumsOfFourTakeTheFirstHalfFirst) {
     Lanes sum = Lanes::Zero();
     Eight e = eights(1);
-    e[0] = 1e16; // 1 is lost beside it
+    e[0] = 1e16; // 1 is below its precision
     e[4] = -1e16;
     add_to(sum, e);
     EXPECT_EQ(sum[0], 0);

@@ -11,7 +11,7 @@
 namespace kaya {
 namespace {
 
-/// Eight bricks on a plate; every second joint has another friction.
+/// Eight bricks on a plate; every second joint has a different friction.
 struct Crossed : test::Bench {
     Crossed() {
         brick({-1, -1, -1}, {9, 2, 0});

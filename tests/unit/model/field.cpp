@@ -84,11 +84,11 @@ TEST(Fields, WhatIsWrittenIsReadBack) {
     std::size_t written = 0;
     for (const auto& field : fields()) {
         if (!field.set) continue;
-        // Row 0 is deformable, and only rigid blocks take a load as a whole.
+        // Row 0 is deformable, and only rigid blocks accept a load as a whole.
         const Row row = field.kind == ObjectKind::block ? 1 : 0;
         const FieldValue before = field.get(model, row);
         FieldValue given;
-        if (std::holds_alternative<double>(before)) given = 0.75; // also a part of a time step
+        if (std::holds_alternative<double>(before)) given = 0.75; // also valid as a fraction of a time step
         else if (std::holds_alternative<std::int64_t>(before)) given = std::int64_t{5};
         else if (std::holds_alternative<Vec3>(before)) given = Vec3(1.5, -2.5, 3.5);
         else given = std::string("roof");
@@ -197,7 +197,7 @@ TEST(Fields, ZonesAndFacesAreMeasuredAsTheyAreNow) {
     EXPECT_NEAR(number(model, "face_x", 0), 1.0 / 3.0, 1e-15);
     model.gridpoints.position[3] = Vec3(0, 0, 2);
     EXPECT_DOUBLE_EQ(number(model, "z_vol", 0), 1.0 / 3.0);
-    EXPECT_DOUBLE_EQ(number(model, "z_mass", 0), 2000.0 / 6.0); // mass stays
+    EXPECT_DOUBLE_EQ(number(model, "z_mass", 0), 2000.0 / 6.0); // the mass is constant
 }
 
 TEST(Fields, ZonesOfAMaterialWithoutPropertiesHaveNaN) {

@@ -195,7 +195,7 @@ TEST(SampleHistories, AGridpointIsFoundAnewWhenItsBlockWasZoned) {
     Model model = hand_made_model();
     add_history(model, {Kind::gridpoint, "z", Vec3(0, 0, -1)}); // vertex 7 of block row 1
     ASSERT_EQ(model.histories.all[0].source.row, 7);
-    // The block gets a fifth gridpoint in front of the others.
+    // The block gets a fifth gridpoint before the others.
     auto& gridpoints = model.gridpoints;
     gridpoints.gather({0, 1, 2, 3, 4, 4, 5, 6, 7});
     model.blocks.gridpoints[1] = {4, 5};

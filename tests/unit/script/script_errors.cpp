@@ -1,4 +1,4 @@
-// What goes wrong while scripts run: the whole message as the user reads it.
+// Errors while scripts run: the complete message for the user.
 #include "fake_world.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Message of a function `f` with these lines, without place and stack.
+/// Message of a function `f` with these lines, without position and call stack.
 std::string fish_message(const std::string& body) {
     Stage s;
     s.fish("def f\n" + body + "\nend\n");

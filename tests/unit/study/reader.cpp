@@ -73,7 +73,7 @@ TEST_F(Reader, TextsOfValuesGiveBackTheSameBitsAndKind) {
 }
 
 struct Wrong {
-    const char* text; ///< behind deck and results
+    const char* text; ///< after deck and results
     int line;
     const char* message;
     const char* hint = "";
