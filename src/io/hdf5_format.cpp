@@ -267,7 +267,7 @@ void read_layout(Image& image, Bytes layout, Data& data) {
     require(kind == contiguous, "is laid out in a way that saves do not have");
     const auto at = layout.number<Address>();
     const auto size = layout.number<std::uint64_t>();
-    require(size == data.bytes, "has not as many bytes as it claims");
+    require(size == data.bytes, "does not have as many bytes as it claims");
     if (size > 0) data.stored = image.at(at, size);
 }
 
@@ -363,7 +363,7 @@ void unpack(const Data& data, char* to) {
             bytes = data.filters[k] == deflate_filter ? inflated(rows, chunk_bytes) : unshuffled(rows, data.type.size);
             rows = bytes;
         }
-        require(rows.size() == chunk_bytes, "has not as many bytes as it claims");
+        require(rows.size() == chunk_bytes, "does not have as many bytes as it claims");
         const std::uint64_t first = c * chunk_bytes;
         std::memcpy(to + first, rows.data(), std::min(chunk_bytes, data.bytes - first));
     }

@@ -56,9 +56,8 @@ public:
     /// The reason why the values are invalid, or empty.
     std::string check(const std::vector<double>& values) const;
 
-    /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
-    /// negative one, a normal stiffness of 0, or one that is
-    /// less than half of that with which it resists closing and shear up to a moderate load.
+    /// Throws Diagnostic (Fault::run) when the model throws, or returns a stiffness that is not finite or negative, or a normal
+    /// stiffness of 0. Also when it returns less than half of the stiffness measured in closing and shear up to a moderate load.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
     /// Whether it stores an object per sub-contact: then a batch needs the column of objects.

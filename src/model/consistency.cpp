@@ -302,14 +302,14 @@ void check_ties(Findings& findings, const Model& model) {
 void check_histories(Findings& findings, const Model& model) {
     const auto& histories = model.histories;
     const std::size_t samples = histories.time.size();
-    findings.require(histories.cycle.size() == samples, "histories have not as many cycles as times");
+    findings.require(histories.cycle.size() == samples, "histories have different numbers of cycles and times");
     findings.require(histories.interval > 0, fmt::format("histories are sampled every {} cycles", histories.interval));
     for (std::size_t k = 0; k < histories.all.size(); ++k) {
         const auto& history = histories.all[k];
         const std::int32_t before = k == 0 ? 0 : histories.all[k - 1].number;
         findings.require(history.number > before, "histories", k, "its number is not above the one before");
         findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
-                         "histories", k, "it has not as many values as there are samples");
+                         "histories", k, "its number of values is not that of the samples");
         findings.require(history.source.kind != ObjectKind::none && info_of(history.source.kind).history >= 0,
                          "histories", k, "its kind is unknown");
     }

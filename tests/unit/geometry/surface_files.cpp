@@ -218,6 +218,6 @@ TEST(SurfaceFiles, AreChosenBySuffix) {
         read_surfaces("model.dxf");
         FAIL();
     } catch (const Diagnostic& diagnostic) {
-        EXPECT_EQ(diagnostic.message, "model.dxf has not the suffix of a surface file that can be read");
+        EXPECT_EQ(diagnostic.message, "model.dxf does not have the suffix of a surface file");
     }
 }

@@ -119,11 +119,11 @@ const std::vector<Damage>& damages() {
          "the joint properties of new contacts are not there"},
         {"history interval", [](Model& m) { m.histories.interval = 0; }, "histories are sampled every 0 cycles"},
         {"history cycles", [](Model& m) { m.histories.cycle.pop_back(); },
-         "histories have not as many cycles as times"},
+         "histories have different numbers of cycles and times"},
         {"history values", [](Model& m) { m.histories.all[0].values.push_back(1); },
-         "row 0 of histories: it has not as many values as there are samples"},
+         "row 0 of histories: its number of values is not that of the samples"},
         {"history first sample", [](Model& m) { m.histories.all[0].first_sample = 5; },
-         "row 0 of histories: it has not as many values as there are samples"},
+         "row 0 of histories: its number of values is not that of the samples"},
         {"field columns",
          [](Model& m) {
              m.sub_contacts.keep_fields(KAYA_JMODEL_MAX_FIELDS);
