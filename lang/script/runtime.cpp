@@ -184,7 +184,7 @@ constexpr std::array<luaL_Reg, 6> functions{{{"element", guarded<element>},
                                              {"command", guarded<command>},
                                              {nullptr, nullptr}}};
 
-/// Arithmetic with whole arrays is refused in words. Gives the address of the type.
+/// Arithmetic with whole arrays is refused with a message. Returns the address of the type.
 const void* finish_array_type(lua_State* L, const char* name) {
     lua_getfield(L, -1, name);
     add_refusing_arithmetic(L);

@@ -13,7 +13,7 @@ namespace kaya::zones {
 /// Eigenvalues and axes of N symmetric tensors at once, by Jacobi's rotations, whose axes remain orthogonal also where values are equal
 /// (Golub and Van Loan, Matrix Computations, 8.5). Lane by lane: the result of one tensor does not depend on the others.
 template <int N> struct Rotations {
-    double a[6][N];    ///< the tensors; in the end their values are in a[0] to a[2]
+    double a[6][N];    ///< the tensors; at the end a[0] to a[2] hold their values
     double axis[9][N]; ///< component k of the axis of value p is axis[3 k + p]
 
     void run() {
