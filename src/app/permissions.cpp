@@ -103,7 +103,7 @@ void revoke(const fs::path& path) {
     const auto libraries =
         std::erase_if(permissions.libraries, [&](const auto& known) { return known.second == whole; });
     if (folders + libraries == 0)
-        throw Diagnostic(fmt::format("'{}' was not allowed", path.string()), "'kaya allow' lists what is");
+        throw Diagnostic(fmt::format("'{}' was not allowed", path.string()), "'kaya allow' lists the permissions");
     write_permissions(permissions);
 }
 
@@ -113,7 +113,7 @@ std::string describe(const Permissions& permissions) {
     constexpr std::size_t shown = 12; // digits of a digest
     for (const auto& [digest, library] : permissions.libraries)
         text += fmt::format("{:<8} {} ({})\n", library_word, library.string(), digest.substr(0, shown));
-    return text.empty() ? "nothing is allowed beyond a run's own folders\n" : text;
+    return text.empty() ? "only a run's own folders are allowed\n" : text;
 }
 
 } // namespace kaya

@@ -272,13 +272,13 @@ int work(const StudyOrder& wanted, const RunOrder& order, const fs::path& progra
 
 void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& program, std::function<int()>& action) {
     auto wanted = std::make_shared<StudyOrder>();
-    auto* study = app.add_subcommand("study", "run one deck many times with parameters that vary: docs/studies.md");
+    auto* study = app.add_subcommand("study", "run one deck many times with varying parameters: docs/studies.md");
     study->add_option("study", wanted->file, "the study, a TOML file");
     study->add_option("--into", wanted->folder, "folder of the runs; the study's name with -study if not given");
     study->add_option("--jobs", wanted->at_once, "runs at one time; one for each core if not given")
         ->check(CLI::Range(1, 4096));
-    study->add_flag("--anew", wanted->anew, "remove the runs that are there");
-    study->add_flag("--again", wanted->again, "do runs again that failed");
+    study->add_flag("--anew", wanted->anew, "remove existing runs");
+    study->add_flag("--again", wanted->again, "repeat failed runs");
     study->add_flag("--quiet,-q", wanted->quiet, "no progress");
     auto* slurm = study->add_flag("--slurm", wanted->slurm, "the runs are jobs of Slurm");
     study

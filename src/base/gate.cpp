@@ -66,10 +66,10 @@ void refuse_kind(const fs::path& file, const struct stat& info) {
     if (S_ISDIR(info.st_mode)) return; // its reader reports it
     if (!S_ISREG(info.st_mode)) refuse_other_kind(file);
     if (info.st_nlink > 1)
-        refuse("file-special",
-               fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
-                           info.st_nlink),
-               fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
+        refuse(
+            "file-special",
+            fmt::format("'{}' has {} names (hard links), and the others may be anywhere", file.string(), info.st_nlink),
+            fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
 }
 
 /// "./a" is "a"; what ".." means depends on links.
@@ -155,14 +155,13 @@ std::vector<fs::path> Gate::folders_for(Use use) const {
 
 void Gate::refuse_outside(const fs::path& file, const fs::path& whole, const std::vector<fs::path>& folders) const {
     if (whole.empty())
-        refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()),
-               "name the file itself");
+        refuse("file-outside", fmt::format("the links of '{}' form a loop", file.string()), "name the file itself");
     for (const auto system : system_folders)
         if (lies_below(whole, system))
             refuse("file-special", fmt::format("'{}' belongs to the system, not to a deck", file.string()),
                    "name an ordinary file; --trust allows it");
     if (is_below(whole, folders)) return;
-    refuse("file-outside", fmt::format("'{}' lies outside of the folders that this run may use", file.string()),
+    refuse("file-outside", fmt::format("'{}' is outside of the folders that this run may use", file.string()),
            fmt::format("allow it once for all with: kaya allow {}", quoted(folder_to_name(file, whole))));
 }
 
@@ -187,7 +186,7 @@ void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
                fmt::format("this run takes its commands from '{}', and would overwrite it", file.string()),
                "give it another name");
     if (!policy_.permissions.empty() && whole == policy_.permissions)
-        refuse("file-in-use", fmt::format("'{}' says what runs may do, and no run writes it", file.string()),
+        refuse("file-in-use", fmt::format("'{}' holds the permissions of runs, and no run may write it", file.string()),
                "use the command 'kaya allow'");
 }
 

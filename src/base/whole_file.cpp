@@ -26,7 +26,7 @@ namespace {
     if (error == ENOSPC || error == EDQUOT || error == EFBIG)
         hint = "make room or write elsewhere; an existing file of that name is unchanged";
     else if (error == ENOENT || error == ENOTDIR) hint = "make the folder first";
-    else if (error == EACCES || error == EPERM || error == EROFS) hint = "write to a folder that is yours";
+    else if (error == EACCES || error == EPERM || error == EROFS) hint = "write to a folder of yours";
     else if (error == EISDIR) hint = "give the name of a file";
     throw Diagnostic(fmt::format("cannot write '{}': {}", path, std::strerror(error)), hint, Fault::run);
 }

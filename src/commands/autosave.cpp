@@ -32,7 +32,7 @@ void Autosave::find_earlier() {
     const std::string name = file_name();
     std::error_code ignored;
     if (name != written_ && fs::exists(name, ignored))
-        note(session_, fmt::format("an earlier run was cut off and has left '{}'", name),
+        note(session_, fmt::format("an earlier run was cut off and left '{}'", name),
              fmt::format(
                  "'kaya info {0}' says how far it was, 'restore {0}' continues from there; this run will replace it",
                  name));

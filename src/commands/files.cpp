@@ -181,7 +181,7 @@ void run(Session& session, const lang::Restore& command) {
     if (!extras.missing.empty())
         session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
                                       extras.program_version, fmt::join(extras.missing, ", ")),
-                          "they are as in a new model");
+                          "they have the values of a new model");
     session.property_places.clear();
     session.make_cycle();
     session.autosave.saved();
@@ -210,7 +210,7 @@ void run(Session& session, const lang::VtkWrite& command) {
 }
 
 void run(Session& session, const lang::Ignored& command) {
-    session.note_once(fmt::format("'{}' is read and left out", command.word), command.instead);
+    session.note_once(fmt::format("'{}' is read and ignored", command.word), command.instead);
 }
 
 void add_handlers(HandlerTable& table, lang::FileCommands list) { fill(table, list); }

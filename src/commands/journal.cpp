@@ -143,8 +143,7 @@ Record read_record(const std::string& file) {
 void compare(Session& session, const std::vector<FileNote>& notes, const char* what) {
     for (const auto& [digest, name] : notes) {
         if (digest_of(name) == digest) continue;
-        Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name),
-                           "the results may be others");
+        Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name), "the results may differ");
         warning.severity = Severity::warning;
         session.output.message(warning);
     }
@@ -207,7 +206,7 @@ void repeat_unfinished(Session& session, const Piece& piece) {
     if (piece.completion.how == Completion::How::cut_off) {
         Diagnostic warning(
             "a command that was stopped inside of a script is left out: it cannot be stopped there again",
-            "the results may be others");
+            "the results may differ");
         warning.severity = Severity::warning;
         const auto source = lang::source_from_text(piece.source, piece.text, piece.line);
         return session.output.message(warning.at({source, piece.line, 1, 1}));
@@ -247,8 +246,8 @@ int replay_journal(Session& session, const std::string& file) {
         session.output.print(fmt::format("replayed: the same final state, hash {}", hash));
         return 0;
     }
-    throw Diagnostic(fmt::format("the final state is another one: hash {} and in the journal {}", hash, record.hash),
-                     {}, Fault::run);
+    throw Diagnostic(fmt::format("the final state differs: hash {} and in the journal {}", hash, record.hash), {},
+                     Fault::run);
 }
 
 } // namespace kaya

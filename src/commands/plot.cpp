@@ -295,7 +295,7 @@ void run(Session& session, const lang::Plot& command) {
     auto& plots = session.plots;
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())
-        session.note_once(fmt::format("plot leaves '{}' out", fmt::join(line.unknown, " ")),
+        session.note_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
                           "docs/commands/plot.md lists what it draws");
     switch (line.task) {
     case PlotLine::Task::draw: {

@@ -198,7 +198,7 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
                        : hidden > 0 ? fmt::format("all {} are hidden", things)
                                     : fmt::format("there are no {}", things);
     std::string hint = "the command has no effect";
-    if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were not looked at", hidden, things);
+    if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were ignored", hidden, things);
     warn(Diagnostic(std::move(text), std::move(hint)).at(range.place));
     return rows;
 }

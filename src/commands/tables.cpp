@@ -21,7 +21,7 @@ public:
         const auto text = file_text(path);
         if (!text)
             throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
-                             "look at the name; it is looked for next to the deck and in the current folder");
+                             "check the name; it is searched next to the deck and in the current folder");
         std::istringstream in(*text);
         for (std::string line; std::getline(in, line);) {
             if (line.ends_with('\r')) line.pop_back();

@@ -361,7 +361,8 @@ void read_questions(TomlSection& in, Study& study) {
         in.fail(study.fit->place, "a study looks for a critical value or fits parameters, not both");
     if (!study.critical && !study.fit) return;
     if (!study.factors.empty())
-        in.fail(study.factors.front().place, fmt::format("'{}' varies besides a search", study.factors.front().name),
+        in.fail(study.factors.front().place,
+                fmt::format("'{}' varies in addition to a search", study.factors.front().name),
                 "a study with [critical] or [fit] gives its other parameters one value each");
 }
 
@@ -426,7 +427,7 @@ Study read_study(const std::string& file, const std::string& text) {
     std::error_code ignored;
     if (!fs::is_regular_file(study.deck, ignored))
         in.fail(in.place_of(*in.find("deck")), fmt::format("there is no deck '{}'", *deck),
-                "the deck is looked for next to the study file");
+                "the deck is searched next to the study file");
     study.title = in.text("title").value_or("");
     if (auto parameters = in.section("parameters")) read_parameters(*parameters, study);
     auto results = in.section("results");

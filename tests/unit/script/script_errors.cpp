@@ -147,7 +147,7 @@ TEST(ScriptErrors, FishOther) {
     EXPECT_EQ(fish_message("ytable(4, 2) = 1"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("table(4, 1) = 1\nb = xtable(4, 2)"), "table 4 has points 1 to 1, not 2");
     EXPECT_EQ(fish_message("b = open('../x', 0, 1)"),
-              "'../x' lies outside of the folders that this run may use | allow it once for all with: kaya allow ..");
+              "'../x' is outside of the folders that this run may use | allow it once for all with: kaya allow ..");
     EXPECT_EQ(fish_message("b = open('x', 0, 0)"),
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
@@ -274,8 +274,8 @@ TEST(ScriptErrors, TheSandboxHolds) {
     EXPECT_EQ(lua_message("io.popen('ls')"), "io.popen cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("package.loadlib('x', 'y')"), "package.loadlib cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
-    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the folders"));
-    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("lies outside of the folders"));
+    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("is outside of the folders"));
+    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("is outside of the folders"));
     EXPECT_EQ(lua_message("dofile('x')"), "'dofile' of Lua is not available in decks");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[parameters]\nf = [1, 2]\n[limits]\nseconds = -1\n", 6, "'seconds' must be above 0"},
         Wrong{
             "[parameters]\nf = [1, 2]\n[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\ntolerance = 0.1\n",
-            4, "'f' varies besides a search"},
+            4, "'f' varies in addition to a search"},
         Wrong{"[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\n", 3, "needs 'tolerance'"},
         Wrong{"[parameters]\nf = [1, 2]\ng = [1]\n[design]\nmethod = \"list\"\n", 5, "a list needs as many values"},
         Wrong{"[parameters]\nf = [1, 2]\n[design]\nmethod = \"one-at-a-time\"\n", 4, "needs the base of 'f'"},
