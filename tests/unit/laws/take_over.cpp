@@ -208,7 +208,7 @@ TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
                     expected.second >= std::hypot(s.shear_x, s.shear_y) * (1 - 1e-9) && expected.first == s.normal;
                 for (int k = 0; k < 100; ++k) joint.step(0);
                 if (all) expect_forces(joint, s, expected, 1e-9);
-                // It continues: compressed, sheared, opened and closed.
+                // The joint continues: compressed, sheared, opened and closed.
                 for (const test::Vector& way : {test::Vector{1e-6, 0, 0}, {-2e-6, 1e-6, 0}, {0, 0, 0}})
                     for (const double opening : {-1e-6, 2e-6, -2e-6})
                         for (int k = 0; k < 100; ++k) joint.step(opening, way);
