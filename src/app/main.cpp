@@ -28,8 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_run_options(CLI::App& app, RunOrder& order) {
-    app.add_option("deck", order.decks,
-                   "command files, run one after the other in one session; - is the standard input");
+    app.add_option("deck", order.decks, "command files, run in order in one session; - is the standard input");
     app.add_option("--threads", order.options.threads,
                    "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
@@ -38,10 +37,9 @@ void add_run_options(CLI::App& app, RunOrder& order) {
         ->check([](const std::string& folder) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
-    app.add_option("--watch", order.watch,
-                   "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")
+    app.add_option("--watch", order.watch, "a port: a browser on this machine can follow the run; 0: any free port")
         ->check(CLI::Range(0, 65535));
-    app.add_option("--into", order.into, "the folder for files that the run writes; it is made if it is not there");
+    app.add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
     app.add_flag("--strict", order.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", order.options.quiet, "results, warnings and errors only");
     app.add_option("--set", order.parameters,
@@ -50,7 +48,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
     app.add_flag("--echo", order.options.echo, "show each command before it runs");
     app.add_flag("--trust", order.options.trust, "the deck may use files and libraries anywhere and start programs");
     app.add_option("--script-memory", order.options.script_memory,
-                   "megabytes that scripts of the deck may take; half of the machine's memory if not given")
+                   "megabytes that scripts of the deck may use; half of the machine's memory if not given")
         ->check(CLI::Range(0, 1 << 20));
     app.add_flag("--no-journal", order.no_journal, "do not write the journal (the deck's name with .journal)");
 }
@@ -58,17 +56,16 @@ void add_run_options(CLI::App& app, RunOrder& order) {
 void add_replay(CLI::App& app, RunOrder& order) {
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", order.journal, "a file that a run has written")->required();
-    replaying->add_option("--into", order.into,
-                          "the folder for files that the run writes; it is made if it is not there");
+    replaying->add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
 }
 
 int start(int argc, char** argv) {
     RunOrder order;
     order.started_in = fs::current_path();
-    CLI::App app{"kaya runs command files of the distinct element method in three dimensions.\n"
-                 "Files that a deck writes are put into the current folder. Without a deck it reads commands from the "
-                 "keyboard.",
-                 "kaya"};
+    CLI::App app{
+        "kaya runs command files of the distinct element method in three dimensions.\n"
+        "Files that a deck writes are put into the current folder. Without a deck it reads commands from the terminal.",
+        "kaya"};
     app.set_version_flag("--version", std::string("kaya ") + program_version());
     const fs::path program = program_folder(argv[0]);
     const auto joints = [&] { return joint_folders(order, program); };
@@ -154,7 +151,7 @@ int main(int argc, char** argv) {
         std::fputs((kaya::render(error) + "\n").c_str(), stderr);
         return static_cast<int>(error.fault);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "error: kaya itself failed: %s\n", error.what());
+        std::fprintf(stderr, "error: internal error: %s\n", error.what());
         return static_cast<int>(kaya::Fault::own);
     }
 }

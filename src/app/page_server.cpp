@@ -116,7 +116,7 @@ struct PageServer::Server {
         }
     }
 
-    /// One after the other: there is one reader. A connection that says nothing is given up.
+    /// Serves one connection at a time; idle ones are dropped.
     void serve() {
         while (!ends) {
             boost::system::error_code problem;

@@ -51,7 +51,7 @@ void show_by_pages(Session& session, const std::string& text) {
             session.output.flush();
             part.clear();
             shown = 0;
-            std::fputs("-- more: the return key goes on, q ends --", stdout);
+            std::fputs("-- more: the return key continues, q ends --", stdout);
             std::fflush(stdout);
             std::string answer;
             if (!std::getline(std::cin, answer) || answer.starts_with("q")) return;
@@ -153,7 +153,7 @@ private:
         if (words.empty()) return CC_REFRESH_BEEP;
         std::string rest = common_beginning(words);
         rest.erase(0, std::min(typed, rest.size()));
-        if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a folder goes on
+        if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a path may continue after a folder
         if (!rest.empty()) return el_insertstr(editor, rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
         std::fputs(fmt::format("\n{}\n", filled(words, screen().columns - 1)).c_str(), stdout);
         return CC_REDISPLAY;
@@ -223,7 +223,7 @@ int show(Session& session) {
         session.output.message(Diagnostic("there is not enough memory for this", {}, Fault::run));
         return static_cast<int>(Fault::run);
     } catch (const std::exception& error) {
-        session.output.message(Diagnostic(fmt::format("kaya itself failed: {}", error.what()),
+        session.output.message(Diagnostic(fmt::format("internal error: {}", error.what()),
                                           "please report this, with the lines that were typed", Fault::own));
         return static_cast<int>(Fault::own);
     }
@@ -231,8 +231,8 @@ int show(Session& session) {
 
 int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // characters beyond ASCII take one column on the screen
-    session.output.say(fmt::format(
-        "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
+    session.output.say(fmt::format("kaya {}: help lists the commands, ? in place of a word the valid words, quit ends",
+                                   program_version()));
     LineEditor editor(session);
     std::string text, line;
     for (;;) {

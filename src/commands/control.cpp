@@ -68,7 +68,7 @@ void run(Session& session, const lang::Title& command) { session.title = command
 void run(Session& session, const lang::Pause&) {
     // A background run that reads its commands from a file cannot be continued by a key.
     if (session.output.quiet || !session.output.on_terminal() || isatty(STDIN_FILENO) == 0) return;
-    session.output.say("pause: press Enter to go on");
+    session.output.say("pause: press Enter to continue");
     std::string line;
     std::getline(std::cin, line);
 }

@@ -45,9 +45,8 @@ void refuse_other_files(const fs::path& file) {
 
 std::unique_ptr<ZoneModel> open(const fs::path& file) {
     if (const auto fault = fault_of_loading(file, zone_law.entry_point); !fault.empty())
-        refuse(
-            "zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
-            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+        refuse("zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
+               "check what its source does when it is loaded: static objects, the functions that describe it");
     const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -137,7 +136,8 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first
             0, fmt::format("zone model {} threw an exception in a batch that begins here: {}", name, thrown.what())};
     } catch (...) {
         return ZoneFailure{
-            0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
+            0,
+            fmt::format("zone model {} threw something other than a std::exception in a batch that begins here", name)};
     }
     note_arithmetic(arithmetic.put_back());
     if (sum_of_bits(batch.properties, properties.size()) != values)
@@ -220,7 +220,7 @@ const ZoneModel* ZoneModels::find(std::string_view name) const {
 }
 
 std::optional<fs::path> ZoneModels::file_of(const std::string& keyword) const {
-    // A joint model may have the same name and lie in the same folder: folders of zone models come first.
+    // A joint model may have the same name and be in the same folder: folders of zone models are searched first.
     const auto find = [&](bool of_zones) -> std::optional<fs::path> {
         for (const auto& folder : path_) {
             const fs::path file = folder / (keyword + library_ending);

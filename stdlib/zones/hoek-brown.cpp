@@ -51,8 +51,8 @@ struct Curve {
     std::pair<double, double> line_at(double s3) const { return {greatest(s3), slope(s3)}; }
 };
 
-/// The curve whose envelope of shear stresses lies at a part of the height of the first one's: each point of the envelope keeps its
-/// normal stress, and the circle of Mohr that touches the lower envelope there has other principal stresses (3).
+/// The curve whose envelope of shear stresses is a fraction of the height of the given one's: each point of the envelope keeps its normal
+/// stress, and the circle of Mohr tangent to the lower envelope there has other principal stresses (3).
 class Lowered {
 public:
     Lowered(const Curve& curve, double factor) : curve_(curve), factor_(factor) {
@@ -69,7 +69,7 @@ public:
     bool holds(double greatest_tension, double least_tension) const {
         const double s3 = -greatest_tension, s1 = -least_tension;
         if (s3 < tip()) return false;
-        // The curve is convex: what lies below a chord lies below the curve, and most zones do.
+        // The curve is convex: a stress below a chord is below the curve, which covers most zones.
         const auto next = std::upper_bound(known_.begin(), known_.end(), s3,
                                            [](double s, const Circle& known) { return s < known.least; });
         if (next != known_.begin() && next != known_.end()) {

@@ -150,7 +150,7 @@ int proof() {
              std::signal(SIGINT, SIG_IGN);
              for (;;) ::pause();
          }},
-        {"words", [](const auto&) { return std::puts("error: kaya itself failed: so it says") < 0; }},
+        {"words", [](const auto&) { return std::puts("error: internal error: so it says") < 0; }},
     };
     int missed = 0;
     for (const Fault& fault : faults) {

@@ -73,7 +73,7 @@ std::string finding(int status, const fs::path& said) {
     const int code = WEXITSTATUS(status);
     if (code > 2) return fmt::format("status {}", code);
     const std::string text = what_it_said(said);
-    for (const char* fault : {"kaya itself failed", "Sanitizer", ": runtime error:", "terminate called", "Assertion"})
+    for (const char* fault : {"internal error:", "Sanitizer", ": runtime error:", "terminate called", "Assertion"})
         if (text.find(fault) != std::string::npos) return fmt::format("it said '{}'", fault);
     return {};
 }

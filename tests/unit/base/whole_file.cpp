@@ -112,7 +112,7 @@ TEST_P(EachFileSystem, AFileIsWrittenReplacedAndKeptWhenTheDiskIsFull) {
         write_whole_file(folder / "a.csv", "second");
         const SmallDisk disk(1000);
         EXPECT_THAT(caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); }).hint,
-                    HasSubstr("as it was"));
+                    HasSubstr("is unchanged"));
     });
     EXPECT_EQ(status_of(child), 0);
     EXPECT_EQ(content_of(folder / "a.csv"), "second");
@@ -167,7 +167,7 @@ TEST(WholeFile, AFullDiskLeavesTheFileFromBefore) {
         d = caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); });
     }
     EXPECT_THAT(d.message, HasSubstr("cannot write '" + (folder / "a.csv") + "'"));
-    EXPECT_THAT(d.hint, HasSubstr("as it was"));
+    EXPECT_THAT(d.hint, HasSubstr("is unchanged"));
     EXPECT_EQ(d.fault, Fault::run);
     EXPECT_EQ(content_of(folder / "a.csv"), "from before");
     EXPECT_EQ(folder.file_count(), 1u);

@@ -91,7 +91,7 @@ TEST_F(DeckReportTest, NamesOnlyReadOrOnlySetAreDoubtful) {
               "a.3dd:2:16: warning: nothing in this deck sets 'frction': it is 0; did you mean 'friction'?\n"
               "a.3dd:4:3: warning: nothing in this deck reads 'frictoin', which is set here; did you mean 'friction'?\n"
               "a.3dd:5:25: warning: 'depht' is neither a function nor an array\n"
-              "a.3dd:6:3: warning: 'intialise' is no function: this line does nothing; did you mean 'initialise'?\n"
+              "a.3dd:6:3: warning: 'intialise' is not a function: this line does nothing; did you mean 'initialise'?\n"
               "a.3dd:12:1: warning: nothing in this deck reads 'loadin', which is set here; did you mean 'loading'?\n"
               "a.3dd: 5 statements: 5 run, 5 warnings");
     EXPECT_TRUE(found.can_run());

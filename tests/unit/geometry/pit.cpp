@@ -233,7 +233,7 @@ TEST(Pit, FilesThatAreWrongNameTheLine) {
                 1e-9);
     EXPECT_EQ(message_of_text("bench 15\n" + outline), "a.pit: a pit needs the angle of its faces");
     EXPECT_EQ(message_of_text("angle 65\n" + outline), "a.pit: a pit needs the height of its benches");
-    EXPECT_EQ(message_of_text("bench 15\nbnech 2"), "a.pit:2: 'bnech' is no word of a pit");
+    EXPECT_EQ(message_of_text("bench 15\nbnech 2"), "a.pit:2: 'bnech' is not a word of a pit");
     EXPECT_EQ(message_of_text("bench tall"), "a.pit:1: 'tall' is not a number");
     EXPECT_EQ(message_of_text("bench 15\nberm -1"), "a.pit:2: berm must be greater than 0, not -1");
     EXPECT_EQ(message_of_text("bench 15 15"), "a.pit:1: 2 words after 'bench', and there must be 1");

@@ -232,7 +232,7 @@ TEST(Binder, QuestionMarkListsTheChoices) {
     EXPECT_NE(mistake("poly ?").message.find("brick"), std::string::npos);
     EXPECT_EQ(mistake("facetri edge ?").message, "expected: edge, a number, greater than 0 [length]");
     EXPECT_NE(mistake("gen edge ?").message.find("edgelength-center"), std::string::npos);
-    EXPECT_EQ(mistake("new ?").message, "nothing more may stand here");
+    EXPECT_EQ(mistake("new ?").message, "nothing more is allowed here");
     EXPECT_NE(mistake("hide range plane ?").message.find("above"), std::string::npos);
     EXPECT_NE(mistake("hide range ?").message.find("sphere"), std::string::npos);
 }
@@ -277,15 +277,15 @@ TEST(Binder, ValuesOfNames) {
         } catch (const Diagnostic& d) { return d.message; }
         return std::string("accepted");
     };
-    EXPECT_EQ(refused("gen edge @name"), "'@name' is a text, where a number must be");
+    EXPECT_EQ(refused("gen edge @name"), "'@name' is a text, and must be a number");
     answer = 2.5;
-    EXPECT_EQ(refused("cycle @n"), "'@n' is a number, where a whole number must be");
+    EXPECT_EQ(refused("cycle @n"), "'@n' is a number, and must be a whole number");
     answer = -1.0;
     EXPECT_EQ(refused("gen edge @n"), "edge must be greater than 0, not -1");
     answer = std::nan("");
     EXPECT_EQ(refused("gen edge @n"), "'@n' is nan, not a usable number");
     answer = std::monostate{};
-    EXPECT_EQ(refused("gen edge @n"), "'@n' is nothing yet, where a number must be");
+    EXPECT_EQ(refused("gen edge @n"), "'@n' is nothing yet, and must be a number");
 }
 
 TEST(Binder, TextOfACommandForTheJournal) {

@@ -130,7 +130,7 @@ TEST(OtherPrograms, AColumnOfALaterOneIsPassedOverUntilItIsUsed) {
     const Diagnostic refused = refusal(using_it.image(model, using_it.hash(model)));
     EXPECT_EQ(refused.message,
               "'x.sav' cannot be restored: it holds gridpoints/temperature, which this program does not know");
-    EXPECT_EQ(refused.hint, "the model is as it was; restore it with kaya 9.8.7, which wrote it, or a later one");
+    EXPECT_EQ(refused.hint, "the model is unchanged; restore it with kaya 9.8.7, which wrote it, or a later one");
 }
 
 TEST(OtherPrograms, ATableWithoutMostOfItsColumnsAsksForNoMemory) {

@@ -176,7 +176,7 @@ TEST(Restore, ForeignFiles) {
     EXPECT_EQ(refused(foreign.image()).message, "'x.sav' is cut short, or another program wrote it");
     EXPECT_EQ(refused(with_trailer(foreign.image())).message, "'x.sav' cannot be restored: format_version is missing");
     EXPECT_EQ(refused(with_trailer("\x89HDF\r\n\x1a\n and no more")).message,
-              "'x.sav' cannot be restored: it is no HDF5 file");
+              "'x.sav' cannot be restored: it is not an HDF5 file");
     EXPECT_EQ(refused("x").fault, Fault::run);
 }
 

@@ -127,7 +127,7 @@ TEST_F(JointBench, FindsAStiffnessThatIsReportedTooSmallAndEnergyFromNothing) {
     const auto giving = follow("understates", {}, "normal_displacement,shear_displacement\n0,0\n0,1e-4\n0,0\n");
     std::string all;
     for (const auto& f : giving.findings) all += f.text;
-    EXPECT_THAT(all, HasSubstr("it makes energy"));
+    EXPECT_THAT(all, HasSubstr("it creates energy"));
 }
 
 TEST_F(JointBench, AJumpIsNoStiffness) {
@@ -266,7 +266,7 @@ TEST_F(JointBench, AFitStaysWithinLimitsAndSaysWhatItCannotTell) {
     o.fitted = {"jfric", "jten"};
     const std::string text = run_bench(registry, o).text;
     EXPECT_THAT(text, HasSubstr("tension"));
-    EXPECT_THAT(text, HasSubstr("which the curve does not tell"));
+    EXPECT_THAT(text, HasSubstr("which the curve does not determine"));
     o.fitted = {"nothing"};
     EXPECT_THAT(refusal(o), HasSubstr("no property 'nothing'"));
     o.fitted = {"friction-residual"};

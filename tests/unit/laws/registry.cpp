@@ -147,7 +147,7 @@ TEST(JointRegistry, NamesBothInterfaceVersions) {
     EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version " +
                                      std::to_string(KAYA_JMODEL_INTERFACE)));
     EXPECT_EQ(d.code, "joint-model-version");
-    EXPECT_THAT(d.hint, HasSubstr("take a newer program"));
+    EXPECT_THAT(d.hint, HasSubstr("use a newer program"));
     EXPECT_THAT(refusal_of_plugin("interface-1").hint, HasSubstr("build the model again"));
 }
 

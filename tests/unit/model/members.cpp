@@ -118,7 +118,7 @@ TEST(Members, EveryDamageIsNamed) {
         {[](Structures& s) { s.member_nodes.grip[0] = static_cast<Grip>(9); },
          "row 0 of member_nodes: its grip is unknown"},
         {[](Structures& s) { s.member_nodes.rotation[2] = Quaternion(0, 0, 0, 0); },
-         "row 2 of member_nodes: its rotation is none"},
+         "row 2 of member_nodes: its rotation is not a rotation"},
         {[](Structures& s) { s.member_nodes.zone[0] = 4; }, "row 0 of member_nodes: its block has no such zone"},
         {[](Structures& s) { s.beams.nodes[1][1] = 1; }, "row 1 of beams: it has no length"},
         {[](Structures& s) { s.beams.nodes[0][1] = 9; }, "row 0 of beams: node 9 is not one of its member"},

@@ -187,7 +187,7 @@ TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
     for (std::size_t size = 0; size < bytes.size(); ++size)
         EXPECT_THROW(from_bytes(bytes.substr(0, size)), Diagnostic) << size;
     EXPECT_THAT(message_of([&] { from_bytes(bytes + "x"); }), HasSubstr("left over"));
-    EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are no saved scripts"));
+    EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are not saved scripts"));
     std::string newer = bytes;
     newer[10] = 9;
     EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 3"));
