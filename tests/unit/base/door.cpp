@@ -58,7 +58,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Kernels, DoorTest, testing::Bool());
 
-TEST_P(DoorTest, OpensWhatLiesInItsFoldersAndLinksThatStayThere) {
+TEST_P(DoorTest, OpensFilesInItsFoldersAndLinksWithinThem) {
     fs::create_symlink("../mine", work / "sub/link");
     EXPECT_EQ(in_child([&] {
                   EXPECT_EQ(read_whole_file(work / "mine"), "mine");
@@ -75,7 +75,7 @@ TEST_P(DoorTest, OpensWhatLiesInItsFoldersAndLinksThatStayThere) {
               0);
 }
 
-TEST_P(DoorTest, RefusesWhatLeadsOutForEachUse) {
+TEST_P(DoorTest, RefusesPathsOutsideForEachUse) {
     fs::create_symlink(out / "victim", work / "link");
     fs::create_symlink("../out/none", work / "dangling");
     fs::create_symlink("../out", work / "folder");
@@ -120,7 +120,7 @@ TEST_P(DoorTest, RemovesLinksAndNotTheirTargets) {
 }
 
 // Another process changes the names continuously: no change between the check and the opening leads outside.
-TEST_P(DoorTest, NamesThatChangeMeanwhileLeadNowhereElse) {
+TEST_P(DoorTest, NamesChangedDuringOpeningLeadNowhereElse) {
     fs::create_directories(work / "real");
     put(work / "real/file", "mine");
     fs::create_symlink(out, work / "out-link");

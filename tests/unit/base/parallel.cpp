@@ -112,7 +112,7 @@ int leaves(int levels) {
         4, 1, 0, [&](std::size_t, std::size_t) { return leaves(levels - 1); }, [](int& sum, int part) { sum += part; });
 }
 
-TEST(Reduce, StandsInsideOfItself) {
+TEST(Reduce, MayBeNested) {
     with_threads([] { EXPECT_EQ(leaves(4), 256) << threads() << " threads"; });
 }
 

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(WholeFile, EachFileSystem, testing::Bool());
 
 } // namespace
 
-TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
+TEST(WholeFile, WrittenBytesAreReadAndNoOtherFileRemains) {
     const ScratchFolder folder;
     std::string content = "line\n";
     content.push_back('\0');
@@ -75,7 +75,7 @@ TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
 }
 
 // Each process removes files of killed runs before its first file in a folder, while the others write theirs.
-TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles) {
+TEST(WholeFile, ProcessesWritingIntoANewFolderKeepEachOthersFiles) {
     const ScratchFolder scratch;
     for (int round = 0; round < 100; ++round) {
         const std::string folder = scratch / ("f" + std::to_string(round));
@@ -119,7 +119,7 @@ TEST_P(EachFileSystem, AFileIsWrittenReplacedAndKeptWhenTheDiskIsFull) {
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) {
+TEST_P(EachFileSystem, AKilledWriterLeavesACompleteFileAndTheNextRemovesTheRest) {
     const ScratchFolder folder;
     const std::string old_text(100'000, 'o'), new_text(200'000, 'n');
     for (int kill = 0; kill < 20; ++kill) {
@@ -138,7 +138,7 @@ TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) 
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
+TEST(WholeFile, OnlyUnfinishedFilesOfKayaAreRemoved) {
     const ScratchFolder folder;
     const std::string left = left_over(folder), written = left_over(folder), other = left_over(folder) + ".bak";
     std::filesystem::copy_file(left, other); // the number in the name of a copy is the inode of another file

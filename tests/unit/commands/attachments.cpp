@@ -59,7 +59,7 @@ TEST_F(Attachments, FacesOfContactsFollowToo) {
     }
 }
 
-TEST_F(Attachments, OfABlockWithAnotherShapeAreGoneUntilItsContactsAreLookedAt) {
+TEST_F(Attachments, OfABlockWithANewShapeAreDeletedUntilItsContactsAreSearched) {
     make();
     const std::size_t before = attached();
     run("gen edge 0.5 range x 0 1 z 0 1\n");

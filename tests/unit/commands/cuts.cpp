@@ -95,7 +95,7 @@ TEST_F(Cuts, SetsAreNumberedAndKeptOnFaces) {
     EXPECT_EQ(*std::max_element(model().faces.joint_set.begin(), model().faces.joint_set.end()), 10);
 }
 
-TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
+TEST_F(Cuts, PiecesKeepTheMotionOfTheBlock) {
     run("poly brick 0 2 0 1 0 1 reg 4 mat 2\ngroup block a");
     auto& blocks = model().blocks;
     blocks.velocity[0] = {1, 0, 0};
@@ -120,7 +120,7 @@ TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
     EXPECT_EQ(blocks.number[1], 2);
 }
 
-TEST_F(Cuts, OneLineSaysWhatWasDone) {
+TEST_F(Cuts, OneLineReportsTheCuts) {
     run("poly brick 0 1\npoly brick 5 6 0 1 0 1\njset org 0 0 .5 range x 0 1\njset org 0 0 .5000001");
     EXPECT_THAT(said(), HasSubstr("joint set 1: 1 block cut into 2, 0 left whole"));
     EXPECT_THAT(said(), HasSubstr("joint set 2: 1 block cut into 2, 2 left whole; 1 cut was not made: a piece would "
@@ -133,7 +133,7 @@ TEST_F(Cuts, BlocksWithZonesAreLeftOut) {
     EXPECT_EQ(model().blocks.size(), 3u);
 }
 
-TEST_F(Cuts, OneWishToStopEndsALongCutAndLeavesTheModelAsItWas) {
+TEST_F(Cuts, OneInterruptEndsALongCutAndLeavesTheModelUnchanged) {
     run("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\n");
     const std::uint64_t before = state_hash(model());
     for (const std::string line : {"jset dip 30 dd 40 spacing 4e-5 num 20000 org 1 .5 .5", "densify 1000 1000 2"}) {

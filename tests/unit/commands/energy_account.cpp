@@ -27,7 +27,7 @@ protected:
     }
 };
 
-TEST_F(EnergyAccount, StoredInJointsIsWhatIsInTheSpringsWhenContactsHaveComeGoneAndTurned) {
+TEST_F(EnergyAccount, JointEnergyIsThatOfTheSpringsAfterContactsWereCreatedDeletedAndRotated) {
     run("poly brick -3 3 -3 3 -1 0\nfix\n"
         "poly brick -1.5 -0.5 -0.5 0.5 0.1 1.1\npoly brick -0.4 0.6 -0.4 0.6 0.15 1.15\n"
         "poly brick -1.2 -0.2 -0.3 0.7 1.3 2.3\npoly brick 0.1 1.1 -0.7 0.3 1.4 2.4\n"

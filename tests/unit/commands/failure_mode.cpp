@@ -121,7 +121,7 @@ TEST_P(FailureModes, ColumnsToppleAndPushTheLowestOut) {
     EXPECT_EQ(name(), "toppling");
 }
 
-TEST_P(FailureModes, ColumnsLeanBackAndTheirFeetGoOut) {
+TEST_P(FailureModes, ColumnsLeanBackAndTheirFeetMoveOut) {
     const auto all = columns();
     begin();
     for (std::size_t n = 0; n < all.size(); ++n)

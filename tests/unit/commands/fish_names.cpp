@@ -77,7 +77,7 @@ TEST_F(FishNames, NoNameIsBothKnownAndRefused) {
         EXPECT_EQ(fish::find_reserved(name), nullptr) << name;
 }
 
-TEST_F(FishNames, EveryRefusedNameIsAnErrorWhereItStands) {
+TEST_F(FishNames, EveryRefusedNameIsAnErrorAtItsPosition) {
     for (const auto& reserved : fish::reserved_names()) {
         if (reserved.name.back() == '*') continue;
         const Diagnostic problem = mistake(fmt::format("def f\n  x = {}\nend\n", reserved.name));

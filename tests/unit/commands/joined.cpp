@@ -70,7 +70,7 @@ TEST_F(Joined, PiecesPutTogetherSpinAsTheWholeBlockDoes) {
     EXPECT_LT((model().blocks.angular_momentum[0] - momentum).norm(), 1e-9 * momentum.norm());
 }
 
-TEST_F(Joined, BlocksThatDoNotTouchStayApart) {
+TEST_F(Joined, BlocksWithoutContactStaySeparate) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 3 4 0 1 0 1\npoly brick 3 4 1 2 1 2\njoin");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{1, 1, 0, 0}));
     EXPECT_THAT(said(), HasSubstr("2 blocks joined to 1 body"));
@@ -110,7 +110,7 @@ TEST_F(Joined, BlocksWithZonesAreTiedAndAreAsLongAsOneBlock) {
     for (std::size_t s = 0; s < model().sub_contacts.size(); ++s) EXPECT_EQ(model().sub_contacts.normal_force[s], 0);
 }
 
-TEST_F(Joined, WhatIsLeftOfABodyWithZonesIsOneBodyOnlyWhereItIsTied) {
+TEST_F(Joined, RemainsOfABodyWithZonesAreOneBodyOnlyWhereTied) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\npoly brick 3 4 0 1 0 1\ngen edge 1\njoin\n"
         "prop mat 1 dens 2500 bulk 1e9 shear 0.75e9\ncycle 1\ndelete range x 1 2\ncycle 1");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));
@@ -125,7 +125,7 @@ TEST_F(Joined, WhatIsLeftOfABodyWithZonesIsOneBodyOnlyWhereItIsTied) {
     EXPECT_EQ(model().contacts.size(), 0u);
 }
 
-TEST_F(Joined, WhatIsExcavatedIsTiedNoLongerAndComesBackOnItsOwn) {
+TEST_F(Joined, AnExcavatedBlockIsUntiedAndReturnsUntied) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\ngen edge 1\njoin\n"
         "prop mat 1 dens 2500 bulk 1e9 shear 0.75e9\ncycle 1\nexcavate range x 2 3\ncycle 1");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{1, 1}));
@@ -136,7 +136,7 @@ TEST_F(Joined, WhatIsExcavatedIsTiedNoLongerAndComesBackOnItsOwn) {
     EXPECT_EQ(model().contacts.size(), 1u);
 }
 
-TEST_F(Joined, ArmsOfABodyThatComeToTouchMakeAJoint) {
+TEST_F(Joined, ArmsOfABodyInContactFormAJoint) {
     run("poly brick 0 1 0 1 0 0.49\npoly brick 0 1 0 1 0.51 1\npoly brick 1 2 0 1 0 1\ngen edge 0.5\njoin\n"
         "prop mat 1 dens 2500 bulk 1e7 shear 0.75e7\njmodel model elastic jkn 1e9 jks 1e9\nfix range x 1 2\n"
         "bound zvel 0.5 range x 0 z 0 0.49\nbound zvel -0.5 range x 0 z 0.51 1\ncycle 1");
@@ -178,7 +178,7 @@ TEST_F(Joined, AConcaveSolidIsOneBody) {
     EXPECT_NEAR(volume, 3, 1e-12);
 }
 
-TEST_F(Joined, ACutPartsABodyOnItsTwoSides) {
+TEST_F(Joined, ACutSeparatesABodyAtThePlane) {
     // A bar of three bricks, cut across the middle of the second.
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\njoin\njset dip 90 dd 90 org 1.5 0 0");
     ASSERT_EQ(model().blocks.size(), 4u);
@@ -188,7 +188,7 @@ TEST_F(Joined, ACutPartsABodyOnItsTwoSides) {
             EXPECT_EQ(joined(model(), static_cast<Row>(a), static_cast<Row>(b)), (c[a].x() < 1.5) == (c[b].x() < 1.5));
 }
 
-TEST_F(Joined, WhatIsLeftOfABodyStaysJoinedWhereItTouches) {
+TEST_F(Joined, RemainsOfABodyStayJoinedWhereInContact) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\npoly brick 3 4 0 1 0 1\njoin\n"
         "delete range x 1 2");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));

@@ -14,7 +14,7 @@ protected:
     }
 };
 
-TEST_F(NamedWords, a_file_that_is_not_there_is_pointed_at) {
+TEST_F(NamedWords, a_missing_file_is_underlined) {
     run("poly brick 0 1 0 1 0 1");
     EXPECT_EQ(place_of("cut ground nowhere.xyz shift 0 0 1"), std::pair(12, 11));
     EXPECT_EQ(place_of("cut ground 'no where'"), std::pair(12, 10));

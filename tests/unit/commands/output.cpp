@@ -47,7 +47,7 @@ protected:
     std::string log = testing::TempDir() + "kaya_output_test_" + std::to_string(::getpid()) + ".log";
 };
 
-TEST_F(OutputTest, ResultsAndMessagesGoTheirOwnWays) {
+TEST_F(OutputTest, ResultsAndMessagesGoToSeparateStreams) {
     output.print("x = 1");
     output.print("two\nlines\n");
     output.message(Diagnostic("it is so", "do this"));
@@ -75,7 +75,7 @@ TEST_F(OutputTest, ALogIsAppendedTo) {
     EXPECT_EQ(log_text(), "again\nagain\n");
 }
 
-TEST_F(OutputTest, ALogInAFolderThatIsNotThereIsRefused) {
+TEST_F(OutputTest, ALogInAMissingFolderIsRefused) {
     EXPECT_THROW(output.start_log(testing::TempDir() + "no_such_folder/kaya.log"), Diagnostic);
     EXPECT_FALSE(output.logging());
 }

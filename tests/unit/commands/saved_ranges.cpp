@@ -38,7 +38,7 @@ NamedRanges sample() {
             {"whole", {{between, listed}, false, {}, true}}};
 }
 
-TEST(SavedRanges, ComeBackWithEveryBit) {
+TEST(SavedRanges, AreRestoredBitByBit) {
     const NamedRanges back = ranges_from_text(ranges_text(sample()));
     ASSERT_EQ(back.size(), 4u);
     EXPECT_EQ(back.at("slab").elements[0].kind, Kind::z);

@@ -29,7 +29,7 @@ protected:
     Row rows_ = 0;
 };
 
-TEST_F(Slips, JointsThatStayDoNotHoldUpTheMeasure) {
+TEST_F(Slips, OnlyJointsThatSlippedAreListed) {
     build();
     const Slip before(model());
     EXPECT_FALSE(before.has_turned_shear(model()));
@@ -38,7 +38,7 @@ TEST_F(Slips, JointsThatStayDoNotHoldUpTheMeasure) {
     EXPECT_EQ(static_cast<Row>(before.rows(model()).size()), rows_ / 2);
 }
 
-TEST_F(Slips, ZonesThatForgetKeepTheStressesOfCellsThatBend) {
+TEST_F(Slips, ForgettingSlipKeepsTheStressesOfBendingCells) {
     run("poly brick 0 4 0 1 0 1\ngen quad ndiv 4 1 1\nprop mat 1 density 2500 young 1e8 prat 0.25\nbound xvel 0 yvel 0 zvel 0 range x -0.1 0.1\n"
         "gravity 0 0 -10\ndamp local\ncycle 1");
     const Model start = model();

@@ -194,7 +194,7 @@ TEST(FishCompiler, ArithmeticIsPlainLuaWhereBothAgree) {
     EXPECT_THAT(expression("while + time"), HasSubstr("return G[\"while\"] + A_time() end"));
 }
 
-TEST(FishCompiler, AFunctionTellsWhatItUses) {
+TEST(FishCompiler, AFunctionListsTheNamesItUses) {
     const std::string text = "def f(a)\n local b\n b = c(1) + sin(a)\n command\n hist @d [g]\n endcommand\n f = e\nend";
     const Function function = read_function(text, place_of(text));
     EXPECT_EQ(function.name, "f");

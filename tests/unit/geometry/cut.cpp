@@ -76,7 +76,7 @@ TEST(Cut, HalvesABrickAndSharesTheFaceBitForBit) {
     expect_conserved({parts.above, parts.below}, mass_properties(brick), 3);
 }
 
-TEST(Cut, SaysOnWhichSideAPolyhedronLiesThatThePlaneMissesOrTouches) {
+TEST(Cut, ReportsTheSideOfAPolyhedronThatThePlaneMissesOrTouches) {
     const Polyhedron brick = make_brick({0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(cut(brick, {Vec3::UnitZ(), {0, 0, -1}}, 1).outcome, CutOutcome::above);
     EXPECT_EQ(cut(brick, {Vec3::UnitZ(), {0, 0, 2}}, 1).outcome, CutOutcome::below);

@@ -128,7 +128,7 @@ TEST(GradedMesh, CellsOfBricksAreGradedAlike) {
     }
 }
 
-TEST(GradedMesh, ACoarseBlockBesideAFineOneGrowsFromItsFace) {
+TEST(GradedMesh, ACoarseBlockNextToAFineOneGrowsFromItsFace) {
     // A pyramid with its square face on a cube that has zones of an eighth of its edges.
     Polyhedron cube = make_brick({0, 0, 0}, {4, 4, 1});
     for (const Mat3& turn : turns())
@@ -152,7 +152,7 @@ TEST(GradedMesh, ACoarseBlockBesideAFineOneGrowsFromItsFace) {
         }
 }
 
-TEST(GradedMesh, RowsThatGetWiderAreCutInRowsOfTheirOwn) {
+TEST(GradedMesh, WideningRowsAreCutSeparately) {
     TunnelBlocks tunnel;
     tunnel.radius = 1;
     tunnel.begin = 0;

@@ -40,7 +40,7 @@ TEST(JointSet, BareSetIsOneHorizontalPlaneThroughTheOrigin) {
     EXPECT_EQ(planes[0].origin, Vec3(0, 0, 0));
 }
 
-TEST(JointSet, StandsSymmetricallyAboutTheOrigin) {
+TEST(JointSet, IsSymmetricAboutTheOrigin) {
     JointSet set;
     set.dip = 90;
     set.dip_direction = 90;

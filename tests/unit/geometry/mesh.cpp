@@ -148,7 +148,7 @@ TEST(Mesh, RefusesEdgesThatMakeNoSense) {
     EXPECT_EQ(message(1e-5), "an edge length of 1e-05 makes some 1.5e+16 zones in one block");
 }
 
-TEST(Mesh, SplintersThatJointsLeaveAreFilledToo) {
+TEST(Mesh, SplintersBetweenJointsAreFilledToo) {
     // Without a limit of thickness the joints cut arbitrarily small splinters and corners.
     JointSet pattern;
     pattern.dip_deviation = pattern.dip_direction_deviation = 10;

@@ -90,7 +90,7 @@ TEST(MeshPlan, OtherBlocksTakeTheFacesOfCells) {
     EXPECT_EQ(shared.matching, 1);
 }
 
-TEST(MeshPlan, BadBlocksAreMendedAndThoseBesideThemStayFair) {
+TEST(MeshPlan, BadBlocksAreImprovedAndTheirNeighboursStayFair) {
     const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     const Mat3 mirrored = Vec3(-1, 1, 1).asDiagonal();
     constexpr double fair = 18; // of a block that loses room to a neighbour, degrees
@@ -122,7 +122,7 @@ TEST(MeshPlan, BadBlocksAreMendedAndThoseBesideThemStayFair) {
     EXPECT_GT(divided, 5);
 }
 
-TEST(MeshPlan, FacesThatAreThereStayWhenBlocksAreMended) {
+TEST(MeshPlan, ExistingFacesStayWhenBlocksAreImproved) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         std::vector<Polyhedron> blocks = rock(seed);
         const std::size_t half = blocks.size() / 2;
@@ -140,7 +140,7 @@ TEST(MeshPlan, FacesThatAreThereStayWhenBlocksAreMended) {
     }
 }
 
-TEST(MeshPlan, FacesThatAreThereAreTakenOver) {
+TEST(MeshPlan, ExistingFacesAreReused) {
     // A fine wedge and cube; then their coarse neighbours: the mirror image of the wedge, and a cube below.
     std::vector<Polyhedron> fine{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
     std::vector<Polyhedron> coarse{

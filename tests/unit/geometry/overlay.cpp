@@ -34,7 +34,7 @@ struct Moments {
     }
 };
 
-/// Its diagonal does not cross the other polygon.
+/// A rectangle whose diagonal does not cross the other polygon.
 const PlaneMesh wide = fan({{-9, -9}, {9, -9}, {9, 2}, {-9, 2}});
 
 } // namespace

@@ -112,7 +112,7 @@ TEST(Pit, FromTheToeItIsTheSamePit) {
     });
 }
 
-TEST(Pit, TheRampGoesDownAsAskedAndIsAsWideAsAsked) {
+TEST(Pit, TheRampHasTheRequestedGradeAndWidth) {
     const PitDesign design = with_ramp();
     const Ground ground = pit_surface(rectangle, design);
     EXPECT_NEAR(plan_area(ground), 300000, 1e-3);

@@ -67,7 +67,7 @@ TEST(ReadMsh, AHexahedronIsSixZones) {
     EXPECT_DOUBLE_EQ(volume_of(grid), 8);
 }
 
-TEST(ReadMsh, PartsThatDoNotHangTogetherAreBlocksOfTheirOwn) {
+TEST(ReadMsh, SeparatePartsAreSeparateBlocks) {
     const std::string nodes = "8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n11 5 0 0\n12 6 0 0\n13 5 1 0\n14 5 0 1\n";
     const Grid3d grid = read_msh(old_file(nodes, "2\n1 4 2 0 1 1 2 3 4\n2 4 2 0 1 11 12 13 14\n"), "a.msh");
     EXPECT_EQ(grid.blocks.size(), 2u);

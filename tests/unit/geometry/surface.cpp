@@ -160,7 +160,7 @@ TEST(Surface, FacesThatCrossEachOtherAreRefused) {
     EXPECT_EQ(message_of(loops), "the surface crosses itself: face 1 cuts through face 6");
 }
 
-TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
+TEST(Surface, SmallWarpIsFlattenedAndLargeIsRefused) {
     Loops loops = turned(cube(), oblique, Vec3(3, -2, 1));
     Random random(2);
     const Surface exact = surface_from_loops(loops, 1e-9);

@@ -154,7 +154,7 @@ TEST(SurfaceFiles, Vrml) {
     EXPECT_DOUBLE_EQ(volume_of(surfaces[0]), 1.0 / 6);
 }
 
-TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
+TEST(SurfaceFiles, ErrorsNameTheMistakeAndItsPosition) {
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0 x\n"),
               "file, line 4: 'x' is not a number: expected a coordinate");
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n"),

@@ -160,7 +160,7 @@ TEST(SurfaceMesh, MakesGoodTrianglesOfLongFaces) {
         }
 }
 
-TEST(SurfaceMesh, KeepsTheShapeOfWhatIsNotPlane) {
+TEST(SurfaceMesh, KeepsTheShapeOfCurvedSurfaces) {
     // Two sides of a roof: the ridge is kept, although its diagonal would be the better side.
     std::vector<Corners> roof;
     roof.push_back({Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(2, -0.3, 0)});

@@ -18,7 +18,7 @@ TEST(Binder, BrickLimitsDefaultToThoseOfX) {
     EXPECT_EQ(flat.options.region, 3);
 }
 
-TEST(Binder, ATitleMayStandOnTheNextLine) {
+TEST(Binder, ATitleMayFollowOnTheNextLine) {
     const auto deck = [](const std::string& text) { return bind_text(classic(), source_from_text("deck", text), {}); };
     const auto title = [](const BoundFile& file) {
         return std::any_cast<Title>(file.steps.front().command.command).text;
@@ -142,7 +142,7 @@ TEST(Binder, SettingsAndLists) {
     EXPECT_EQ(bound_as<List>("list gp range z 0").what, List::What::gridpoints);
 }
 
-TEST(Binder, LinesTakenAsTheyStand) {
+TEST(Binder, LinesTakenVerbatim) {
     EXPECT_EQ(bound_as<Title>("title Don't (stop) ; really").text, "Don't (stop)");
     EXPECT_EQ(bound_as<Title>("title 'quoted; text'").text, "quoted; text");
     EXPECT_EQ(bound_as<Title>("TITLE").text, "");

@@ -153,7 +153,7 @@ TEST_F(Decks, ScriptMayWriteTheFileThatIsCalled) {
     EXPECT_EQ(d.place.line, 5);
 }
 
-TEST_F(Decks, FilesAreLookedForBesideTheCaller) {
+TEST_F(Decks, FilesAreSearchedNextToTheCaller) {
     write("sub/inner.dat", "call beside.dat\ncall above.dat\n");
     write("sub/beside.dat", "title beside\n");
     write("above.dat", "title above\n");

@@ -51,7 +51,7 @@ TEST(Tables, CommandsThatTakeWordsHaveWrongExamples) {
     });
 }
 
-TEST(Tables, WhatIsNotSupportedYetSaysSo) {
+TEST(Tables, UnsupportedCommandsSaySo) {
     int count = 0;
     for_each_command([&](const CommandSpec& command) {
         if (command.support == Support::not_yet) {
@@ -93,7 +93,7 @@ void expect_distinct(const std::vector<KeywordSpec>& keywords, const std::string
     }
 }
 
-TEST(Tables, NoWordStandsTwice) {
+TEST(Tables, NoWordIsListedTwice) {
     for_each_command([](const CommandSpec& command) { expect_distinct(command.keywords, command.name()); });
     expect_distinct(classic().range_elements, "range");
 }

@@ -34,7 +34,7 @@ std::vector<int> kept_formats() {
 
 TEST(KeptSaves, AreThere) { EXPECT_THAT(kept_formats(), testing::IsSupersetOf({first_kept_format, 13})); }
 
-TEST(KeptSaves, AreReadAndGoOn) {
+TEST(KeptSaves, AreReadAndContinue) {
     JointRegistry joints;
     joints.set_path({KAYA_TEST_JOINTS});
     for (const int format : kept_formats()) {

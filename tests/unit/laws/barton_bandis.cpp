@@ -130,7 +130,7 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
     }
 }
 
-TEST(BartonBandis, ALoadPutOnAtOnceSwingsItAsFarAsItsWorkSays) {
+TEST(BartonBandis, ASuddenLoadMovesItAsFarAsItsWorkAllows) {
     // Explicit steps of a mass with local damping, compared with the balance of work in the page.
     const double stress = 1, damping = 0.8, area = 0.04, mass = 1e-4 * area;
     const double k = 1e3, vm = 1e-3 * maximum_closure_in_mm({});
@@ -366,7 +366,7 @@ TEST(BartonBandis, ReloadingReturnsToTheCurveAndGoesOnAlongIt) {
     EXPECT_NEAR(joint.shear_stress() / virgin.shear_stress(), 1, 1e-3);
 }
 
-TEST(BartonBandis, CyclesTakeUpEnergyAndGiveNoneBack) {
+TEST(BartonBandis, CyclesAbsorbEnergyAndReturnNone) {
     auto joint = joint_of();
     joint.load(5);
     shear(joint, 5, 1.5);

@@ -186,7 +186,7 @@ TEST_P(EveryModel, MakesNoEnergyInCyclesOfShear) {
     }
 }
 
-TEST_P(EveryModel, NeverGivesBackMoreThanItGot) {
+TEST_P(EveryModel, NeverReturnsMoreEnergyThanItReceived) {
     // Random motion in all three directions, with opening and closing: for any path, the work done is stored or dissipated.
     for (unsigned seed = 1; seed <= 8; ++seed) {
         std::mt19937 random(seed);
@@ -250,7 +250,7 @@ TEST_P(EveryModel, GivesTheSameBitsInEveryRow) {
     }
 }
 
-TEST_P(EveryModel, StandsAnAreaOfZero) {
+TEST_P(EveryModel, AcceptsAnAreaOfZero) {
     auto j = joint(0);
     for (int k = 0; k < 100; ++k) j.step(k < 50 ? -1e-6 : 2e-6, {1e-5, 0, 0});
     EXPECT_EQ(j.normal_force[0], 0);

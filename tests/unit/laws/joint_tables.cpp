@@ -29,7 +29,7 @@ TEST(JointTable, HasASlopeToTheRight) {
     EXPECT_EQ(table_slope({}, 1), 0);
 }
 
-TEST(JointTables, AreTakenWhenAskedForAndAnewWhenRefreshed) {
+TEST(JointTables, AreReadOnFirstUseAndAgainAfterRefresh) {
     JointTables tables;
     const kaya_jtables* interface = tables.interface();
     EXPECT_EQ(interface->find(interface, "1"), nullptr);

@@ -204,7 +204,7 @@ TEST(Mohr, BreakingTakesUpTheEnergyOfTheBond) {
     EXPECT_NEAR(given / joint.frictional_work[0], 1, 2e-2);
 }
 
-TEST(Mohr, ASubContactThatStartsApartTouchesWhereItsGapCloses) {
+TEST(Mohr, AnOpenSubContactClosesAtItsGap) {
     auto joint = joint_of({{"friction", 30}, {"cohesion", 1e5}, {"tension", 1e5}});
     joint.normal_disp[0] = 1e-3;
     joint.initialise();

@@ -82,7 +82,7 @@ TEST(Principal, EightAtOnceAreTheSameBitsAsEachByItself) {
     }
 }
 
-TEST(Principal, RowsThatMayYieldAreThoseWhoseBoundsDoNotHoldAndBoundsAreBounds) {
+TEST(Principal, RowsBeyondTheirBoundsMayYieldAndBoundsAreBounds) {
     const std::vector<Tensor> all = tensors();
     std::vector<double> columns[6];
     for (int k = 0; k < 6; ++k)

@@ -62,7 +62,7 @@ TEST(JointRegistry, KnowsModelsByTheWordsOf3dec) {
     EXPECT_EQ(JointRegistry::keyword_of("Mohr"), "mohr");
 }
 
-TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
+TEST(JointRegistry, FindsTheLibrariesOf3decByTheirContents) {
     const test::ScratchFolder scratch;
     const fs::path folder = scratch.path();
     fs::copy_file(plugin_folder / "works.so",
@@ -80,7 +80,7 @@ TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
     EXPECT_THAT(registry.available(), testing::IsSupersetOf({"works", "too-soft", "something", "jmodel-twin"}));
 }
 
-TEST(JointRegistry, ListsWhatIsThere) {
+TEST(JointRegistry, ListsAvailableModels) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
     EXPECT_THAT(registry.available(), testing::IsSupersetOf({"barton-bandis", "elastic", "mohr"}));
@@ -88,7 +88,7 @@ TEST(JointRegistry, ListsWhatIsThere) {
     EXPECT_THAT(registry.available(), testing::Contains("works"));
 }
 
-TEST(JointRegistry, SaysWhatIsThereWhenAModelIsUnknown) {
+TEST(JointRegistry, ListsAvailableModelsWhenOneIsUnknown) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
     const auto d = refusal(registry, "mohrr");
@@ -106,7 +106,7 @@ TEST(JointRegistry, SaysThatNoModelsWereFoundAtAll) {
     EXPECT_THAT(d.context[0], HasSubstr("no joint models were found"));
 }
 
-TEST(JointRegistry, RefusesAFileThatIsNotThere) {
+TEST(JointRegistry, RefusesAMissingFile) {
     JointRegistry registry;
     EXPECT_THAT(refusal(registry, "models/none.so").message, HasSubstr("there is no joint model file models/none.so"));
 }
@@ -134,7 +134,7 @@ TEST(JointRegistry, RefusesATruncatedLibrary) {
     }
 }
 
-TEST(JointRegistry, PassesOnWhatALibraryLacks) {
+TEST(JointRegistry, ReportsMissingSymbolsOfALibrary) {
     EXPECT_THAT(refusal_of_plugin("needs-more").hint, HasSubstr("function_that_nobody_has"));
 }
 
@@ -172,7 +172,7 @@ TEST(JointRegistry, TakesAModelAsLargeAsTheHeaderSays) {
     EXPECT_EQ(model.initial_stiffness(values).shear, 7);
 }
 
-TEST(JointRegistry, PutsBackWhatALibraryDoesToTheProcessorWhenItIsLoaded) {
+TEST(JointRegistry, RestoresTheProcessorStateAfterALibraryIsLoaded) {
     JointRegistry registry;
     volatile double small = 1e-310;
     const auto& model = registry.get((plugin_folder / "cuts-at-load.so").string());
@@ -183,7 +183,7 @@ TEST(JointRegistry, PutsBackWhatALibraryDoesToTheProcessorWhenItIsLoaded) {
     EXPECT_EQ(registry.get((plugin_folder / "works.so").string()).arithmetic(), 0u);
 }
 
-TEST(JointRegistry, RefusesAModelThatWritesWhereItMustNotBeforeItRuns) {
+TEST(JointRegistry, RefusesAModelThatWritesToReadOnlyColumnsBeforeItRuns) {
     JointRegistry registry;
     for (const auto& [name, sentence] : {std::pair{"writes-area", "wrote to 'area', which it may only read"},
                                          std::pair{"writes-behind", "wrote after the column 'shear_force'"}}) {
@@ -211,7 +211,7 @@ TEST(JointRegistry, SurvivesACrashWhileLoading) {
     EXPECT_THAT(refusal_of_plugin("exits-at-load").message, HasSubstr("ends the program when it is loaded"));
 }
 
-TEST(JointRegistry, GivesUpALibraryThatDoesNotComeBackWhenItIsLoaded) {
+TEST(JointRegistry, StopsWaitingForALibraryThatNeverFinishesLoading) {
     const auto d = refusal_of_plugin("slow/loops-at-load");
     EXPECT_THAT(d.message, HasSubstr("does not come back within 30 seconds when it is loaded"));
     EXPECT_EQ(d.code, "joint-model-crashes");

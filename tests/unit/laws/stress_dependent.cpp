@@ -50,7 +50,7 @@ TEST(ContinuouslyYielding, LargeStepsGiveNearlyTheSame) {
     EXPECT_NEAR(coarse.shear_stress() / fine.shear_stress(), 1, 2e-3);
 }
 
-TEST(ContinuouslyYielding, TurnsBackWithItsFullStiffness) {
+TEST(ContinuouslyYielding, ReversesWithItsFullStiffness) {
     auto joint = yielding();
     joint.load(2);
     for (int k = 0; k < 600; ++k) joint.step(0, {1e-6, 0, 0});
@@ -227,7 +227,7 @@ TEST_P(PowerJoint, ReportsItsTangentAndNeverNothing) {
     }
 }
 
-TEST_P(PowerJoint, GoesTheSameWayInEveryUnit) {
+TEST_P(PowerJoint, FollowsTheSameCurveInEveryUnit) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         std::vector<TestJoint> joints;
         for (const Units& u : units) joints.push_back(power_joint(GetParam(), 0.5, u));

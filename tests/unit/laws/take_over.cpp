@@ -155,7 +155,7 @@ void expect_forces(const TestJoint& j, const State& s, std::pair<double, double>
 
 class TakesOver : public testing::TestWithParam<Law> {};
 
-TEST_P(TakesOver, ForcesThatItCarriesStayAndOthersBecomeItsStrength) {
+TEST_P(TakesOver, ForcesWithinItsStrengthStayAndOthersAreReducedToIt) {
     for (const State& s : states)
         for (const double area : {0.04, 1.0, 2500.0}) {
             SCOPED_TRACE(testing::Message() << s.name << ", area " << area);
@@ -191,7 +191,7 @@ TestJoint driven(const Law& law, double normal, double slip, unsigned seed) {
     return joint;
 }
 
-TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
+TEST_P(TakesOver, FromEveryOtherModelAtAnyForce) {
     unsigned seed = 0;
     for (const Law& from : laws)
         for (const double normal : {3.0, 0.4, 0.0, -0.05})
@@ -208,7 +208,7 @@ TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
                     expected.second >= std::hypot(s.shear_x, s.shear_y) * (1 - 1e-9) && expected.first == s.normal;
                 for (int k = 0; k < 100; ++k) joint.step(0);
                 if (all) expect_forces(joint, s, expected, 1e-9);
-                // It continues: compressed, sheared, opened and closed.
+                // The joint continues: compressed, sheared, opened and closed.
                 for (const test::Vector& way : {test::Vector{1e-6, 0, 0}, {-2e-6, 1e-6, 0}, {0, 0, 0}})
                     for (const double opening : {-1e-6, 2e-6, -2e-6})
                         for (int k = 0; k < 100; ++k) joint.step(opening, way);
@@ -217,7 +217,7 @@ TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
             }
 }
 
-TEST_P(TakesOver, MakesNoEnergyFromWhatItFinds) {
+TEST_P(TakesOver, CreatesNoEnergy) {
     // After the change a closed loop of small motions returns at most the stored energy.
     for (const State& s : states) {
         TestJoint joint = with_forces(GetParam(), s, 0.04);

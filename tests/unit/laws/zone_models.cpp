@@ -150,7 +150,7 @@ Tensor random_strain(std::mt19937& random, double size) {
     return t;
 }
 
-TEST(ZoneModels, EachOneThatShipsIsLookedAtHere) { EXPECT_EQ(all_zones().size(), models().available().size()); }
+TEST(ZoneModels, EachShippedModelIsTestedHere) { EXPECT_EQ(all_zones().size(), models().available().size()); }
 
 TEST(ZoneModels, MohrCoulombFailsAtItsTriaxialStrength) {
     for (const double friction : {0.0, 20.0, 45.0})
@@ -189,7 +189,7 @@ TEST(ZoneModels, DruckerPragerFailsOnItsCone) {
     }
 }
 
-TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
+TEST(ZoneModels, WeakPlanesCarryTheirStrengthAndNoMore) {
     std::mt19937 random(4);
     for (const double dip : {0.0, 35.0, 60.0, 90.0}) {
         constexpr double cohesion = 1e5, cut = 2e4, dip_direction = 37, degree = M_PI / 180;
@@ -226,7 +226,7 @@ TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
     }
 }
 
-TEST(ZoneModels, APathThatIsTurnedGivesStressesThatAreTurned) {
+TEST(ZoneModels, ARotatedPathGivesRotatedStresses) {
     std::mt19937 random(1);
     for (const Zone& fresh : all_zones()) {
         if (fresh.model.find_property("dip")) continue; // its planes do not rotate with it
@@ -264,7 +264,7 @@ Given anisotropic_rock(std::mt19937& random) {
             {"shear-normal", 3e8 * std::pow(10, 2 * uniform(random))}};
 }
 
-TEST(ZoneModels, AnisotropicRockThatIsTurnedWithItsPlanesGivesStressesThatAreTurned) {
+TEST(ZoneModels, RotatedAnisotropicRockGivesRotatedStresses) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform;
     for (int family = 0; family < 50; ++family) {
@@ -339,7 +339,7 @@ TEST(ZoneModels, ModuliOfAnisotropicRockBoundItsStiffnessAndNoMore) {
     EXPECT_NEAR(shear / 2e9, 1, 1e-12); // shear-normal of (3) is that of isotropic rock
 }
 
-TEST(ZoneModels, AnisotropicRockThatGivesOutWorkIsRefused) {
+TEST(ZoneModels, AnisotropicRockThatReleasesWorkIsRefused) {
     const ZoneModel& model = models().get("anisotropic-elastic");
     const auto said = [&](double plane, double normal, double poisson_plane, double poisson_normal, double shear) {
         return model.check({plane, normal, poisson_plane, poisson_normal, shear, 0, 0});
@@ -414,7 +414,7 @@ std::string refusal(const std::string& name) {
     return "taken";
 }
 
-TEST(ZoneModels, WhatIsWrongIsRefusedWhenItIsLoaded) {
+TEST(ZoneModels, InvalidModelsAreRefusedWhenLoaded) {
     EXPECT_THAT(refusal("version-99"),
                 testing::HasSubstr("was built for interface version 99, this program has version 1"));
     EXPECT_THAT(refusal("null-run"), testing::HasSubstr("'run' is NULL"));
@@ -426,7 +426,7 @@ TEST(ZoneModels, WhatIsWrongIsRefusedWhenItIsLoaded) {
     } catch (const Diagnostic& error) { EXPECT_EQ(error.hint, "did you mean 'mohr-coulomb'?"); }
 }
 
-TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
+TEST(ZoneModels, FailuresInAStepNameTheRow) {
     const std::pair<double, const char*> cases[] = {
         {1, "zone model misbehaves threw an exception in a batch that begins here: it does not like this zone"},
         {2, "zone model misbehaves returned xy stress nan"},
@@ -458,7 +458,7 @@ TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
     }
 }
 
-TEST(ZoneModels, WhatWritesWhereItMustNotIsFoundBeforeItRuns) {
+TEST(ZoneModels, WritesToReadOnlyColumnsAreFoundBeforeTheRun) {
     const ZoneModel& model = models().get(std::string(KAYA_TEST_PLUGINS) + "/zones/hostile.so");
     try_zone(model, {2e8, 1e8, 0});
     for (const auto& [what, sentence] : {std::pair{10.0, "wrote to 'strain_inc', which it may only read"},

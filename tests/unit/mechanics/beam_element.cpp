@@ -61,7 +61,7 @@ TEST(BeamElement, FeelsNoRigidMotion) {
     }
 }
 
-TEST(BeamElement, HasTheForcesOfCantileversHoweverItLies) {
+TEST(BeamElement, HasTheForcesOfCantileversInAnyOrientation) {
     Random random(2);
     const double L = 2, P = 1e-3;
     const BeamSection s = section();

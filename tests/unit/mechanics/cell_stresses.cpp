@@ -35,7 +35,7 @@ struct MovingCells : Bench {
     }
 };
 
-TEST(CellStresses, CyclesThatNobodyLooksIntoEndWithTheSameBits) {
+TEST(CellStresses, UnwatchedCyclesEndWithTheSameBits) {
     MovingCells watched, unwatched, in_turn;
     watched.run(41);
     unwatched.run_unwatched(41);
@@ -46,7 +46,7 @@ TEST(CellStresses, CyclesThatNobodyLooksIntoEndWithTheSameBits) {
     in_turn.expect_the_same_as(watched);
 }
 
-TEST(CellStresses, AreKeptAsLongAsNobodyAsksForThem) {
+TEST(CellStresses, AreCachedUntilTheyAreRead) {
     MovingCells watched, unwatched;
     watched.run(5);
     const Cycle::Unwatched held(unwatched.cycle);
@@ -78,7 +78,7 @@ TEST(CellStresses, AreWrittenForHistoriesOfZones) {
     EXPECT_EQ(values, stress_in_time(false));
 }
 
-TEST(CellStresses, CellsWhoseZonesAreApartStayApart) {
+TEST(CellStresses, CellsWithSeparateZonesStaySeparate) {
     MovingCells watched, unwatched;
     for (auto* bench : {&watched, &unwatched}) bench->model.zones.stress[100] = Stress::Constant(1e5);
     watched.run(20);

@@ -94,7 +94,7 @@ TEST(Cells, AnEvenStrainIsFound) {
     }
 }
 
-TEST(Cells, ARigidTurnByALargeAngleIsNoStrain) {
+TEST(Cells, ALargeRigidRotationCausesNoStrain) {
     const EightCells before(0.15);
     EightCells after = before;
     const Mat3 turn = Eigen::AngleAxisd(0.8, Vec3(1, -2, 3).normalized()).toRotationMatrix();
@@ -131,7 +131,7 @@ CellForces even_forces(const EightCells& cells, std::uint8_t ruled) {
 }
 
 // The face at the end of an axis of one cell is the one at the start of that axis of the other.
-TEST(Cells, AnEvenStressGoesThroughARuledFace) {
+TEST(Cells, AUniformStressPassesThroughARuledFace) {
     for (unsigned axis = 0; axis < 3; ++axis) {
         const EightCells first(0.15);
         EightCells second(0.15, 12);
@@ -216,7 +216,7 @@ TEST(Cells, AreNotStifferThanTheBoundOfTheirZones) {
                 }
 }
 
-TEST(Cells, WhatAllCornersHaveInCommonLeavesNothing) {
+TEST(Cells, ACommonVelocityOfAllCornersHasNoEffect) {
     const EightCells cells(0.15);
     const CellMotion motion(CellShape(cells.corners(), faces(every_face)),
                             cells.values([](const Vec3&) { return Vec3(1e6, 0.1, 1.0 / 3); }), true);

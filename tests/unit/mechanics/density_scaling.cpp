@@ -73,7 +73,7 @@ TEST(DensityScaling, FullScalingGivesAllBodiesTheSameStep) {
     EXPECT_NEAR(bench.model.clock.time_step, time_step_fraction(bench.model.settings) * 2 / std::sqrt(of_big), 1e-12);
 }
 
-TEST(DensityScaling, PartialScalingAddsToBodiesWithAShortStepOnlyAndTellsHowMuch) {
+TEST(DensityScaling, PartialScalingAddsMassToBodiesWithAShortStepOnlyAndReportsIt) {
     BigAndSmall plain, bench;
     plain.cycle.prepare();
     const double before = plain.model.clock.time_step, wanted = 3 * before;
@@ -101,7 +101,7 @@ TEST(DensityScaling, PartialScalingForAStepThatAllBodiesAllowChangesNothing) {
     EXPECT_EQ(scaled_masses(bench.model).scaled, 0u);
 }
 
-TEST(DensityScaling, ABlockThatLandsGetsTheMassThatTheStepAsksFor) {
+TEST(DensityScaling, ALandingBlockGetsTheMassThatTheStepRequires) {
     BigAndSmall bench;
     bench.model.settings.damping = Damping::none;
     bench.brick({8, 1, 1.02}, {8.05, 1.05, 1.07});

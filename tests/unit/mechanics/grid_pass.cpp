@@ -132,7 +132,7 @@ TEST_P(GridPasses, GiveTheBitsOfThePhasesOneByOne) {
 }
 
 /// Zones of several tiles are inverted in one step: the first is reported.
-TEST_P(GridPasses, TellOfTheFirstZoneThatFails) {
+TEST_P(GridPasses, ReportTheFirstFailingZone) {
     const InThreads threads(GetParam());
     ManyZones bench(true);
     Parts phases(bench), pass(bench);

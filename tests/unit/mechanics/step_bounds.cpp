@@ -170,7 +170,7 @@ TEST(StepBounds, TheBoundDoesNotDependOnPlaceAndFrameAndFollowsTheSize) {
     EXPECT_NEAR(stable(Mat3::Identity(), Vec3::Zero(), 4) / one, 2, 1e-6);
 }
 
-TEST(StepBounds, ABlockThatIsFarAwayAndStifferByItsSmallnessDoesNotChangeWhatOthersBear) {
+TEST(StepBounds, ADistantSmallStiffBlockDoesNotChangeTheBoundsOfOthers) {
     const auto of_all = [](bool small_one) {
         Placed bench;
         bench.stand(
@@ -192,7 +192,7 @@ TEST(StepBounds, ABlockThatIsFarAwayAndStifferByItsSmallnessDoesNotChangeWhatOth
     EXPECT_EQ(of_all(true), of_all(false));
 }
 
-TEST(StepBounds, WhatMayNotTurnIsBoundedByItsTranslations) {
+TEST(StepBounds, BodiesWithFixedRotationAreBoundedByTranslations) {
     Placed bench;
     bench.stand(
         [](Placed& p) {

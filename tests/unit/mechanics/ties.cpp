@@ -143,7 +143,7 @@ TEST_P(TiesOfMeshes, AFieldOfStressInEquilibriumStays) {
     for (const Stress& s : bench.model.zones.stress) EXPECT_LT((s - stress).norm(), 1e-6 * stress.norm());
 }
 
-TEST_P(TiesOfMeshes, ATurnMakesNoStressAndTurnsWhatIsThere) {
+TEST_P(TiesOfMeshes, ARotationCausesNoStressAndRotatesExistingStress) {
     Row3 bench(GetParam());
     bench.model.settings.damping = Damping::none;
     const double step = 1e-5;
@@ -188,7 +188,7 @@ TEST_P(TiesOfMeshes, TheStepThatIsFoundIsStableAndTheSameBitsComeWithAnyNumberOf
     EXPECT_GT(one->model.energy.start, 0);
 }
 
-TEST(Ties, WhatHoldsOneHoldsAllAndBearsAll) {
+TEST(Ties, ASupportOfOneActsOnAllTiedGridpoints) {
     Row3 bench({2, 2, 2});
     bench.model.settings.gravity = {0, 0, -10};
     // Only the left one of the two sides at x = 1 is fixed: the two others are tied to it.

@@ -115,7 +115,7 @@ TEST(TurningLoads, TheAccountIsOfSecondOrder) {
     EXPECT_NEAR(coarse / fine, 4, 0.6);
 }
 
-TEST(TurningLoads, TheMomentFollowsTheBlockWhereverItLies) {
+TEST(TurningLoads, TheMomentFollowsTheBlockAtAnyPosition) {
     Turns turns(11);
     for (int trial = 0; trial < 50; ++trial) {
         LoadedBrick bench(turns.turn(), turns.vector(), 1);
@@ -175,7 +175,7 @@ TEST(TurningLoads, JoinedBricksMoveAsTheBrickThatTheyMake) {
     EXPECT_NEAR(halves.model.energy.error(), whole.model.energy.error(), 1e-8 * scale);
 }
 
-TEST(TurningLoads, PiecesShareForcesAndMomentsAndWhatIsPutBackHasNone) {
+TEST(TurningLoads, PiecesShareForcesAndMomentsAndRefilledBlocksHaveNone) {
     LoadedBrick bench(Mat3::Identity(), Vec3::Zero(), 1);
     Model& model = bench.model;
     TimeFunction always;

@@ -249,7 +249,7 @@ TEST(ZoneTiles, ForcesAreMinusVolumeTimesStressTimesGradient) {
     expect_forces_of_stresses(true);
 }
 
-TEST(ZoneTiles, AStepStrainsAndTurnsTheStressAsTheTensorsSay) {
+TEST(ZoneTiles, AStepStrainsAndRotatesTheStressLikeTheTensors) {
     TwoBlocks bench;
     Model& model = bench.model;
     model.clock.time_step = 0.01;

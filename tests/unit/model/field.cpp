@@ -78,7 +78,7 @@ TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
     EXPECT_GT(read, 300u);
 }
 
-TEST(Fields, WhatIsWrittenIsReadBack) {
+TEST(Fields, WrittenValuesAreRead) {
     Model model = hand_made_model();
     make_beam(model, {.places = {Vec3(0, 0, 0), Vec3(1, 0, 0)}});
     std::size_t written = 0;
@@ -108,7 +108,7 @@ TEST(Fields, WhatIsWrittenIsReadBack) {
     EXPECT_GT(written, 40u);
 }
 
-TEST(Fields, WritingTheWrongTypeSaysWhatIsNeeded) {
+TEST(Fields, WritingTheWrongTypeNamesTheRightOne) {
     Model model = hand_made_model();
     for (const auto& field : fields()) {
         if (!field.set) continue;
@@ -228,7 +228,7 @@ TEST(Fields, VelocityOfADeformableBlockIsGivenToItsGridpoints) {
     EXPECT_EQ(model.gridpoints.velocity[4], Vec3(0, 0, 0));
 }
 
-TEST(Fields, AVertexHasNoVelocityOfItsOwnAndADeformableBlockNoLoad) {
+TEST(Fields, AVertexHasNoVelocityAndADeformableBlockNoLoad) {
     Model model = hand_made_model();
     EXPECT_THROW(set(model, "gp_xvel", 4, 1.0), Diagnostic);
     EXPECT_THROW(set(model, "b_xload", 0, 1.0), Diagnostic);

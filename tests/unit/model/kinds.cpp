@@ -30,7 +30,7 @@ TEST(Kinds, RowsStandInTheOrderOfTheirNumbers) {
     EXPECT_EQ(static_cast<int>(ObjectKind::cable_node), 7);
 }
 
-TEST(Kinds, WhatScriptsSeeCanBeFoundAgain) {
+TEST(Kinds, ObjectsOfScriptsCanBeFoundAgain) {
     const Model model = hand_made_model();
     for (const KindInfo& info : kinds()) {
         if (info.kind >= end_of_script_kinds) continue;

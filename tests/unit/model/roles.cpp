@@ -51,7 +51,7 @@ bool of_the_run(Role role) {
 
 } // namespace
 
-TEST(Roles, BlocksThatAreFilledInHaveNoneOfTheRunAndKeepTheRest) {
+TEST(Roles, RefilledBlocksLoseValuesOfTheRunAndKeepTheRest) {
     Model model = hand_made_model();
     model.zones.keep_history(3);
     const auto marked = {Role::load, Role::motion, Role::displacement, Role::state, Role::condition};
@@ -130,7 +130,7 @@ TEST(Roles, ExcavatedBlocksMayHaveAZoneModelAndBeHeldAlongADirection) {
     EXPECT_EQ(inconsistency(model), "");
 }
 
-TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
+TEST(ModelEdit, SetsDirtyFlagsWhenItEnds) {
     struct Case {
         Change change;
         bool contacts, properties, lists, rows;
@@ -156,7 +156,7 @@ TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
     }
 }
 
-TEST(ModelEdit, AnotherModelInTheSamePlaceHasARevisionThatWasNotThereBefore) {
+TEST(ModelEdit, AnotherModelInTheSameMemoryHasANewRevision) {
     Model model;
     const Model saved = model;
     ModelEdit(model, Change::rows);

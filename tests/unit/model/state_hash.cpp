@@ -83,7 +83,7 @@ TEST(StateHash, EverySingleBitOfTheStateCounts) {
     EXPECT_GT(target, 600u);
 }
 
-TEST(StateHash, WhatDoesNotDecideTheRunIsLeftOut) {
+TEST(StateHash, ValuesWithoutEffectOnTheRunAreExcluded) {
     const auto original = hash_with([](Model&) {});
     EXPECT_EQ(hash_with([](Model& m) { m.joint_properties[0].place = "elsewhere.3dd:7"; }), original);
     EXPECT_EQ(hash_with([](Model& m) { ModelEdit(m, Change::rows); }), original);

@@ -112,7 +112,7 @@ TEST(FishLanguage, ExitLeavesTheFunctionWithItsValue) {
     EXPECT_EQ(run("return 3 * 4\nf = 1"), Value(std::int64_t{12}));
 }
 
-TEST(FishLanguage, CaseOfRunsTheFittingCaseOrWhatStandsFirst) {
+TEST(FishLanguage, CaseOfRunsTheMatchingCaseOrTheStatementsBefore) {
     const std::string body = "case_of a\nf = -1\ncase 1\nf = 10\ncase 2.0\nf = 20\ncase 'x'\nf = 30\nendcase";
     EXPECT_EQ(run("a = 1\n" + body), Value(std::int64_t{10}));
     EXPECT_EQ(run("a = 2\n" + body), Value(std::int64_t{20}));
@@ -129,7 +129,7 @@ TEST(FishLanguage, SectionsAreLeftFromInside) {
     EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"), Value(std::int64_t{2}));
 }
 
-TEST(FishLanguage, NamesKnowNoCaseAndLinesGoOn) {
+TEST(FishLanguage, NamesIgnoreCaseAndLinesContinue) {
     EXPECT_EQ(run("NumCyc = 4\nf = numcyc + &\n  NUMCYC ... ; more follows\n  + 1"), Value(std::int64_t{9}));
     EXPECT_EQ(run("f = 1 ; f = 2"), Value(std::int64_t{1}));
     EXPECT_EQ(run("a = ';'\nf = a"), Value(std::string(";")));

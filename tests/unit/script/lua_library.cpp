@@ -171,7 +171,7 @@ TEST(LuaLibrary, RandomNumbersComeFromTheSeed) {
     EXPECT_EQ(a.value("f"), b.value("f"));
 }
 
-TEST(LuaLibrary, RequireFindsModulesBesideTheDeck) {
+TEST(LuaLibrary, RequireFindsModulesNextToTheDeck) {
     const Folder folder;
     std::filesystem::create_directories("parts");
     Folder::write("parts/wall.lua", "loads = (loads or 0) + 1\nreturn { height = 3 }");

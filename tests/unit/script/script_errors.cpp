@@ -152,7 +152,7 @@ TEST(ScriptErrors, FishOther) {
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
 
-TEST(ScriptErrors, NamesThatMeanNothingInACommand) {
+TEST(ScriptErrors, UnknownNamesInACommand) {
     Stage s;
     s.fish("def watch\n sstav = 1\nend");
     EXPECT_EQ(message_of([&] { s.scripts.number("@sstat", deck("hist @sstat\n")); }),
@@ -267,7 +267,7 @@ TEST(ScriptErrors, LuaLanguage) {
               "fish.f cannot hold a function | FISH can call every global function of Lua by its name");
 }
 
-TEST(ScriptErrors, TheSandboxHolds) {
+TEST(ScriptErrors, TheSandboxIsClosed) {
     const std::string trust = " | run with --trust to allow it";
     EXPECT_EQ(lua_message("os.execute('ls')"), "os.execute cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("os.remove('x')"), "os.remove cannot be used in a deck" + trust);
