@@ -2,8 +2,7 @@
 #
 #   docker build -t kaya PATH-OF-THIS-FOLDER
 #   docker run --rm -v "$PWD:/decks" kaya slope.3dd
-#
-# KAYA_ARCH is the processor that it is compiled for: x86-64-v3 runs on those since 2013 (2015 with AMD), with the same bits as `native`.
+# KAYA_ARCH is the target processor: x86-64-v3 runs on processors since 2013 (AMD: 2015), with the same bits as `native`.
 FROM debian:12
 COPY . /opt/kaya
 WORKDIR /opt/kaya

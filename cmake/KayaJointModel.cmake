@@ -1,6 +1,6 @@
 # kaya_add_joint_model(NAME [COMPAT] sources... [FLAGS flags...]): a joint model as a shared library NAME.so in the
-# current binary folder. With COMPAT the sources are those of a class derived from jmodels::JointModel, written for
-# 3DEC 4, 5, 7 or 9. Used by kaya itself, and from an installed one after find_package(kaya).
+# current binary folder. With COMPAT the sources define a class derived from jmodels::JointModel, written for
+# 3DEC 4, 5, 7 or 9. Used by kaya itself, and by other projects after find_package(kaya).
 
 get_filename_component(_kaya_root "${CMAKE_CURRENT_LIST_DIR}" ABSOLUTE)
 while(NOT EXISTS "${_kaya_root}/include/kaya/jmodel.h" AND NOT _kaya_root STREQUAL "/")
@@ -15,10 +15,10 @@ function(kaya_add_joint_model name)
   add_library(${target} MODULE ${arg_UNPARSED_ARGUMENTS})
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden)
   target_include_directories(${target} PRIVATE ${KAYA_INCLUDE_DIR})
-  # The result of a row must not depend on its place in a vector, nor on the machine.
+  # The result of a row must not depend on its position in a vector, nor on the machine.
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -fno-trapping-math)
   if(arg_COMPAT)
-    # Sources keep their exports behind macros that their own project files define.
+    # Sources guard their exports with macros defined in their project files.
     foreach(source ${arg_UNPARSED_ARGUMENTS})
       file(STRINGS ${source} conditions REGEX "^[ \t]*#[ \t]*if")
       string(REGEX MATCHALL "[A-Za-z_][A-Za-z0-9_]*_(EXPORTS|LIB)" macros "${conditions}")

@@ -1,4 +1,4 @@
-# VTK, for kaya-painter: the program that draws pictures. Without VTK all else is built, and `plot` says what is missing.
+# VTK, for kaya-painter, the program that draws pictures. Without VTK everything else is built, and `plot` names the missing package.
 
 set(KAYA_PAINTER AUTO CACHE STRING "build kaya-painter, which draws pictures with VTK: AUTO (where VTK is installed), ON or OFF")
 set_property(CACHE KAYA_PAINTER PROPERTY STRINGS AUTO ON OFF)
@@ -8,8 +8,8 @@ endif()
 
 set(KAYA_PAINTER_BUILT FALSE)
 if(NOT KAYA_PAINTER STREQUAL "OFF")
-  # All components at once, and at the top: targets of VTK refer to those of other packages, which are known in this folder
-  # and below only. IOXML is what tests read .vtu files with.
+  # All components in one call, and at the top: targets of VTK refer to those of other packages, which are defined in this folder
+  # and below only. Tests read .vtu files with IOXML.
   set(how QUIET)
   if(KAYA_PAINTER STREQUAL "ON")
     set(how REQUIRED)
@@ -19,7 +19,7 @@ if(NOT KAYA_PAINTER STREQUAL "OFF")
   set(KAYA_PAINTER_BUILT ${VTK_FOUND})
 endif()
 
-# Said at the end of the configuration, where it is read.
+# Printed at the end of the configuration, where it is visible.
 if(NOT KAYA_PAINTER_BUILT AND KAYA_PAINTER STREQUAL "AUTO")
   cmake_language(DEFER CALL message STATUS
     "kaya: built without kaya-painter, so 'plot' makes no pictures: VTK is missing (scripts/install --pictures)")

@@ -1,4 +1,4 @@
-# How every target of kaya is compiled. One place, so that no folder has flags of its own.
+# Flags of all targets of kaya, in one place, so that no folder sets its own.
 
 set(KAYA_ARCH "native" CACHE STRING "value of -march: native, x86-64-v3 or x86-64-v2; each gives the same bits")
 option(KAYA_WERROR "warnings are errors in kaya's own code" OFF)
@@ -7,11 +7,11 @@ set(KAYA_SANITIZE "" CACHE STRING "value of -fsanitize, e.g. address,undefined")
 
 add_library(kaya_flags INTERFACE)
 target_compile_features(kaya_flags INTERFACE cxx_std_20)
-# No contraction to fused multiply-add: a row's result must not depend on where in a vector it
-# stands, nor on the machine. errno and traps are not used, and leaving them out lets loops vectorise.
+# No contraction to fused multiply-add: the result of a row must not depend on its position in a
+# vector, nor on the machine. errno and traps are not used; without them loops vectorise.
 target_compile_options(kaya_flags INTERFACE
   -Wall -Wextra -Wpedantic
-  # Not where files are compiled together: a local name may be that of a function in another file.
+  # Not for files compiled together: a local name may equal that of a function in another file.
   $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   -Wnon-virtual-dtor
   -ffp-contract=off -fno-math-errno -fno-trapping-math)
@@ -20,8 +20,8 @@ if(KAYA_ARCH)
 endif()
 if(KAYA_WERROR)
   target_compile_options(kaya_flags INTERFACE -Werror)
-  # gcc 12 takes the undefined registers that AVX-512 intrinsics start from for mistakes of Eigen's headers. Whether it does
-  # so depends on the processor that it compiles for, and a clone must build on each.
+  # gcc 12 reports the undefined registers of AVX-512 intrinsics as errors in Eigen's headers. The warning
+  # depends on the target processor, and kaya must build for each.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(kaya_flags INTERFACE -Wno-error=uninitialized -Wno-error=maybe-uninitialized)
   endif()
@@ -29,7 +29,7 @@ endif()
 if(KAYA_SANITIZE)
   target_compile_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE})
-  # Boost's sockets have fences, which that for threads does not see; the objects that they order are seen.
+  # Boost's sockets use fences, which the thread sanitizer does not support; the objects that they order are checked.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND KAYA_SANITIZE STREQUAL "thread")
     target_compile_options(kaya_flags INTERFACE -Wno-error=tsan)
   endif()
@@ -53,15 +53,15 @@ function(kaya_read_once name)
   if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_compile_options(${name} PRIVATE -fpch-preprocess)
   endif()
-  # gcc 12 forgets that headers in a precompiled one are the system's: it warns of std::string (its bug 105329) and of intrinsics. The
-  # other presets read headers one by one, and warn.
+  # gcc 12 does not treat headers in a precompiled header as system headers: it warns of std::string (gcc bug 105329) and of intrinsics. The
+  # other presets read headers one by one and keep these warnings.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_compile_options(${name} PRIVATE "${KAYA_NO_FALSE_WARNINGS}")
   endif()
 endfunction()
 
 # kaya_library(NAME [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
-# The link line is the rule about who may see what.
+# The link line defines which folders may be included.
 function(kaya_library name)
   cmake_parse_arguments(arg "" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
@@ -79,8 +79,8 @@ function(kaya_library name)
 endfunction()
 
 # With KAYA_TOGETHER the files of a target are compiled in `groups` units of several files each, which read their headers once. The
-# name of a file alone decides its group: a new file changes no other group. `apart` lists files (patterns) that stay units of their
-# own: hot loops, whose inlining must not depend on their neighbours, and files of one vocabulary (table, rows_of).
+# name of a file alone decides its group: a new file changes no other group. `apart` lists files (patterns) that remain separate
+# units: hot loops, whose inlining must not depend on other files, and files that share local names (table, rows_of).
 function(kaya_compile_together name groups apart)
   if(NOT KAYA_TOGETHER OR NOT groups)
     return()
@@ -111,7 +111,7 @@ set(KAYA_RUN_ONCE_PER_COMMAND $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 # What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
 add_custom_target(program)
 
-# The joint models that ship: where the loader looks, beside the program.
+# The joint models that ship, in the folder next to the program that the loader searches.
 include(${CMAKE_CURRENT_LIST_DIR}/KayaJointModel.cmake)
 function(kaya_ship_joint_model name)
   kaya_add_joint_model(${name} ${ARGN})
@@ -121,7 +121,7 @@ function(kaya_ship_joint_model name)
   install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints)
 endfunction()
 
-# The zone models that ship, in the folder beside.
+# The zone models that ship, likewise.
 function(kaya_ship_zone_model name)
   kaya_add_zone_model(${name} ${ARGN})
   target_link_libraries(zone_${name} PRIVATE kaya_flags)
@@ -130,5 +130,5 @@ function(kaya_ship_zone_model name)
   install(TARGETS zone_${name} LIBRARY DESTINATION lib/kaya/zones)
 endfunction()
 
-# The headers that joint models compile against lie beside the program, as they do when it is installed.
+# The headers for joint models are next to the program, as after installation.
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include SYMBOLIC)

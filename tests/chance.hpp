@@ -1,4 +1,4 @@
-// Numbers by chance, the same everywhere for a seed: distributions of the standard library differ from one to the next.
+// Random numbers that depend on the seed alone: distributions of the standard library differ between implementations.
 #pragma once
 
 #include <cmath>
@@ -13,11 +13,11 @@ public:
     explicit Chance(std::uint64_t seed) : bits_(seed * 2654435769u + 12345) {}
 
     double between(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53; }
-    /// Over decades.
+    /// Uniform in the logarithm.
     double scale(double low, double high) { return std::pow(10, between(std::log10(low), std::log10(high))); }
     int below(int n) { return static_cast<int>(between(0, n)); }
     bool heads(double part = 0.5) { return between(0, 1) < part; }
-    /// All 64 bits; the upper ones are the better ones.
+    /// All 64 bits; the upper ones are of better quality.
     std::uint64_t next() { return bits_ = bits_ * 6364136223846793005u + 1442695040888963407u; }
     /// One of a list that is not empty.
     template <class List> const auto& of(const List& list) {

@@ -1,4 +1,4 @@
--- An open pit slope over a weak layer, between faults: geometry, stages and what is printed. The decks beside it say the numbers.
+-- An open pit slope over a weak layer, between faults: geometry, stages and output. The decks in this folder set the numbers.
 local pit = {}
 
 -- Ground x z ... along the section, over the layer z = layer.z - x tan(dip) (a negative dip rises away from the pit); y from sides[1] to sides[2].
@@ -26,7 +26,7 @@ function pit.build(p)
         planes[#planes + 1] = { n = n * ((inside - o):dot(n) > 0 and 1 or -1), o = o }
     end
     prism { { first, layer_at(first) }, { last, layer_at(last) }, { last, layer_at(first) - 60 }, { first, layer_at(first) - 60 } }
-    -- What may move has zones; the rock below, behind and beside it is rigid and stays.
+    -- The slope has zones; the rock below, behind and at its sides is rigid and fixed.
     for block in blocks() do
         local x = block.position
         local moves = x.z > layer_at(x.x)
@@ -37,13 +37,13 @@ function pit.build(p)
     pit.layer_at = layer_at
 end
 
--- Joints: the layer first, since it has no range, then the faults by their joint sets 1, 2, ...
+-- Joints: the layer first, because it has no range, then the faults by their joint sets 1, 2, ...
 local function joints(p, words)
     local list = { p.layer, table.unpack(p.faults) }
     for i, joint in ipairs(list) do command("jmodel " .. words(joint) .. (i > 1 and (" range jset %d"):format(i - 1) or "")) end
 end
 
--- Weight comes on while nothing can fail; displacements count from there.
+-- Weight is applied with unlimited strength; displacements are reset afterwards.
 function pit.load(p)
     command "jmodel model mohr"
     joints(p, function(j) return ("jkn %g jks %g jfric 80 jcoh 1e9 jrcoh 1e9 jten 1e9 jrten 1e9"):format(j.kn, j.kn) end)
@@ -62,7 +62,7 @@ function pit.coulomb(p)
     command(("prop mat 1 bcoh %g bten 0"):format(p.rock.cohesion))
 end
 
--- JRC, JCS and residual angle of the tables hold for the joints themselves; `jcs` says which of the two wall strengths.
+-- JRC, JCS and residual angle of the tables are those of the whole joints; `jcs` selects one of the two wall strengths.
 function pit.barton(p, jcs)
     command "jmodel model barton-bandis"
     joints(p, function(j)

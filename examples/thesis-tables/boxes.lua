@@ -1,9 +1,9 @@
--- Shear boxes side by side: many tests in one model. Box k has its own joint and pressure; the boxes do not touch.
+-- Shear boxes side by side: many tests in one model. Box k has its own joint and pressure; the boxes are not in contact.
 local formulas = require "formulas"
 local boxes = { apart = 0.5 }
 
--- `tests`: a list of {values = ...}. The area is 0.2 m x 0.2 m and stays while the upper block slides by `room`.
--- `edge`: length of the edges of zones; nil: rigid blocks. `room`: way that the upper block may go.
+-- `tests`: a list of {values = ...}. The area is 0.2 m x 0.2 m and constant while the upper block slides by `room`.
+-- `edge`: length of the edges of zones; nil: rigid blocks. `room`: permitted displacement of the upper block.
 function boxes.build(tests, room, edge)
     for k, test in ipairs(tests) do
         local y = k * boxes.apart
@@ -27,7 +27,7 @@ function boxes.build(tests, room, edge)
     command "seek"
 end
 
--- Adds a pressure, MPa, on each upper block.
+-- Adds a pressure, MPa, to each upper block.
 function boxes.press(tests, pressure_of)
     for _, test in ipairs(tests) do
         command(("bound stress 0 0 %.17g 0 0 0 range z 0.09 0.11 y %g %g"):format(-pressure_of(test), test.low, test.high))

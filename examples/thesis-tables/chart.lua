@@ -1,4 +1,4 @@
--- A picture of one table as SVG, which any browser shows: a line, and points of several kinds, over the number that the rows vary.
+-- A picture of one table as SVG: a line, and points of several kinds, over the number that varies between rows.
 local chart = {}
 
 local width, height = 560, 340

@@ -2,7 +2,7 @@
 local formulas = { kni = 1e5, length_lab = 0.1, length_field = 0.2 }
 local size = formulas.length_field / formulas.length_lab
 
-function formulas.maximum_closure(v) -- (2.25), (2.26), from values of the laboratory
+function formulas.maximum_closure(v) -- (2.25), (2.26), from laboratory values
     local aperture = v.jrco / 5 * (0.2 * v.sigmac / v.jcso - 0.1)
     return 1e-3 * (-0.2960 - 0.0056 * v.jrco + 2.2410 * (v.jcso / aperture) ^ -0.2450)
 end

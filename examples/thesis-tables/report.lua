@@ -1,5 +1,5 @@
--- The page of results: a line that says how many rows are right, then thesis, closed form, what the runs gave and error for
--- each table with its picture, and what is wrong in print. Each row is also a comparison that stops the run when its
+-- The page of results: the number of rows within their tolerance, then thesis, closed form, results of the runs and error for
+-- each table with its picture, and a list of misprints. Each row is also a comparison that stops the run if its
 -- error is too large.
 local formulas, verify, chart = require "formulas", require "verify", require "chart"
 local report = {}
@@ -7,7 +7,7 @@ local report = {}
 local sections = {} -- in order: {title, note, head, rows, picture}
 local kinds = {}    -- in order: {name, tolerance, rows, worst}
 
--- `picture` is {file, x, y}: what its rows are drawn as.
+-- `picture` is {file, x, y}: the file and axes of its picture.
 local function section(title, note, head, picture)
     for _, s in ipairs(sections) do
         if s.title == title then return s end
@@ -32,20 +32,20 @@ local function count(name, tolerance, error)
     kind.worst = math.max(kind.worst, error)
 end
 
--- The row of verification that a table belongs to (docs/verification.md).
+-- The row of docs/verification.md for a table.
 local case_of = { ["4.2"] = "J5", ["4.3"] = "J5", ["4.4"] = "J5", ["4.5"] = "J5", ["4.7, second"] = "J8" }
 
 local function case(test)
     return ("%s table %s at %g"):format(case_of[test.table.table] or "J6", test.table.table, test.row[1])
 end
 
--- Without a minus sign in front of nothing.
+-- Without a minus sign before zero.
 local function percent(value)
     local text = ("%.3f"):format(100 * value)
     return text == "-0.000" and "0.000" or text
 end
 
--- What the picture of a table shows of a row.
+-- Adds a row to the picture of its table.
 local function draw(into, x, closed_form, ours, empirical, numerical)
     local function put(set, y) set.x[#set.x + 1], set.y[#set.y + 1] = x, y end
     local points = into.picture.points

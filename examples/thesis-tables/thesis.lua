@@ -2,7 +2,7 @@
 -- The second table 4.7 is called "residual" here; no table of the thesis has the number 4.8.
 local thesis = {}
 
--- What a row does not vary.
+-- Standard values, for quantities that a row does not vary.
 thesis.standard = { jrco = 8, jcso = 100, sigmac = 150, resfriction = 20, stress = 5 }
 
 thesis.closures = {
@@ -42,12 +42,12 @@ thesis.peaks = {
 
 thesis.residual = { table = "4.7, second", varies = "resfriction", label = "phi_r, degrees", rows = { { 10, 0.88, 0.82 } } }
 
--- Tangent shear stiffness, MPa/m, over shear displacement, mm: printed, and not to be had from the equations.
+-- Tangent shear stiffness, MPa/m, over shear displacement, mm: as printed; the equations do not give it.
 thesis.shear_stiffness = { table = "4.11", rows = {
     { 0.02, 27078, 25500 }, { 0.04, 19291, 18750 }, { 0.06, 12234, 13333 }, { 0.08, 7862, 8625 }, { 0.10, 5160, 5900 },
     { 0.12, 3406, 3910 }, { 0.14, 2399, 2817 }, { 0.16, 1741, 2063 }, { 0.18, 1264, 1510 } } }
 
--- What is wrong or missing in print.
+-- Misprints and omissions.
 thesis.misprints = {
     "Table 4.3, row 110: the difference is printed as 5.99 %; its own pair, 0.18 and 0.167, gives 7.22 %.",
     "Table 4.5: the headings of the two columns are exchanged; the text promises nine points, eight are printed.",

@@ -20,12 +20,12 @@
  * with the plane before `run` is called; and so are three history variables in a row whose names are
  * alike but for their ends -x, -y, -z. Other history variables are plain numbers.
  *
- * Threads. `run` and `initialise` are called from several threads at once, each with rows of its own:
- * they must not write to anything but the columns of the batch. The other functions are called from
+ * Threads. `run` and `initialise` are called from several threads at once, each with its own rows:
+ * they must write only to the columns of the batch. The other functions are called from
  * one thread at a time.
  *
- * Arithmetic. The engine rounds to the nearest number and keeps the very small ones. A library that changes that, by its own
- * hand or because it was linked with -ffast-math, has its changes undone after each call, and its user is told.
+ * Arithmetic. The engine rounds to the nearest number and keeps the very small ones. A library may change that, by itself
+ * or because it was linked with -ffast-math; the engine undoes the change after each call, and warns the user.
  *
  * Errors. `run` and `initialise` return -1, or the row at which they failed, after writing a sentence
  * to batch->message. Do not throw across this interface; what is thrown all the same is caught, and is
@@ -77,7 +77,7 @@ typedef struct kaya_jhistory {
 
 /* A number of each sub-contact that comes from outside, and that the model only reads: a temperature, a degree of
  * saturation, a roughness that is not the same everywhere. A field with the name of a property of the model is that
- * property, where a sub-contact has a value of its own; another starts as `initial`. Users set it by its name, as they set
+ * property, where a sub-contact has its own value; other fields start as `initial`. Users set it by its name, as they set
  * a history variable; it is saved and hashed. Only `name` must not be NULL. */
 typedef struct kaya_jfield {
     const char* name; /* "temperature"; or a property: "jrc" */
@@ -97,12 +97,11 @@ typedef struct kaya_jobject {
 typedef struct kaya_jobject_functions {
     kaya_jobject* (*clone)(const kaya_jobject* object);
     void (*destroy)(kaya_jobject* object);
-    /* Calls write(sink, bytes, count), as often as it likes, with all that decides how the object goes
-     * on. The same content must always give the same bytes: they are saved, and the hash is made of them. */
+    /* Calls write(sink, bytes, count), any number of times, with the whole state of the object. The same content must always give the same bytes: they are saved, and the hash is made of them. */
     void (*save)(const kaya_jobject* object, void (*write)(void* sink, const void* bytes, size_t count), void* sink);
 } kaya_jobject_functions;
 
-/* The tables of the deck, as they were when the last command to cycle began. */
+/* The tables of the deck at the start of the last command that cycles. */
 typedef struct kaya_jtables {
     /* The table of that name or number, NULL when there is none; it stays valid while the model is
      * loaded. It may be called from `initialise` and `run`, in any thread. */
@@ -194,8 +193,8 @@ typedef struct kaya_jmodel {
     size_t field_count KAYA_JMODEL_ZERO;
     uint32_t needs KAYA_JMODEL_ZERO; /* KAYA_JMODEL_NEEDS_... */
 
-    /* For a model whose objects have properties of their own: what the object holds of property `property`, and a value for
-     * it; 0 when the object takes it. NULL: users see and set what the deck gives alone. */
+    /* For a model whose objects have their own properties: the value of property `property` in the object, and a new value for
+     * it; 0 when the object accepts it. NULL: users see and set only the values of the deck. */
     double (*object_value)(const kaya_jobject* object, size_t property) KAYA_JMODEL_NONE;
     int (*set_object_value)(kaya_jobject* object, size_t property, double value) KAYA_JMODEL_NONE;
 } kaya_jmodel;

@@ -12,10 +12,10 @@
  *
  * Signs. Stress: tension positive, compression negative. Strain: extension positive. Shear strains are tensor
  * components, half of the engineering ones. The six components are in the order xx, yy, zz, xy, xz, yz. Stress is
- * effective: where there is water, the pore pressure is a column of its own, compression positive. Axes are global, and
+ * effective: where there is water, the pore pressure is a separate column, compression positive. Axes are global, and
  * the engine has turned the stress with the material before `run` is called. Angles are degrees. No units are enforced.
  *
- * Threads. `run` is called from several threads at once, each time with rows of its own: it must not write to anything but
+ * Threads. `run` is called from several threads at once, each time with its own rows: it must write only to
  * the columns of the batch.
  *
  * History variables start as 0, and are 0 again when a zone gets another model. Stress that was there stays.
@@ -87,7 +87,7 @@ typedef struct kaya_zmodel {
     size_t history_count;
     const char* state_names; /* "shear tension": bit 0, bit 1, ...; separated by blanks */
 
-    /* 1: zones of this model flow at a volume of their own, so that linear tetrahedra would lock: the engine averages the
+    /* 1: zones of this model flow with a prescribed volume change, so that linear tetrahedra would lock: the engine averages the
      * volume strain and the plastic change of the mean stress over neighbours. 0: they do not. */
     uint32_t flows;
 

@@ -24,7 +24,7 @@ Argument<double> velocity_argument(std::size_t component) {
     return component < 3 ? real("v").unit("velocity") : real("v").unit("angle in radians/time");
 }
 
-/// Kinds of `hist`: each makes what is left of the line a factor that changes with time.
+/// Kinds of `hist`: each reads the rest of the line as a factor that varies with time.
 std::vector<KeywordSpec> multiplier_kinds() {
     Keywords<Multiplier> kinds;
     const auto frequency = real("f").unit("1/time").above(0);
@@ -84,7 +84,7 @@ template <class Command> void add_velocities(Entry<Command>& entry, std::string_
             i < 3 ? help : spin);
 }
 
-/// A value along a direction; several of them add up.
+/// A value along a direction; several values are added.
 template <class Command> void add_directed(Entry<Command>& entry, std::vector<Spelling> words,
                                            const Argument<double>& value, std::vector<Directed> Command::*member,
                                            std::string_view help) {
@@ -107,18 +107,19 @@ template <class Values> bool any(const Values& values) {
 
 CommandSpec bound() {
     Entry<Boundary> entry({"boundary"});
-    entry.help("drives or loads gridpoints, vertices and rigid blocks at the boundary of what is visible");
+    entry.help(
+        "prescribes velocities and loads of gridpoints, vertices and rigid blocks at the boundary of the visible blocks");
     entry.place(&Boundary::place);
     static constexpr const char* load[] = {"xload", "yload", "zload"};
     static constexpr const char* free[] = {"xfree", "yfree", "zfree", "rxfree", "ryfree", "rzfree"};
-    add_velocities(entry, "velocity that is held", "rotation of rigid blocks that is held");
+    add_velocities(entry, "prescribed velocity", "prescribed rotation of rigid blocks");
     for (std::size_t i = 0; i < 3; ++i)
         entry.keyword(
             {load[i]}, real("f").unit("force"), [i](Boundary & b) -> auto& { return b.load[i]; },
             "force added at every vertex");
     for (std::size_t i = 0; i < 6; ++i)
         entry.action(
-            {free[i]}, [i](Boundary& b) { b.free[i] = true; }, "no longer held in this direction");
+            {free[i]}, [i](Boundary& b) { b.free[i] = true; }, "not prescribed in this direction any more");
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &Boundary::stress,
                   "stress on the boundary faces, compression negative");
     entry.keyword({"xgradient"}, tensor("sxx syy szz sxy sxz syz").unit("stress/length"), &Boundary::x_gradient,
@@ -142,11 +143,11 @@ CommandSpec bound() {
     for (std::size_t i = 0; i < 3; ++i)
         entry.action(
             {Spelling{reaction[i], 3}}, [i](Boundary& b) { b.reaction[i] = true; },
-            "replaces what is held in this direction by its reaction force");
+            "replaces the prescribed velocity in this direction by its reaction force");
     entry.keyword({"nvel", "nvelocity"}, real("v").unit("velocity"), &Boundary::normal_velocity,
-                  "velocity along the outward normals of faces that is held; their planes stay free");
+                  "prescribed velocity along the outward normals of faces; motion in their planes is free");
     add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Boundary::directed_velocity,
-                 "velocity along a direction that is held; the plane at right angles to it stays free");
+                 "prescribed velocity along a direction; motion normal to it is free");
     add_directed(entry, {"dload"}, real("f").unit("force"), &Boundary::directed_load,
                  "force along a direction, added at every vertex");
     entry.not_yet({"ff", "freefield"}, "free fields at the sides of a model");
@@ -167,7 +168,7 @@ CommandSpec bound() {
         const bool silent =
             none_of(b.quiet) && none_of(b.reaction) && !b.normal_velocity && b.directed_velocity.empty();
         if (!prescribed && !any(b.free) && silent)
-            incomplete_line(reader, "bound does not say what acts on the boundary",
+            incomplete_line(reader, "bound has no boundary condition",
                             "expected: xvel, xload, xfree, xvisc, xreac (or y, z), nvel or stress");
         if (b.multiplier && !prescribed)
             incomplete_line(reader, "hist has nothing to multiply", "give xvel (or y, z), a load or a stress");
@@ -185,17 +186,17 @@ CommandSpec bound() {
     entry.wrong("bound dvel 0 0 0 0", "(0, 0, 0) is not a direction");
     entry.wrong("bound dload 5 1 0", "a number is missing after '0'");
     entry.right("bound stress -5e6 -2e6 -1e6 0 0 0 local 1 1 0 0 0 1 range x 0");
-    entry.wrong("bound local 1 0 0 0 1 0", "local has no stress to turn");
+    entry.wrong("bound local 1 0 0 0 1 0", "local has no stress to rotate");
     entry.wrong("bound stress 0 0 -1 0 0 0 local 1 0 0 2 0 0", "(2, 0, 0) is parallel to (1, 0, 0)");
     entry.wrong("bound dvel 1 0 0 1 hist sine 5", "hist has nothing to multiply");
-    entry.wrong("bound", "bound does not say what acts on the boundary");
+    entry.wrong("bound", "bound has no boundary condition");
     entry.wrong("bound xvel range x 0", "expected a number, found 'range'");
     entry.wrong("bound ff", "'boundary ff' is known, but kaya does not support it yet");
     entry.wrong("bound nvel", "a number is missing after 'nvel'");
-    entry.wrong("bound xvisc 1", "'1' stands where a keyword of boundary must be");
+    entry.wrong("bound xvisc 1", "expected a keyword of boundary, found '1'");
     entry.wrong("bound xvle 0", "'xvle' is not a keyword of boundary");
     entry.wrong("bound stress 0 0 -5", "a number is missing after '-5'");
-    entry.wrong("bound stress 0 0 -5 0 0 0 0", "'0' stands where a keyword of boundary must be");
+    entry.wrong("bound stress 0 0 -5 0 0 0 0", "expected a keyword of boundary, found '0'");
     entry.wrong("bound xgrad 1 0 0 0 0 0", "a gradient of stress needs the stress at the origin");
     entry.wrong("bound xvel 1 hist", "a word is missing after 'hist'");
     entry.wrong("bound xvel 1 hist sin", "a number is missing after 'sin'");
@@ -206,16 +207,16 @@ CommandSpec bound() {
 
 CommandSpec apply() {
     Entry<Apply> entry({"apply"});
-    entry.help("drives or loads whole blocks, picked by their centroid");
+    entry.help("prescribes velocities and loads of whole blocks, selected by their centroid");
     entry.place(&Apply::place);
     static constexpr const char* load[] = {"xload", "yload", "zload", "xmoment", "ymoment", "zmoment"};
-    add_velocities(entry, "velocity of the blocks that is held", "rotation of rigid blocks that is held");
+    add_velocities(entry, "prescribed velocity of the blocks", "prescribed rotation of rigid blocks");
     for (std::size_t i = 0; i < 6; ++i)
         entry.keyword(
             {load[i]}, real("f").unit(i < 3 ? "force" : "moment"), [i](Apply & a) -> auto& { return a.load[i]; },
             i < 3 ? "force added at the centroid of each rigid block" : "moment added to each rigid block");
     add_directed(entry, {"dvel", "dvelocity"}, real("v").unit("velocity"), &Apply::directed_velocity,
-                 "velocity of the blocks along a direction that is held");
+                 "prescribed velocity of the blocks along a direction");
     add_directed(entry, {"dload"}, real("f").unit("force"), &Apply::directed_load,
                  "force along a direction, added to each rigid block");
     add_directed(entry, {"dmoment"}, real("m").unit("moment"), &Apply::directed_moment,
@@ -231,7 +232,7 @@ CommandSpec apply() {
         const bool multiplied =
             any(a.velocity) || any(a.load) || !a.directed_load.empty() || !a.directed_moment.empty();
         if (!multiplied && a.directed_velocity.empty())
-            incomplete_line(reader, "apply does not say what acts on the blocks",
+            incomplete_line(reader, "apply has no velocity and no load",
                             "expected: xvel, rxvel, xload or xmoment (or y, z), dvel, dload or dmoment");
         if (a.at && !forces)
             incomplete_line(reader, "at has no force to place", "give xload (or y, z) or dload; a moment has no place");
@@ -243,10 +244,10 @@ CommandSpec apply() {
     entry.right("apply xrvel 0 zrvel 0.1 range id 3").right("apply dvel 0 1 1 0 range id 3");
     entry.right("apply zload -500 at 0.2 0.5 1 range id 1")
         .right("apply dload 5e3 1 0 1 dmoment 20 0 1 0 range region 2");
-    entry.wrong("apply at 0 0 1 range id 3", "apply does not say what acts on the blocks");
+    entry.wrong("apply at 0 0 1 range id 3", "apply has no velocity and no load");
     entry.wrong("apply xmoment 5 at 0 0 1 range id 3", "at has no force to place");
     entry.wrong("apply dload 1 0 0 0", "(0, 0, 0) is not a direction");
-    entry.wrong("apply", "apply does not say what acts on the blocks");
+    entry.wrong("apply", "apply has no velocity and no load");
     entry.wrong("apply xvel", "a number is missing after 'xvel'");
     entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
     return entry;
@@ -279,14 +280,14 @@ Entry<Fix> directions(Entry<Fix> entry) {
 
 CommandSpec table() {
     Entry<TableCommand> entry({"table"});
-    entry.help("makes a table of pairs: the y that belongs to an x lies on straight lines between them");
+    entry.help("defines a table of pairs (x, y), with linear interpolation");
     entry.place(&TableCommand::place);
     entry.argument(integer("n").at_least(0).help("number of the table"), &TableCommand::number);
     entry.keyword({"read"}, text("file"), &TableCommand::file,
                   "replaces the table by that of a file: a line of title, a line `count step`, then one y per line, or "
                   "x and y when the step is 0");
     entry.action(
-        {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "takes all pairs out");
+        {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "removes all pairs");
     const auto x = real("x").spec, y = real("y").spec;
     entry.otherwise({x, y}, [=](Reader& reader, TableCommand& t) {
         if (!reader.at_number()) return false;
@@ -296,13 +297,12 @@ CommandSpec table() {
     });
     entry.finish([](const Reader& reader, TableCommand& t) {
         if (t.points.empty() && t.file.empty() && !t.clear)
-            incomplete_line(reader, "table does not say what to put into it",
-                            "expected: pairs x y, read and a file, or clear");
+            incomplete_line(reader, "table has no pairs", "expected: pairs x y, read and a file, or clear");
     });
     entry.right("table 1 0 0 0.4 1.962 10 1.962").right("table 2 read quake.tab").right("table 1 (0,1) (1,2)");
     entry.right("table 1 clear");
     entry.wrong("table", "a number is missing after 'table'");
-    entry.wrong("table 1", "table does not say what to put into it");
+    entry.wrong("table 1", "table has no pairs");
     entry.wrong("table 1 0 0 0.4", "a number is missing after '0.4'");
     entry.wrong("table 1 read", "a word is missing after 'read'");
     entry.wrong("table 1 raed quake.tab", "'raed' is not a keyword of table");
@@ -342,22 +342,23 @@ CommandSpec water() {
             w.kind = WaterCommand::Kind::ground;
             w.file = reader.text(file.spec);
         },
-        "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it goes on level");
+        "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it is level");
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &WaterCommand::origin, "moves that surface");
     entry.action(
-        {"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "no water any more");
+        {"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "removes the water");
     entry.finish([](const Reader& reader, WaterCommand& w) {
         if (!w.kind)
-            incomplete_line(reader, "water does not say where it is", "expected: table, ground, pressure or off");
+            incomplete_line(reader, "water has no table, ground or pressure",
+                            "expected: table, ground, pressure or off");
     });
     entry.right("water ground 'hill.xyz' shift 0 0 -2")
         .right("water table 0 0 10")
         .right("water table 0 0 10 normal 0.1 0 1 density 1025");
     entry.right("water pressure 5e3").right("water pp 1e5 gradient 0 0 -1e4").right("water off");
-    entry.wrong("water", "water does not say where it is");
+    entry.wrong("water", "water has no table, ground or pressure");
     entry.wrong("water table 0 0", "a number is missing after '0'");
     entry.wrong("water tabel 0 0 1", "'tabel' is not a keyword of water");
-    entry.wrong("water density 1000", "water does not say where it is");
+    entry.wrong("water density 1000", "water has no table, ground or pressure");
     return entry;
 }
 
@@ -370,7 +371,7 @@ Family boundary() {
                 bound(),
                 apply(),
                 directions(components<Fix>({"fix"}))
-                    .help("holds blocks where they are, or some components of their motion")
+                    .help("fixes blocks, or some components of their motion")
                     .range(&Fix::range)
                     .right("fix")
                     .right("fix range z -0.1 0")
@@ -383,8 +384,8 @@ Family boundary() {
                 components<Free>({"free"})
                     .action(
                         {"direction", "directions"}, [](Free& f) { f.directions = true; },
-                        "only the directions that `fix direction` and dvel hold")
-                    .help("lets fixed blocks move again")
+                        "only directions prescribed by `fix direction` and dvel")
+                    .help("releases fixed blocks")
                     .range(&Free::range)
                     .right("free")
                     .right("free range id 3 5")

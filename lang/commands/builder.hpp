@@ -13,7 +13,7 @@
 
 namespace kaya::lang {
 
-/// What is said about one argument, with the C++ type that it is read as.
+/// Description of one argument, with the C++ type that it is read as.
 template <class T> struct Argument {
     ArgumentSpec spec;
 
@@ -66,14 +66,14 @@ std::function<void(Reader&, void*)> reads(ArgumentSpec spec, Target target) {
 /// A list of keywords that act on one struct.
 template <class Struct> class Keywords {
 public:
-    /// One argument into one place.
+    /// One argument, stored in one member.
     template <class T, class Target>
     Keywords& keyword(std::vector<Spelling> words, Argument<T> argument, Target target, std::string_view help) {
         list_.push_back({std::move(words), {argument.spec}, help, detail::reads<Struct, T>(argument.spec, target), {}});
         return *this;
     }
 
-    /// No argument: does something to the struct.
+    /// No argument: calls a function on the struct.
     template <std::invocable<Struct&> Action>
     Keywords& action(std::vector<Spelling> words, Action action, std::string_view help) {
         list_.push_back(
@@ -81,7 +81,7 @@ public:
         return *this;
     }
 
-    /// Anything else: `read` is called after the keyword, `arguments` say what it reads there.
+    /// Any other form: `read` is called after the keyword; `arguments` describe what it reads.
     template <std::invocable<Reader&, Struct&> Read>
     Keywords& special(std::vector<Spelling> words, std::vector<ArgumentSpec> arguments, Read read,
                       std::string_view help, std::vector<KeywordSpec> keywords = {}) {
@@ -94,7 +94,7 @@ public:
     /// The words added last are read without effect.
     Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
 
-    /// Words that are known and refused; `help` says what they are about.
+    /// Words that are known and refused; `help` explains them.
     Keywords& not_yet(std::vector<Spelling> words, std::string_view help) {
         list_.push_back({std::move(words), {}, help, {}, {}, Support::not_yet});
         return *this;
@@ -154,23 +154,23 @@ public:
 
     /// The keyword added last is read without effect.
     Entry& ignored() { return keywords_.ignored(), *this; }
-    /// Keywords that are known and refused; `help` says what they are about.
+    /// Keywords that are known and refused; `help` explains them.
     Entry& not_yet(std::vector<Spelling> words, std::string_view help) {
         keywords_.not_yet(std::move(words), help);
         return *this;
     }
     Entry& support(Support support) { return spec_.support = support, *this; }
 
-    /// For words that are no keyword: names of properties, @names. `read` gives false when the word is not
-    /// its own, and has then taken nothing.
+    /// For words that are not keywords: names of properties, @names. `read` returns false, without taking a word, when the word does not
+    /// belong to it.
     template <std::predicate<Reader&, Command&> Read> Entry& otherwise(std::vector<ArgumentSpec> arguments, Read read) {
         spec_.otherwise_arguments = std::move(arguments);
         spec_.otherwise = [read](Reader& reader, void* at) { return read(reader, *static_cast<Command*>(at)); };
         return *this;
     }
 
-    /// `needs_word`: the elements count only after the word range, because the line may hold names of
-    /// properties that nobody knows yet.
+    /// `needs_word`: range elements are read only after the word range, because the line may hold names of properties that are not known
+    /// yet.
     Entry& range(RangePhrase Command::*phrase, bool needs_word = false) {
         spec_.range_elements = &range_elements();
         spec_.range_without_word = !needs_word;
@@ -190,7 +190,7 @@ public:
         return *this;
     }
 
-    /// Called after the last word, for what only the whole line shows.
+    /// Called after the last word, for checks that need the whole line.
     template <std::invocable<const Reader&, Command&> Finish> Entry& finish(Finish finish) {
         spec_.finish = [finish](const Reader& reader, void* at) { finish(reader, *static_cast<Command*>(at)); };
         return *this;
@@ -202,7 +202,7 @@ public:
         spec_.called_file = [file](const std::any& c) { return std::any_cast<const Command&>(c).*file; };
         return flow(Flow::call);
     }
-    /// The rest of the line as it stands.
+    /// The rest of the line, unparsed.
     Entry& raw() { return spec_.raw = true, *this; }
     Entry& raw(std::string Command::*text) {
         spec_.raw = true;
@@ -229,7 +229,7 @@ private:
     Keywords<Command> keywords_;
 };
 
-/// A whole line that says too little: "change needs mat, cons, jmat or jcons".
+/// An incomplete line: "change needs mat, cons, jmat or jcons".
 [[noreturn]] void incomplete_line(const Reader& reader, std::string message, std::string hint = {});
 
 } // namespace kaya::lang

@@ -1,4 +1,4 @@
-// Lists of the structs of commands. A command is known by the place of its struct in the list of all.
+// Lists of the structs of commands. The index of a struct in the list of all commands identifies the command.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace kaya::lang {
 template <class... Command> struct CommandList { static constexpr std::size_t size = sizeof...(Command); };
 template <class... List> struct CommandLists {};
 
-/// A list and all those of CommandLists as one.
+/// A list and the commands of several CommandLists as one list.
 template <class First, class Rest> struct JoinedLists;
 template <class... A> struct JoinedLists<CommandList<A...>, CommandLists<>> { using All = CommandList<A...>; };
 template <class... A, class... B, class... List>

@@ -1,5 +1,5 @@
-// Every command as a struct of typed arguments: what the tables fill and the handlers take.
-// The tables next to this header say which words and numbers go into which member; the lists at the end say who runs them.
+// Every command as a struct of typed arguments, which the tables fill and the handlers receive. The tables next to this header map words
+// and numbers to members; the lists at the end assign the structs to handlers.
 #pragma once
 
 #include "base/object_kind.hpp"
@@ -30,13 +30,13 @@ struct Solve {
     std::optional<std::int64_t> cycles;
     bool elastic = false;
     bool factor_of_safety = false;
-    bool still = false; ///< a ratio or a force counts only when no body gains displacement any more
-    std::optional<std::array<double, 2>> bracket; ///< of the factor: where it stands and where it fails
+    bool still = false; ///< accept a ratio or a force only when no body gains displacement any more
+    std::optional<std::array<double, 2>> bracket; ///< of the factor: a stable value and a failing value
     double resolution = 0.005;                    ///< of the factor, as a part of it
     std::string file;                             ///< where the failing state is saved
     enum class Reduced { joints, zones, friction, cohesion, tension };
-    std::vector<Reduced> included, excluded; ///< of fos: what is reduced; none included: everything
-    bool keep = false;                       ///< of fos: the model stays as it failed
+    std::vector<Reduced> included, excluded; ///< of fos: the properties that are reduced; none included: all
+    bool keep = false;                       ///< of fos: keep the failed state of the model
     Place place;
 };
 /// limit equilibrium
@@ -83,7 +83,7 @@ struct StructureLiner {
     RangePhrase range;
     Place place;
 };
-/// structure property: what cables, beams and liners are made of
+/// structure property: properties of cables, beams and liners
 struct StructureProperty {
     struct Item {
         std::string name;
@@ -99,13 +99,13 @@ struct StructureDelete {
 };
 struct Damp {
     enum class Kind { none, local, global, combined, rayleigh };
-    std::optional<Kind> kind;           ///< none given: as it was
+    std::optional<Kind> kind;           ///< not given: unchanged
     std::optional<double> value;        ///< local 0.8
     double fraction = 0, frequency = 0; ///< rayleigh
     bool mass = true, stiffness = true;
     std::optional<double> contact; ///< dashpots of contacts, of critical damping
 };
-/// One of the three: all masses, none, or what the step asks for.
+/// One of three: all masses, none, or those that the time step needs.
 struct MassScale {
     bool on = false, off = false;
     std::optional<double> step;
@@ -129,7 +129,7 @@ struct FishCallback {
     std::int64_t interval = 1;
     Place place;
 };
-/// param name = value: the first value of a name counts, and kaya --set gives it before the deck does.
+/// param name = value: the first value of a name is kept; kaya --set gives it before the deck does.
 struct Parameter {
     std::string name;
     Value value;
@@ -148,14 +148,14 @@ struct LuaFile {
     Place place;
 };
 
-// --- all of them ---------------------------------------------------------------------------------------
+// --- all commands ---------------------------------------------------------------------------------------
 struct NotSupportedYet {}; ///< known by name, and refused when the deck is read
 
-/// Those that nobody has to run.
+/// Commands without a handler.
 using OwnCommands = CommandList<CallFile, Return, Quit, NotSupportedYet>;
 
-// By the files of src/commands that run them. A command that stands in no list does not compile where its words are, and one that
-// stands in a list and has no handler does not compile in that file.
+// Grouped by the file of src/commands that runs them. A command that is missing in all lists does not compile in the file of its words. A
+// command that is listed without a handler does not compile in the file of the handlers.
 using ControlCommands = CommandList<New, Config, Title, Pause, Set, NameRange>;
 using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
 using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
@@ -188,8 +188,8 @@ using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
 
 template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});
 
-/// Of commands that a script gives inside a cycle: those that read, or write what may be written at any time, and those that would
-/// cycle inside a cycle or take away the model that is cycling. The others change the structure, and wait for the end of the cycle.
+/// Commands that a script may give inside a cycle: those that read, those that write values that may change at any time, and those that
+/// would cycle or replace the running model (they are refused). All others change the structure and wait for the end of the cycle.
 using RunInCycle =
     CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand, HistoryLabel,
                 HistoryWrite, List, Plot, Movie, Ignored, FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile>;

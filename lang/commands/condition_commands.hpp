@@ -35,7 +35,7 @@ struct Directed {
 struct Gravity {
     Vec3 value = Vec3::Zero();
 };
-/// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: what a load or velocity is multiplied by.
+/// hist sine f [t] | cosine f [t] | impulse f [t] | table n | @name: the factor of a load or velocity.
 struct Wave {
     enum class Form { sine, cosine, impulse } form = Form::sine;
     double frequency = 0, duration = 0; ///< duration 0: no end
@@ -123,12 +123,12 @@ struct Reset {
 
 // --- histories and output --------------------------------------------------------------------------
 struct HistoryItem {
-    /// A field of the model or of the nearest object; with a name for it, its rate: the change in the last step over the step.
+    /// A field of the model or of the nearest object. With a name its rate is recorded: the change in the last step divided by the step.
     struct Quantity {
         ObjectKind kind;
         std::string field, rate;
     };
-    /// What the nearest sub-contact has for itself.
+    /// A value of the joint model at the nearest sub-contact.
     struct Own {
         std::string name;
     };
@@ -143,7 +143,7 @@ struct HistoryItem {
 struct HistoryAdd {
     std::vector<HistoryItem> items;
     std::optional<std::int64_t> interval; ///< ncyc
-    std::optional<std::int64_t> number;   ///< of the first item, where the deck says it
+    std::optional<std::int64_t> number;   ///< of the first item, if the deck gives it
     Place place;
 };
 struct HistoryDelete {
@@ -208,8 +208,8 @@ struct List {
 };
 struct Ignored {
     std::string word, instead;
-}; ///< label, ...: read to its end; `instead`: what there is in its place
-/// plot: hundreds of forms, looked at when it runs, so that no word of it stops a deck.
+}; ///< label, ...: read to its end and ignored; `instead`: the command to use in its place
+/// plot: has hundreds of forms. It is examined when it runs, so that no word of it stops a deck.
 struct Plot {
     struct Item {
         std::string text, folded;            ///< without quotes or @

@@ -9,27 +9,27 @@ namespace {
 
 CommandSpec set() {
     Entry<Set> entry({"set"});
-    entry.help("changes settings; several may stand on one line");
+    entry.help("changes settings; a line may have several");
     entry.keyword({"dynamic"}, on_off(), &Set::dynamic,
                   "on: no damping unless damp asks for it; off: static, local damping of 0.8");
     entry.keyword({"small"}, on_off(), &Set::small,
-                  "on: small strain, all geometry stays as it was made; off: large strain, the default");
-    entry.keyword({"log"}, on_off(), &Set::log, "writes what is shown into the log file as well");
+                  "on: small strain, the geometry is not updated; off: large strain, the default");
+    entry.keyword({"log"}, on_off(), &Set::log, "also writes the output to the log file");
     entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
     entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,
-                  "constitutive number of contacts that are made from now on");
+                  "constitutive number of new contacts");
     entry.keyword({"jmatdf"}, integer("n").at_least(1), &Set::default_joint_material,
-                  "joint material number of contacts that are made from now on");
+                  "joint material number of new contacts");
     entry.keyword({"fraction"}, real("f").above(0).at_most(1), &Set::time_step_fraction,
-                  "time step as a part of the largest stable one");
+                  "time step as a fraction of the largest stable one");
     entry.keyword({"dt", "timestep"}, real("t").unit("time").at_least(0), &Set::time_step,
-                  "time step; 0: a part of the largest stable one again");
+                  "time step; 0: a fraction of the largest stable one again");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
-                  "minutes of cycles between two files of what would be lost if the run were cut off; 0: none");
+                  "minutes of cycling between two autosaves; 0: none");
     entry.keyword({"report"}, on_off(), &Set::report,
-                  "on: the run ends with a page for a browser, in which the model can be seen over time");
+                  "on: writes a page for a browser at the end of the run, with the model over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
     const auto seed = integer("n").at_least(0).optional();
     entry.special(
@@ -38,7 +38,7 @@ CommandSpec set() {
             const bool given = reader.peek() && (reader.peek()->kind == WordKind::number || reader.peek()->late());
             set.seed = given ? reader.integer(seed.spec) : 1;
         },
-        "random numbers of FISH and Lua start anew from this seed; 1 if not given");
+        "restarts the random numbers of FISH and Lua from this seed; 1 if not given");
     for (const char* word : {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2",
                              "messages", "warnings", "overwrite", "delcontact"})
         entry
@@ -55,7 +55,7 @@ CommandSpec set() {
                 },
                 "accepted, without effect")
             .ignored();
-    // What shows a model on a screen takes the rest of its line.
+    // Commands that show a model on a screen take the rest of the line.
     for (const char* word : {"plot", "background", "directory", "output"})
         entry
             .special(
@@ -70,7 +70,7 @@ CommandSpec set() {
     });
     entry.finish([](const Reader& reader, Set&) {
         if (reader.statement().words.size() == 1)
-            incomplete_line(reader, "set does not say what to set", "write for example: set dyn on");
+            incomplete_line(reader, "set has no setting", "write for example: set dyn on");
     });
     entry.right("set dyn on")
         .right("set jcondf 1 jmatdf 2")
@@ -79,8 +79,8 @@ CommandSpec set() {
     entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
     entry.right("set gravity 0 0 -9.81 random 7").right("set random");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
-    entry.wrong("set", "set does not say what to set");
-    entry.wrong("set dyn maybe", "'maybe' stands where on or off must be");
+    entry.wrong("set", "set has no setting");
+    entry.wrong("set dyn maybe", "expected on or off, found 'maybe'");
     entry.wrong("set jmatdf 1.5", "jmatdf takes a whole number, not 1.5");
     entry.wrong("set fraction 0", "fraction must be greater than 0, not 0");
     entry.wrong("set thraeds 2", "'thraeds' is not a keyword of set");
@@ -89,13 +89,13 @@ CommandSpec set() {
 
 CommandSpec config() {
     Entry<Config> entry({"config"});
-    entry.help("asks for options of the program");
+    entry.help("requests options of the program");
     entry.action(
         {"dynamic"}, [](Config& c) { c.dynamic = true; }, "the same as set dyn on");
     for (const char* word : {"cppudm", "rhs"})
         entry
             .action(
-                {word}, [](Config&) {}, "there without being asked for")
+                {word}, [](Config&) {}, "always available")
             .ignored();
     static constexpr std::pair<const char*, const char*> missing[] = {{"lhs", "axes that are left-handed"},
                                                                       {"thermal", "heat"},
@@ -119,7 +119,7 @@ CommandSpec title() {
         title.text = words.size() == 2 && words[1].kind == WordKind::text ? words[1].text : statement.raw(1);
         if (words.size() == 1) title.text = statement.body; // on the line below
     });
-    entry.help("names the model; the text is the rest of the line, or the next line if that is no command");
+    entry.help("names the model; the text is the rest of the line, or the next line if that is not a command");
     entry.right("title Direct shear test").right("title 'A wall, second try'").right("title").right("title It's late");
     return entry;
 }
@@ -132,11 +132,11 @@ Family control() {
         "files, settings and the end",
         {
             Entry<New>({"new"})
-                .help("throws the model away and starts with an empty one")
+                .help("deletes the model and starts with an empty one")
                 .right("new")
                 .wrong("new model", "unexpected 'model' after the end of the command"),
             Entry<CallFile>({"call"})
-                .help("reads commands from another file, then goes on here")
+                .help("reads commands from another file, then continues here")
                 .argument(text("file").help("name of the file; .3dd, .dat and so on may be left out"), &CallFile::file)
                 .calls(&CallFile::file)
                 .right("call wall.dat")
@@ -154,7 +154,7 @@ Family control() {
                 .wrong("save", "a word is missing after 'save'")
                 .wrong("save ''", "file is an empty text"),
             Entry<Reset>({"reset"})
-                .help("sets quantities back to zero; several may stand on one line")
+                .help("sets quantities to zero; a line may have several")
                 .action(
                     {"time"}, [](Reset& r) { r.what.push_back(Reset::What::time); }, "the time")
                 .action(
@@ -184,7 +184,7 @@ Family control() {
                 .right("RESET displacements velocities jdisplacements")
                 .wrong("reset", "reset does not say what to reset")
                 .wrong("reset dsip", "'dsip' is not a keyword of reset")
-                .wrong("reset 5", "'5' stands where a keyword of reset must be"),
+                .wrong("reset 5", "expected a keyword of reset, found '5'"),
             Entry<Restore>({"restore"})
                 .help("replaces the model by a saved one")
                 .argument(text("file").help("name of the file that save wrote"), &Restore::file)
@@ -192,7 +192,7 @@ Family control() {
                 .right("rest settled")
                 .wrong("restore", "a word is missing after 'restore'"),
             Entry<Return>({"return"})
-                .help("ends the file; what stands below is not read")
+                .help("ends the file; the lines below are not read")
                 .flow(Flow::leave_file)
                 .right("return")
                 .right("ret")
@@ -206,7 +206,7 @@ Family control() {
                 .wrong("quit now", "unexpected 'now' after the end of the command"),
             title(),
             Entry<Pause>({"pause"})
-                .help("waits for a key when somebody sits at the terminal")
+                .help("waits for a key if the input is a terminal")
                 .right("pause")
                 .wrong("pause 5", "unexpected '5' after the end of the command"),
         }};

@@ -9,7 +9,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// A value and how far single joints may scatter from it.
+/// A value and the half width of its scatter.
 void with_deviation(Entry<JointSetCommand>& entry, std::vector<Spelling> words, ArgumentSpec value,
                     ArgumentSpec deviation, std::array<double, 2> JointSetCommand::*member, std::string_view help) {
     entry.special(
@@ -38,7 +38,7 @@ CommandSpec joint_set() {
     entry.keyword({"origin", "org"}, vector("x y z").unit("length"), &JointSetCommand::origin,
                   "a point of the first joint");
     entry.keyword({Spelling{"persistence", 1}}, real("p").at_least(0).at_most(1), &JointSetCommand::persistence,
-                  "chance that a block in the way of a joint is cut, 1 if not given");
+                  "probability that a block on a joint is cut, 1 if not given");
     entry.keyword(
         {"tolerance"}, real("distance").unit("length").at_least(0), &JointSetCommand::tolerance,
         "a block is not cut where that would leave an edge shorter than this, or a corner nearer to the joint; 0 if not given");
@@ -47,7 +47,7 @@ CommandSpec joint_set() {
     entry.keyword({"seed"}, integer("n").at_least(0), &JointSetCommand::seed,
                   "chooses another scatter; the same seed gives the same joints");
     entry.action(
-        {"join"}, [](JointSetCommand& set) { set.join = true; }, "the pieces of a block stay one body");
+        {"join"}, [](JointSetCommand& set) { set.join = true; }, "the pieces of a block remain one body");
     entry.range(&JointSetCommand::range);
     entry.place(&JointSetCommand::place);
     entry.finish([](const Reader& reader, JointSetCommand& set) {
@@ -72,7 +72,7 @@ CommandSpec joint_set() {
 
 CommandSpec tunnel() {
     Entry<TunnelCommand> entry({"tunnel"});
-    entry.help("cuts the outline of a tunnel out of visible blocks; nothing is taken away");
+    entry.help("cuts visible blocks along the outline of a tunnel; no block is removed");
     const auto polygon = [&](const char* word, std::vector<Vec3> TunnelCommand::*member, std::string_view help) {
         ArgumentSpec spec = vector("x y z ...").unit("length").spec;
         spec.repeated = true;
@@ -100,19 +100,19 @@ CommandSpec tunnel() {
     entry.right("tunnel region 2 a 4,0,4 6,0,4 6,0,6 4,0,6 b 4,10,4 6,10,4 6,10,6 4,10,6");
     entry.right("tunnel radial a 4,0,4 6,0,4 5,0,6 b 4,9,4 6,9,4 5,9,6 range region 1");
     entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6", "a tunnel needs two polygons");
-    entry.wrong("tunnel 4 0 4", "'4' stands where a keyword of tunnel must be");
+    entry.wrong("tunnel 4 0 4", "expected a keyword of tunnel, found '4'");
     return entry;
 }
 
 CommandSpec cut_ground() {
     Entry<CutGround> entry({"cut"}, {"ground"});
-    entry.help("cuts visible blocks along a ground surface; nothing is taken away");
+    entry.help("cuts visible blocks along a ground surface; no block is removed");
     entry.argument(text("file").help("of the surface: .stl, .obj, .ply, .asc, .pit, or lines of x y z"),
                    &CutGround::file);
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutGround::shift, "moves the surface first");
     entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutGround::id,
                   "joint set number of the faces; the next free one if not given");
-    entry.keyword({"region"}, integer("n").at_least(1), &CutGround::region, "region number of what lies below");
+    entry.keyword({"region"}, integer("n").at_least(1), &CutGround::region, "region number of the blocks below");
     entry.range(&CutGround::range);
     entry.place(&CutGround::place);
     entry.right("cut ground 'hill.xyz'").right("cut ground 'hill.xyz' shift 0 0 -0.2 region 3 id 7 range group wall");
@@ -134,7 +134,7 @@ CommandSpec densify() {
     parts("ny", 1, "parts along y");
     parts("nz", 2, "parts along z");
     entry.action(
-        {"join"}, [](Densify& command) { command.join = true; }, "the parts stay one body");
+        {"join"}, [](Densify& command) { command.join = true; }, "the parts remain one body");
     entry.range(&Densify::range);
     entry.place(&Densify::place);
     entry.right("densify 2 2 1").right("densify 1 1 4 join range group column");
@@ -145,11 +145,11 @@ CommandSpec densify() {
 
 CommandSpec join() {
     Entry<Join> entry({"join"});
-    entry.help("makes one body of blocks that lie face on face, or takes bodies apart");
+    entry.help("joins blocks with faces in contact into one body, or separates them");
     entry.action(
-        {"on"}, [](Join& join) { join.on = true; }, "joins; so without a word");
+        {"on"}, [](Join& join) { join.on = true; }, "joins, the default");
     entry.action(
-        {"off"}, [](Join& join) { join.on = false; }, "takes the bodies of these blocks apart");
+        {"off"}, [](Join& join) { join.on = false; }, "separates the bodies of these blocks");
     entry.range(&Join::range);
     entry.place(&Join::place);
     entry.right("join").right("join on range group arch").right("join off range x 0 1");

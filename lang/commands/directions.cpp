@@ -29,8 +29,9 @@ void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>
         if (!found || other.kind != WordKind::word) continue;
         for (const std::string_view gradient : {"xgradient", "ygradient", "zgradient", "stress"})
             if (other.folded.size() > 2 && gradient.starts_with(other.folded))
-                throw Diagnostic(fmt::format("'{}' stands after local, which turns what stands before it", other.text),
-                                 "put local after it")
+                throw Diagnostic(
+                    fmt::format("'{}' stands after local, which rotates only what is before it", other.text),
+                    "put local after it")
                     .at(other.place);
     }
     if (reader.wildcards()) return;

@@ -11,8 +11,8 @@ namespace kaya::lang {
 /// A vector of any length but 0.
 Vec3 read_direction(Reader& reader, const ArgumentSpec& spec);
 
-/// Reads two vectors that say in which axes the components of tensors (xx yy zz xy xz yz) are given, and turns these into global ones: x along the first vector, y
-/// in the plane of both. What is given after it on the line would stay as it is, and is refused.
+/// Reads two vectors that give the axes of the components of tensors (xx yy zz xy xz yz), and rotates the tensors into global axes: x is
+/// along the first vector, y in the plane of both. A tensor given after the vectors would not be rotated, and is refused.
 void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>& tensors, const ArgumentSpec& first,
                      const ArgumentSpec& second);
 
@@ -23,7 +23,7 @@ template <class Command> void add_local_axes(Entry<Command>& entry) {
         {"local"}, {first.spec, second.spec},
         [=](Reader& reader, Command& command) {
             if (!command.stress)
-                throw Diagnostic("local has no stress to turn",
+                throw Diagnostic("local has no stress to rotate",
                                  "it stands after stress sxx syy szz sxy sxz syz and its gradients")
                     .at(reader.previous().place);
             read_local_axes(reader, {&*command.stress, &command.x_gradient, &command.y_gradient, &command.z_gradient},

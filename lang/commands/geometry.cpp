@@ -1,4 +1,4 @@
-// Commands that make zones, and those that pick blocks.
+// Commands that make zones, and commands that select blocks.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -54,7 +54,7 @@ void check_field(const Reader& reader, const GenerateEdge& g) {
 
 CommandSpec generate_edge() {
     Entry<GenerateEdge> entry({"generate"}, {"edge", "edgelength"});
-    entry.help("fills blocks with tetrahedral zones; from then on they deform");
+    entry.help("fills blocks with tetrahedral zones, which makes them deformable");
     entry.argument(real("edge").unit("length").above(0).optional().help(
                        "average edge of a zone; with a center, far from it: edgelength-distance if not given"),
                    &GenerateEdge::edge);
@@ -161,13 +161,13 @@ Family geometry() {
                 .wrong("seek range sphere center 0 0 0 radius -1", "radius must be at least 0, not -1")
                 .wrong("seek range cyl end1 0 0 0 radius 1", "the cylinder needs end1, end2 and radius"),
             Entry<Delete>({"delete"})
-                .help("takes blocks out of the model for good")
+                .help("deletes blocks")
                 .range(&Delete::range)
                 .right("delete range plane dip 30 dd 90 origin 0 0 5 above")
                 .right("delete region 2")
                 .right("delete range mat 1 union region 3 not")
                 .wrong("delete range plane dip 30", "the plane does not say which part is meant")
-                .wrong("delete range not z 0 1", "'not' stands before the element that it turns round"),
+                .wrong("delete range not z 0 1", "'not' stands before the element that it negates"),
             Entry<NameRange>({"range"}, {"name", "nrange"})
                 .help("gives a range phrase a name, used as: range nrange NAME")
                 .argument(text("name").help("name of the range"), &NameRange::name)
@@ -185,7 +185,7 @@ Family geometry() {
             generate_edge(),
             generate_quad(),
             face_triangulation({"edge"}, FaceTriangulation::Style::edge)
-                .help("puts sub-contacts on the faces of rigid blocks that far apart, besides those at corners")
+                .help("puts sub-contacts on the faces of rigid blocks that far apart, in addition to those at corners")
                 .argument(real("edge").unit("length").above(0).help("about how far apart"), &FaceTriangulation::edge)
                 .right("facetri edge 0.1")
                 .right("facetri edge 0.05 range group wall")
@@ -208,9 +208,9 @@ Family geometry() {
                 .help("puts sub-contacts at the corners of the joints of rigid blocks only, as 3DEC does")
                 .right("facetri corners")
                 .right("facetri corners range group arch")
-                .wrong("facetri corners 4", "'4' stands where a keyword of facetri corners must be"),
+                .wrong("facetri corners 4", "expected a keyword of facetri corners, found '4'"),
             face_triangulation({"off"}, FaceTriangulation::Style::fan)
-                .help("takes back what facetri has set: a joint is continuous again")
+                .help("undoes facetri: joints are continuous again")
                 .right("facetri off")
                 .wrong("facetri off now", "'now' is not a keyword of facetri off"),
         }};

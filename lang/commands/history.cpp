@@ -1,4 +1,4 @@
-// Histories: what is recorded while the model cycles.
+// Histories: quantities recorded while the model cycles.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -15,7 +15,7 @@ struct Recorded {
     const char* help;
 };
 
-/// Words of `hist`: the field that each of them records. Fields of an object take a place, and the nearest object is recorded.
+/// Words of `hist` and the field that each of them records. Fields of an object take a place, and the nearest object is recorded.
 const std::vector<Recorded>& recorded() {
     using enum ObjectKind;
     static const std::vector<Recorded> words = {
@@ -27,13 +27,13 @@ const std::vector<Recorded>& recorded() {
         {{"ekinetic"}, global, "kinetic_energy", "", "kinetic energy"},
         {{"egravity"}, global, "gravity_work", "", "work of gravity on the blocks"},
         {{"eboundary"}, global, "boundary_work", "", "work of loads, prescribed velocities and water on the blocks"},
-        {{"edamped"}, global, "damped_energy", "", "energy taken out by damping and dashpots"},
-        {{"ejoint"}, global, "joint_work", "", "work put into joints: stored or lost"},
-        {{"efriction"}, global, "frictional_energy", "", "of it, lost in slip and breaking"},
-        {{"etouch"}, global, "touch_energy", "", "of it, lost where touches change"},
-        {{"ezone"}, global, "zone_work", "", "work put into zones"},
-        {{"estructure", "ecable"}, global, "structure_work", "", "work put into cables, beams and liners: stored or lost"},
-        {{"eerror"}, global, "energy_error", "", "what the account of energy does not explain"},
+        {{"edamped"}, global, "damped_energy", "", "energy dissipated by damping and dashpots"},
+        {{"ejoint"}, global, "joint_work", "", "work on joints: stored or lost"},
+        {{"efriction"}, global, "frictional_energy", "", "of it, lost in slip and failure"},
+        {{"etouch"}, global, "touch_energy", "", "of it, lost in contact updates"},
+        {{"ezone"}, global, "zone_work", "", "work on zones"},
+        {{"estructure", "ecable"}, global, "structure_work", "", "work on cables, beams and liners: stored or lost"},
+        {{"eerror"}, global, "energy_error", "", "residual of the energy balance"},
         {{"xdis", "xdisplacement"}, gridpoint, "x_displacement", "", "displacement in x of the nearest gridpoint"},
         {{"ydis", "ydisplacement"}, gridpoint, "y_displacement", "", "displacement in y of the nearest gridpoint"},
         {{"zdis", "zdisplacement"}, gridpoint, "z_displacement", "", "displacement in z of the nearest gridpoint"},
@@ -84,7 +84,7 @@ const std::vector<Recorded>& recorded() {
 
 CommandSpec history_add() {
     Entry<HistoryAdd> entry({"history"});
-    entry.help("records quantities from now on; several may stand on one line");
+    entry.help("records quantities from now on; a line may have several");
     const auto place = vector("x y z").unit("length");
     for (const auto& item : recorded()) {
         const bool has_place = item.kind != ObjectKind::global;
@@ -105,7 +105,7 @@ CommandSpec history_add() {
             const std::string own = reader.text(text("name").spec);
             history.items.push_back({HistoryItem::Own{own}, reader.vector(place.spec), at});
         },
-        "what the nearest sub-contact has for itself by that name: history of its joint model, a field, a property that its object holds");
+        "value of the nearest sub-contact by that name: history of its joint model, a field, a property that its object holds");
     entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
     entry.place(&HistoryAdd::place);
@@ -122,7 +122,7 @@ CommandSpec history_add() {
     });
     entry.finish([](const Reader& reader, HistoryAdd& history) {
         if (history.items.empty() && !history.interval)
-            incomplete_line(reader, "history does not say what to record", "write for example: hist unbal");
+            incomplete_line(reader, "history has no quantity to record", "write for example: hist unbal");
     });
     entry.right("hist n 10 unbal")
         .right("hist unbal ncyc 5")
@@ -132,12 +132,12 @@ CommandSpec history_add() {
     entry.right("hist zdisp 0 0 0.1").right("his xvel (0,0,1)").right("hist szz 0 0 0.1").right("hist ncyc 100");
     entry.right("hist jprop 'slip' 0 0 0");
     entry.wrong("hist jprop slip 0 0", "a number is missing after '0'");
-    entry.wrong("hist", "history does not say what to record");
+    entry.wrong("hist", "history has no quantity to record");
     entry.wrong("hist xdis 0 0", "a number is missing after '0'");
     entry.wrong("hist xids 0 0 0", "'xids' is not a keyword of history");
     entry.wrong("hist xacc 0 0", "a number is missing after '0'");
     entry.wrong("hist ncyc 0", "ncyc must be at least 1, not 0");
-    entry.wrong("hist unbal 5", "'5' stands where a keyword of history must be");
+    entry.wrong("hist unbal 5", "expected a keyword of history, found '5'");
     return entry;
 }
 
@@ -173,20 +173,20 @@ CommandSpec history_write() {
 
 CommandSpec history_label() {
     return Entry<HistoryLabel>({"history"}, {"label"})
-        .help("names a history; the name stands in written tables")
+        .help("names a history; written tables have the name")
         .place(&HistoryLabel::place)
         .argument(integer("n").at_least(1).help("number of the history, counted from 1"), &HistoryLabel::number)
         .argument(text("text").help("the name"), &HistoryLabel::text)
         .right("hist label 2 'Shear Stress'")
         .wrong("hist label", "a number is missing after 'label'")
         .wrong("hist label 2", "a word is missing after '2'")
-        .wrong("hist label 'Shear Stress' 2", "the text 'Shear Stress' stands where a whole number must be")
+        .wrong("hist label 'Shear Stress' 2", "expected a whole number, found the text 'Shear Stress'")
         .wrong("hist label 2 'Shear Stress", "the quote is not closed on this line");
 }
 
 CommandSpec history_delete() {
     Entry<HistoryDelete> entry({"history"}, {"delete"});
-    entry.help("takes histories out; the others keep their numbers");
+    entry.help("deletes histories; the others keep their numbers");
     entry.place(&HistoryDelete::place);
     const auto number = integer("n").at_least(1);
     entry.otherwise({number.spec}, [number](Reader& reader, HistoryDelete& command) {
@@ -197,7 +197,7 @@ CommandSpec history_delete() {
     entry.finish([](const Reader& reader, HistoryDelete& command) {
         if (command.numbers.empty())
             incomplete_line(reader, "history delete needs the number of a history",
-                            "write for example: hist delete 2; reset hist takes out all");
+                            "write for example: hist delete 2; reset hist deletes all");
     });
     entry.right("hist delete 2").right("history delete 1 3");
     entry.wrong("hist delete", "history delete needs the number of a history");

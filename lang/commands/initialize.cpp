@@ -51,7 +51,7 @@ template <class Values> bool any(const Values& values) {
 
 CommandSpec initialize() {
     Entry<Initialize> entry({"initialize"});
-    entry.help("gives gridpoints, rigid blocks, zones and joints what they start with");
+    entry.help("sets initial values of gridpoints, rigid blocks, zones and joints");
     entry.place(&Initialize::place);
     for (std::size_t i = 0; i < 6; ++i)
         entry.keyword(
@@ -62,7 +62,7 @@ CommandSpec initialize() {
         entry.keyword(
             {displacements[i][0], displacements[i][1]},
             real("d").unit("length"), [i](Initialize & c) -> auto& { return c.displacement[i]; },
-            "displacement that is counted from; nothing moves");
+            "displacement so far; no position changes");
     for (std::size_t i = 0; i < 6; ++i)
         add_linear(
             entry, {stresses[i]}, [i](Initialize & c) -> auto& { return c.stress[i]; },

@@ -1,4 +1,4 @@
-// insitu: the stress that is there before anything happens.
+// insitu: initial stresses.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/directions.hpp"
@@ -21,7 +21,7 @@ LinearNumber& pore_pressure(InSitu& c) {
 
 CommandSpec insitu() {
     Entry<InSitu> entry({"insitu"});
-    entry.help("gives zones and joints the stress, and joints the pore pressure, that is in the ground");
+    entry.help("sets the initial stress of zones and joints, and the pore pressure of joints");
     entry.place(&InSitu::place);
     const auto gradient = tensor("sxx syy szz sxy sxz syz").unit("stress/length");
     entry.keyword({"stress"}, tensor("sxx syy szz sxy sxz syz").unit("stress"), &InSitu::stress,
@@ -32,7 +32,7 @@ CommandSpec insitu() {
     add_local_axes(entry);
     entry
         .action(
-            {"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, as they always do")
+            {"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, the default")
         .ignored();
     const auto pressure = real("p").unit("stress"), ratio = real("k").at_least(0);
     const auto slope = vector("gx gy gz").unit("stress/length");
@@ -69,7 +69,7 @@ CommandSpec insitu() {
     entry.right("insitu stress -5e6 -3e6 -2e6 0 0 0 local 1 1 0 0 0 1");
     entry.wrong("insitu stress -1 -1 -1 0 0 0 local 0 0 0 1 0 0", "(0, 0, 0) is not a direction");
     entry.wrong("insitu stress -1 -1 -1 0 0 0 local 1 0 0 0 1 0 zgrad 1 1 1 0 0 0",
-                "'zgrad' stands after local, which turns what stands before it");
+                "'zgrad' stands after local, which rotates only what is before it");
     entry.wrong("insitu", "insitu does not say which stress");
     entry.wrong("insitu stress -1e6 -1e6", "a number is missing after '-1e6'");
     entry.wrong("insitu zgrad 0 0 1 0 0 0", "insitu does not say which stress");

@@ -16,7 +16,7 @@ Family solution();
 Family slopes();
 Family structures();
 Family script();
-Family not_supported_yet(); ///< known words, refused
+Family not_supported_yet(); ///< known words that are refused
 
 /// Parts of the family geometry.
 std::vector<CommandSpec> shape_commands();     ///< poly ...
@@ -27,7 +27,7 @@ std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 CommandSpec insitu();
 CommandSpec initialize();
 
-/// The fields that `history` records by a word of their own; with the rates, those of which it records the rate.
+/// The fields that have their own word in `history`; with `rates`, the fields whose rate it records.
 std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields();
 /// The names of the properties of structures.
 std::vector<std::string_view> structure_property_words();

@@ -10,7 +10,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// A word that only a joint model knows, and its value. The handler looks at the word when it runs.
+/// A word that only a joint model knows, and its value. The handler resolves the word when it runs.
 bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     const Word& word = *reader.peek();
     if (word.kind != WordKind::word) return false;
@@ -70,7 +70,7 @@ CommandSpec prop() {
     entry.wrong("prop jmat 1 jkn -1e9", "jkn must be at least 0, not -1e+09");
     entry.wrong("prop mat 1.5 dens 1", "mat takes a whole number, not 1.5");
     entry.wrong("prop mat 0 dens 1", "mat must be at least 1, not 0");
-    entry.wrong("prop mat 1 dens 2600 1", "'1' stands where a keyword of property must be");
+    entry.wrong("prop mat 1 dens 2600 1", "expected a keyword of property, found '1'");
     return entry;
 }
 
@@ -96,7 +96,7 @@ CommandSpec change() {
     entry.right("change mat 2 region 2").right("change jmat 2 range mintersection 1 2");
     entry.wrong("change", "change does not say what to change");
     entry.wrong("change mat", "a number is missing after 'mat'");
-    entry.wrong("change mat two", "'two' stands where a whole number must be");
+    entry.wrong("change mat two", "expected a whole number, found 'two'");
     entry.wrong("change jmta 2", "'jmta' is not a keyword of change");
     return entry;
 }
@@ -140,7 +140,7 @@ CommandSpec jmodel_test() {
 
 CommandSpec jmodel_assign() {
     Entry<JointModelCommand> entry({"jmodel"}, {Spelling{"model", 3}, Spelling{"assign", 3}});
-    entry.help("gives contacts a joint model, with properties if wanted");
+    entry.help("assigns a joint model to contacts, with optional properties");
     entry.start([](const Statement& statement, JointModelCommand& c) {
         c.action = JointModelCommand::Action::assign;
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
@@ -197,7 +197,7 @@ CommandSpec zone_load() {
 
 CommandSpec zone_model() {
     Entry<ZoneModelCommand> entry({Spelling{"zone", 4}}, {Spelling{"model", 3}, Spelling{"cmodel", 4}});
-    entry.help("says what the zones of blocks do with strain, with properties if wanted");
+    entry.help("assigns a zone model to the zones of blocks, with optional properties");
     entry.start([](const Statement& statement, ZoneModelCommand& c) {
         c.action = ZoneModelCommand::Action::assign;
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
@@ -229,11 +229,10 @@ CommandSpec zone_properties() {
 
 CommandSpec zone_nmd() {
     return Entry<ZoneAveraging>({Spelling{"zone", 4}}, {"nmd"})
-        .help(
-            "whether zones work together, so that they do not lock: those that flow average volume strain, elastic cells bend")
+        .help("couples zones against locking: yielding zones average their volume strain, elastic cells can bend")
         .argument(on_off(), &ZoneAveraging::on)
         .right("zone nmd off")
-        .wrong("zone nmd maybe", "'maybe' stands where on or off must be");
+        .wrong("zone nmd maybe", "expected on or off, found 'maybe'");
 }
 
 } // namespace

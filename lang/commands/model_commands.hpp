@@ -36,7 +36,7 @@ struct Restore {
 };
 struct Pause {};
 
-/// One `set` line may hold several settings; those not given stay as they are.
+/// One `set` line may hold several settings; settings that are not given are unchanged.
 struct Set {
     std::optional<bool> dynamic;                            ///< dyn on|off
     std::optional<bool> small;                              ///< small on|off
@@ -117,14 +117,14 @@ struct JointSetCommand {
     double persistence = 1;
     std::optional<std::int64_t> id; ///< none: the next that is free
     std::int64_t seed = 0;
-    bool join = false; ///< the pieces of a block stay one body
+    bool join = false; ///< the pieces of a block remain one body
     RangePhrase range;
     Place place;
 };
 /// The outline of a tunnel: two polygons with matching corners.
 struct TunnelCommand {
     std::vector<Vec3> first, second;
-    std::int64_t region = 0; ///< of the blocks inside; 0: as they were
+    std::int64_t region = 0; ///< of the blocks inside; 0: unchanged
     bool radial = false;     ///< cuts the rock around through each corner, too
     RangePhrase range;
     Place place;
@@ -141,11 +141,11 @@ struct CutGround {
 /// Cuts each block into equal parts along x, y and z.
 struct Densify {
     std::array<std::int64_t, 3> parts{1, 1, 1};
-    bool join = false; ///< the parts stay one body
+    bool join = false; ///< the parts remain one body
     RangePhrase range;
     Place place;
 };
-/// Blocks from a file: its suffix says the format.
+/// Blocks from a file: the suffix selects the format.
 struct Import {
     std::string file;
     BlockOptions options;
@@ -165,7 +165,7 @@ struct MarkJoint {
     std::int64_t joint_set = 0;
     RangePhrase range;
 };
-/// Joins blocks that touch into one body, or takes bodies apart.
+/// Joins adjacent blocks into one body, or separates joined blocks.
 struct Join {
     bool on = true;
     RangePhrase range;
@@ -185,7 +185,7 @@ struct Seek {
 struct Delete {
     RangePhrase range;
 };
-/// Takes blocks out and keeps them; fill puts them back.
+/// Removes blocks and stores them; fill restores them.
 struct Excavate {
     RangePhrase range;
 };
@@ -233,14 +233,14 @@ struct GenerateEdge {
 struct GenerateQuad {
     std::array<std::int64_t, 3> parts{1, 1, 1};
     std::array<double, 3> ratio{1, 1, 1}; ///< of each cell to the one before it
-    bool given = false;                   ///< the line has said how many
+    bool given = false;                   ///< the line gives the number
     RangePhrase range;
     Place place;
 };
 
 // --- materials ----------------------------------------------------------------------------------
-/// prop mat n | jmat n  word value ...: words are the classic ones (dens, bulk, k, g, ymod, jkn, ...)
-/// and the properties of loaded joint models; those are known at run time only.
+/// prop mat n | jmat n  word value ...: words are the classic ones (dens, bulk, k, g, ymod, jkn, ...) and the properties of loaded joint
+/// models, which are known at run time only.
 struct Property {
     bool joint = false; ///< `jmat` was typed
     std::int64_t number = 1;
@@ -256,7 +256,7 @@ struct Change {
     std::optional<std::int64_t> material, constitutive, joint_material, joint_constitutive;
     RangePhrase range;
 };
-/// jmodel test NAME FILE [steps n] [area a] [word value ...]: one sub-contact, the model of the deck is not touched.
+/// jmodel test NAME FILE [steps n] [area a] [word value ...]: one sub-contact; the model of the deck is unchanged.
 struct JointModelTest {
     std::string model;
     Place model_place;

@@ -1,4 +1,4 @@
-// What a user sees of a model: lists, pictures, files for other programs.
+// Output of a model: lists, pictures, files for other programs.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -10,7 +10,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// What may follow the word of a list.
+/// What may follow the name of a list.
 enum class Follows {
     range,   ///< a range, with or without its word
     objects, ///< the number of an object, or a range
@@ -29,7 +29,7 @@ const std::vector<Listed>& listed() {
     using enum List::What;
     static const std::vector<Listed> words = {
         {blocks, {"blocks"}, "blocks: place, mass, material, region", Follows::objects},
-        {quality, {"quality"}, "blocks that will make trouble, and what helps; also `list blocks quality`"},
+        {quality, {"quality"}, "poorly shaped blocks and their remedies; also `list blocks quality`"},
         {contacts, {"contacts"}, "contacts: blocks, normal, area", Follows::objects},
         {sub_contacts, {"subcontacts"}, "sub-contacts: displacements, forces, state", Follows::objects},
         {gridpoints, {"gridpoints", "gp"}, "gridpoints: place, velocity, displacement, force", Follows::objects},
@@ -47,27 +47,24 @@ const std::vector<Listed>& listed() {
         {time, {"time", "cycle", Spelling{"step", 3}}, "time and cycle"},
         {unbalanced, {Spelling{"unbalanced", 3}}, "largest unbalanced force, and its ratios to the forces that act"},
         {damping, {"damping"}, "kind of damping and its numbers"},
-        {information, {Spelling{"information", 3}}, "what there is: time, cycle, numbers of blocks, contacts, zones"},
-        {time_step, {"timestep"}, "time step, what limits it, and what mass longer ones take"},
+        {information, {Spelling{"information", 3}}, "overview: time, cycle, numbers of blocks, contacts, zones"},
+        {time_step, {"timestep"}, "time step, its limit, and the mass that longer steps need"},
         {timing, {"timing"}, "seconds spent in each phase of the cycle"},
         {energy, {"energy"}, "energies and their balance"},
-        {hash, {"hash"}, "one number that tells two states of a model apart"},
+        {hash, {"hash"}, "hash of the state of the model"},
         {joint_models, {"jmodel", "jmodels"}, "joint models that are loaded, with their properties"},
         {boundary, {"boundary"}, "loads and held velocities"},
         {groups, {"groups"}, "names of groups and how many blocks, faces, zones and joints each has"},
         {excavated, {"excavated"}, "blocks that fill can put back"},
         {states, {"state"}, "joints by joint model and state: sub-contacts and their area"},
         {stresses, {"stress"}, "zones: principal, mean and greatest shear stress"},
-        {stability,
-         {Spelling{"stability", 4}},
-         "blocks that could leave their place: how, and their factor of safety",
-         Follows::objects},
+        {stability, {Spelling{"stability", 4}}, "removable blocks: mode and factor of safety", Follows::objects},
         {structures,
          {"structures", "cables", Spelling{"struct", 3}},
          "cables, beams and liners: size, largest forces, slip; the nodes or elements of one after its number",
          Follows::number},
         {joint_sets, {"jset"}, "joint sets: mean orientation, faces, contacts"},
-        {memory, {"memory"}, "what the tables of the model take"},
+        {memory, {"memory"}, "memory of the tables of the model"},
         {version, {"version"}, "version of the program"},
         {settings, {"settings"}, "settings of the model"},
         {tables, {"tables"}, "tables: number of pairs and their limits"},
@@ -87,8 +84,7 @@ std::vector<ArgumentSpec> arguments_after(Follows follows) {
     return {};
 }
 
-/// A range without its word, whose first element may have the name of a list, and is the word just taken: list block
-/// group stone.
+/// A range without the word `range`. Its first element, the word just taken, may have the name of a list: list block group stone.
 bool read_element(Reader& reader, List& command) {
     const Word& word = reader.previous();
     const KeywordSpec* element = word.kind == WordKind::word ? find_keyword(range_elements(), word.folded) : nullptr;
@@ -100,7 +96,7 @@ bool read_element(Reader& reader, List& command) {
     return true;
 }
 
-/// A word that is neither a list nor a range nor near to one: what may follow is little.
+/// A word that is neither a list nor a range nor close to one; few words may follow.
 void refuse_after(const Word& word, const Listed& item) {
     if (word.kind != WordKind::word || word.text == "?") return;
     std::vector<std::string_view> others{"range", "jmat"};
@@ -124,7 +120,7 @@ void refuse_after(const Word& word, const Listed& item) {
     throw d.at(word.place);
 }
 
-/// What follows the word of a list.
+/// Reads what follows the name of a list.
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
     if (word.kind == WordKind::word && find_keyword(range_elements(), word.folded)) {
@@ -154,7 +150,7 @@ bool read_after(Reader& reader, List& command) {
 
 CommandSpec list() {
     Entry<List> entry({"list", "print"});
-    entry.help("shows what is in the model, or the value of a variable");
+    entry.help("shows parts of the model, or the value of a variable");
     for (const auto& item : listed()) {
         entry.special(
             item.words, arguments_after(item.follows),
@@ -177,7 +173,7 @@ CommandSpec list() {
     entry.range(&List::range, true); // print x is more likely meant as print @x; after a list its word may be left out
     entry.finish([](const Reader& reader, List& command) {
         if (!command.what && command.symbols.empty())
-            incomplete_line(reader, "list does not say what to show", "write for example: list blocks");
+            incomplete_line(reader, "list has no subject", "write for example: list blocks");
     });
     entry.right("list blocks")
         .right("print @x")
@@ -190,16 +186,16 @@ CommandSpec list() {
         .right("print prop jmat")
         .right("print hist 2")
         .right("print cycle");
-    entry.wrong("list", "list does not say what to show");
+    entry.wrong("list", "list has no subject");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");
-    entry.wrong("list time 5", "'5' stands where a keyword of list must be");
+    entry.wrong("list time 5", "expected a keyword of list, found '5'");
     entry.wrong("list blocks 1.5", "blocks takes a whole number, not 1.5");
     entry.wrong("list blocks z", "a number is missing after 'z'");
     entry.wrong("print x", "'x' is not a keyword of list");
     entry.wrong("print hist one", "'one' does not follow 'list hist'");
     entry.wrong("list time zonse", "'zonse' is not a keyword of list");
-    entry.wrong("list 5", "'5' stands where a keyword of list must be");
+    entry.wrong("list 5", "expected a keyword of list, found '5'");
     return entry;
 }
 
@@ -221,7 +217,7 @@ CommandSpec ignored(const char* word, const char* help, const char* instead) {
     return entry;
 }
 
-/// The words of a line from the second on, as they stand; up to `range`, whose phrase is left in `range`.
+/// The words of a line from the second on, as typed; the range phrase, from `range` on, is left in `range`.
 std::vector<Plot::Item> plot_words(const Statement& statement, std::string* range) {
     std::vector<Plot::Item> words;
     for (std::size_t i = 1; i < statement.words.size(); ++i) {
@@ -278,7 +274,7 @@ Family output() {
                 find(),
                 plot(),
                 Entry<VtkWrite>({"vtk"}, {"write"})
-                    .help("writes the model as it stands for ParaView; files of one name make a series")
+                    .help("writes the present model for ParaView; files of one name form a series")
                     .argument(text("file").help("name without suffix"), &VtkWrite::file)
                     .right("vtk write shear")
                     .wrong("vtk", "a word is missing after 'vtk'")

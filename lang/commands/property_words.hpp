@@ -1,4 +1,4 @@
-// The words of `prop` that the language itself knows; others belong to the models that are loaded.
+// The words of `prop` that the language knows; all others belong to loaded models.
 #pragma once
 
 #include "lang/interp/spec.hpp"
@@ -8,7 +8,7 @@
 
 namespace kaya::lang {
 
-/// A property of blocks that every deck may use, whatever their zone model.
+/// A property of blocks that every deck may use, for any zone model.
 enum class BlockProperty { density, bulk, shear, young, poisson, cohesion, friction, tension, dilation };
 constexpr std::size_t block_property_count = 9;
 
@@ -24,7 +24,7 @@ struct PropertyWord {
 
 /// In the order of BlockProperty.
 const std::vector<PropertyWord>& block_property_words();
-/// Of joints, whatever joint model they have.
+/// Properties of joints, for any joint model.
 const std::vector<PropertyWord>& joint_property_words();
 
 } // namespace kaya::lang

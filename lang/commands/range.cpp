@@ -1,4 +1,4 @@
-// The range phrase as a table: each element says what follows it and adds one RangeElement.
+// The range phrase as a table: each element reads its parts and adds one RangeElement.
 #include "lang/commands/range_parts.hpp"
 
 #include "lang/interp/short_list.hpp"
@@ -91,7 +91,7 @@ void add_flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind ki
         help);
 }
 
-/// A number, or several of which one is enough.
+/// A number, or several numbers: one of them is enough.
 void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
     ArgumentSpec number = integer("n").spec;
     number.repeated = true;
@@ -226,7 +226,7 @@ void block_id(Keywords<RangePhrase>& table) {
         "`block id n`: the same as bid");
 }
 
-/// Several names may follow one nrange; each is an element of its own.
+/// Several names may follow one nrange; each is a separate element.
 void named_ranges(Keywords<RangePhrase>& table) {
     const auto name = text("name").spec;
     table.special(
@@ -245,7 +245,7 @@ void named_ranges(Keywords<RangePhrase>& table) {
         "a range that was given a name with range name");
 }
 
-/// Elements whose parts have a reader of their own; some of them stand for all of a group.
+/// Elements whose parts need a special reader; some of them cover all kinds of a group.
 void own_element(Keywords<RangePhrase>& table, Kind kind) {
     switch (kind) {
     case Kind::box: return space_elements(table);
@@ -288,10 +288,10 @@ std::vector<KeywordSpec> all_elements() {
                 phrase.elements.back().negated = true;
                 return;
             }
-            throw Diagnostic("'not' stands before the element that it turns round", "write it after: range z 0 1 not")
+            throw Diagnostic("'not' stands before the element that it negates", "write it after: range z 0 1 not")
                 .at(reader.previous().place);
         },
-        "turns the element before it round");
+        "negates the element before it");
     elements_to_come(table);
     return std::move(table).list();
 }

@@ -1,4 +1,4 @@
-// The range phrase, bound: what the words say, without knowing what they pick.
+// The bound range phrase: its words, before any object is selected.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -31,7 +31,7 @@ struct RangeElement {
 struct RangePhrase {
     std::vector<RangeElement> elements; ///< none: everything visible
     bool any = false;                   ///< `union`: one element is enough
-    Place place;                        ///< of the word `range`; none when there is no phrase
+    Place place;                        ///< of the word `range`; empty when there is no phrase
     bool whole = false;                 ///< `extent`: all corners of an object, not only its place
 };
 

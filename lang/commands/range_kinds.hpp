@@ -36,7 +36,7 @@ enum class RangeKind {
     joint_group,         ///< contacts of the group name
     excavated,           ///< blocks that fill can put back
     joint_state,         ///< sub-contacts in the state name, and contacts that have one
-    surface,             ///< faces on which no other block lies, and what touches them
+    surface,             ///< faces without a block on the other side, and objects on them
     orientation,         ///< normal, and radius1 as tolerance in degrees: faces and contacts
     concave,             ///< bodies that are not convex
     edge_length,         ///< low..high, shortest edge of a block
@@ -57,7 +57,7 @@ struct RangeWords {
         limits,            ///< two limits
         name,
         flag, ///< nothing, on or off
-        own   ///< parts of its own: lang/commands/range.cpp
+        own   ///< special parts: lang/commands/range.cpp
     };
     RangeKind kind;
     Form form;
@@ -90,7 +90,7 @@ inline const std::vector<RangeWords>& range_words() {
         {RangeKind::group_intersection, own, {}, "", ""},
         {RangeKind::joint_model, name, {"jmodel"}, "", "contacts that have a joint model"},
         {RangeKind::volume, limits, {"volume"}, "volume", "blocks of a volume between two limits"},
-        {RangeKind::deformable, flag, {"deformable"}, "", "blocks with zones, and what belongs to them"},
+        {RangeKind::deformable, flag, {"deformable"}, "", "blocks with zones, and their parts"},
         {RangeKind::visible, flag, {"visible"}, "", "blocks that are not hidden"},
         {RangeKind::id_list, own, {}, "", ""},
         {RangeKind::joint_group, name, {"jgroup"}, "", "contacts of a group of joints"},

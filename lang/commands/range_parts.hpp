@@ -1,4 +1,4 @@
-// What the parts of the table of range elements share.
+// Shared by the parts of the table of range elements.
 #pragma once
 
 #include "lang/commands/builder.hpp"
@@ -8,10 +8,10 @@ namespace kaya::lang {
 /// A new element of the phrase; its place is that of the word read last.
 RangeElement& add(Reader& reader, RangePhrase& phrase, RangeElement::Kind kind);
 
-/// Throws when the next word is no element, but nearly a word of the present one.
+/// Throws when the next word is not an element and is close to a word of the present element.
 void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words);
 
-/// An element that lacks a part: a misspelt word in its place is what the message is about.
+/// An element that lacks a part: when a misspelt word stands there, the message is about that word.
 [[noreturn]] void lacks_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words,
                              std::string message, std::string hint);
 

@@ -34,7 +34,7 @@ Vec3 upward_normal(double dip_degrees, double dip_direction_degrees) {
     return {std::sin(dip) * std::sin(dd), std::sin(dip) * std::cos(dd), std::cos(dip)};
 }
 
-/// What is said about a plane while its words are read.
+/// The parts of a plane that have been read so far.
 struct PlaneText {
     double dip = 0, dip_direction = 0;
     std::optional<Vec3> normal;
@@ -79,7 +79,7 @@ void plane(Keywords<RangePhrase>& table) {
         element.side = plane.side;
         element.distance = plane.distance.value_or(0);
     };
-    table.special({"plane"}, {}, read, "one side of a plane, or what is near to it", words);
+    table.special({"plane"}, {}, read, "one side of a plane, or objects near it", words);
 }
 
 /// A sphere or a cylinder while its words are read.
@@ -190,9 +190,9 @@ void ground(Keywords<RangePhrase>& table) {
     static const std::vector<KeywordSpec> words = [] {
         Keywords<RangeElement> list;
         list.action(
-            {"above"}, [](RangeElement& e) { e.side = 1; }, "what lies above the surface");
+            {"above"}, [](RangeElement& e) { e.side = 1; }, "objects above the surface");
         list.action(
-            {"below"}, [](RangeElement& e) { e.side = -1; }, "what lies below it");
+            {"below"}, [](RangeElement& e) { e.side = -1; }, "objects below it");
         list.keyword({"shift"}, vector("dx dy dz").unit("length"), &RangeElement::centre, "moves the surface");
         return std::move(list).list();
     }();
@@ -207,7 +207,7 @@ void ground(Keywords<RangePhrase>& table) {
             if (element.side == 0)
                 lacks_part(reader, "ground", words, "the ground needs above or below", "write: ground 'file' above");
         },
-        "above or below a ground surface; what lies outside of its plan is neither", words);
+        "above or below a ground surface; objects outside of its plan are neither", words);
 }
 
 /// A plane figure while its words are read.
@@ -237,11 +237,11 @@ std::vector<KeywordSpec> figure_words(bool round) {
             "the corners, in order");
     }
     list.keyword({"distance"}, real("distance").unit("length").at_least(0), &FigureText::distance,
-                 "all within this distance of its plane; what lies in the plane if not given");
+                 "all within this distance of its plane; only objects in the plane if not given");
     return std::move(list).list();
 }
 
-/// The corners lie in one plane: what else is asked with them would mean nothing.
+/// Refuses corners in one plane: they enclose no volume.
 void check_flat(const Reader& reader, const std::vector<Vec3>& vertices) {
     Vec3 normal = Vec3::Zero();
     double size = 0;
@@ -250,7 +250,7 @@ void check_flat(const Reader& reader, const std::vector<Vec3>& vertices) {
     for (const Vec3& v : vertices) size = std::max(size, (v - vertices[0]).norm());
     constexpr double flat = 1e-6;
     if (!(normal.norm() > flat * size * size))
-        throw Diagnostic("the corners of the figure have no area between them", "give them in order around it")
+        throw Diagnostic("the corners of the figure enclose no area", "give them in order around it")
             .at(reader.previous().place);
     for (const Vec3& v : vertices)
         if (std::abs(normal.normalized().dot(v - vertices[0])) > flat * size)
@@ -307,7 +307,7 @@ void figures(Keywords<RangePhrase>& table) {
                            "write: ellipse center x y z axis1 x y z axis2 x y z distance d");
             const Vec3 &one = *figure.axis1, &two = *figure.axis2;
             if (!reader.wildcards() && !(one.cross(two).norm() > 1e-6 * one.norm() * two.norm()))
-                throw Diagnostic("the two axes of the ellipse have no area between them").at(reader.previous().place);
+                throw Diagnostic("the two axes of the ellipse enclose no area").at(reader.previous().place);
             RangeElement& element = phrase.elements.back();
             element.centre = *figure.centre;
             element.end2 = one;

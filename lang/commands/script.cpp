@@ -33,7 +33,7 @@ CommandSpec callback() {
         [=](Reader& reader, FishCallback& callback) {
             callback.function = reader.text(name);
             callback.place = reader.previous().place;
-            // Newer versions number the parts of a cycle.
+            // Later versions number the parts of a cycle.
             constexpr double forces_are_known = 40;
             if (reader.at_number() && reader.real(location) < forces_are_known)
                 callback.when = FishCallback::When::before_cycle;
@@ -46,7 +46,7 @@ CommandSpec callback() {
             callback.function = reader.text(name);
             callback.place = reader.previous().place;
         },
-        "the function is not run any more");
+        "stops running the function");
     entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
@@ -58,7 +58,7 @@ CommandSpec callback() {
     return entry;
 }
 
-/// set fishcall n NAME: the older way to say the same.
+/// set fishcall n NAME: the older form of the same command.
 CommandSpec fishcall() {
     const auto name = text("name").spec;
     Entry<FishCallback> entry({"set"}, {Spelling{"fishcall", 5}});
@@ -79,12 +79,12 @@ CommandSpec fishcall() {
             callback.remove = true;
             callback.function = std::move(function);
         },
-        "the function is not run any more");
+        "stops running the function");
     entry.otherwise({name}, [name](Reader& reader, FishCallback& callback) {
         if (!callback.function.empty()) return false;
         const Word& word = *reader.peek();
         callback.place = word.place;
-        // @name would run the function here; its name is meant.
+        // @name would run the function here; the name itself is needed.
         callback.function = word.kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
         return true;
     });
@@ -101,8 +101,7 @@ CommandSpec fishcall() {
 
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
-    entry.help(
-        "gives a FISH variable, or a property that the deck sets, a value, unless `kaya --set` or an earlier line has given it one");
+    entry.help("sets a FISH variable, or a property of the deck, unless `kaya --set` or an earlier line has set it");
     entry.place(&Parameter::place);
     const auto value = real("value").help("a number, a word or a text").spec;
     entry.otherwise({text("name").spec, value}, [value](Reader& reader, Parameter& parameter) {

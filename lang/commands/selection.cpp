@@ -1,4 +1,4 @@
-// Commands that give objects names and numbers, and those that take blocks out and put them back.
+// Commands that name and number objects, and commands that excavate blocks and fill them in.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -21,7 +21,7 @@ CommandSpec mark() {
     entry.argument(integer("n").at_least(0).help("region number"), &Mark::region);
     entry.range(&Mark::range);
     entry.right("mark region 2 range z 0 10");
-    entry.wrong("mark 2", "'2' stands where a kind of mark must be");
+    entry.wrong("mark 2", "expected a kind of mark, found '2'");
     entry.wrong("mark region", "a number is missing after 'region'");
     return entry;
 }
@@ -55,11 +55,11 @@ CommandSpec copy() {
     entry.keyword({"region"}, integer("n").at_least(0).at_most(2000000000), &Copy::region,
                   "region number of the copies; that of the block if not given");
     entry.keyword({"group"}, text("name"), &Copy::group, "group of the copies; that of the block if not given");
-    entry.range(&Copy::range, true); // region and group stand for the copies; the range begins with its word
+    entry.range(&Copy::range, true); // region and group apply to the copies; the range needs its word
     entry.place(&Copy::place);
     entry.finish([](const Reader& reader, Copy& command) {
         if (!command.offset && !command.mirror)
-            incomplete_line(reader, "copy does not say where the copies stand",
+            incomplete_line(reader, "copy has neither an offset nor a mirror",
                             "give offset dx dy dz, or mirror normal nx ny nz origin x y z");
         if (reader.wildcards()) return;
         if (command.number > 1 && (!command.offset || command.mirror))
@@ -74,7 +74,7 @@ CommandSpec copy() {
     entry.right("copy offset 0 2 0 number 5 range region 1");
     entry.right("copy mirror normal 1 0 0 origin 4 0 0 group right");
     entry.right("copy mirror dip 90 dd 0 origin 0 0 0 offset 0 0 3");
-    entry.wrong("copy", "copy does not say where the copies stand");
+    entry.wrong("copy", "copy has neither an offset nor a mirror");
     entry.wrong("copy offset 1 0", "a number is missing after '0'");
     entry.wrong("copy mirror normal 1 0 0 number 3", "several copies need an offset and no mirror");
     entry.wrong("copy offset 1 0 0 normal 1 0 0", "the normal is that of a mirror");
@@ -88,13 +88,13 @@ std::vector<CommandSpec> selection_commands() {
     return {
         copy(),
         Entry<Excavate>({"excavate", "remove"})
-            .help("takes blocks out of the model and keeps them; fill puts them back")
+            .help("removes blocks and stores them; fill restores them")
             .range(&Excavate::range)
             .right("excavate range group tunnel")
             .right("remove region 3")
             .wrong("remove reigon 3", "'reigon' is not a keyword of excavate"),
         Entry<Fill>({Spelling{"fill", 3}})
-            .help("puts excavated blocks back where they were, with their material, at rest and without stress")
+            .help("restores excavated blocks in their places, with their material, at rest and without stress")
             .range(&Fill::range)
             .right("fill")
             .right("fill range group tunnel z 0 2")

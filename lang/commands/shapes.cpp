@@ -9,7 +9,7 @@ namespace kaya::lang {
 
 namespace {
 
-/// What every kind of poly has.
+/// Options of every kind of poly.
 template <class Poly> void block_options(Entry<Poly>& entry) {
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](Poly & poly) -> auto& { return poly.options.*member; };
@@ -65,7 +65,7 @@ CommandSpec poly_brick() {
     entry.wrong("poly brick 0 1 0 1 0", "a number is missing after '0'");
     entry.wrong("poly brick 0 one", "expected a number, found 'one'");
     entry.wrong("poly brick 1 0", "the brick has no extent in x: from 1 to 0");
-    entry.wrong("poly brick 0 1 0 1 0 1 0 1", "'0' stands where a keyword of poly brick must be");
+    entry.wrong("poly brick 0 1 0 1 0 1 0 1", "expected a keyword of poly brick, found '0'");
     entry.wrong("poly brick 0 1 regoin 2", "'regoin' is not a keyword of poly brick");
     return entry;
 }
@@ -91,7 +91,7 @@ CommandSpec poly_prism() {
     entry.right("poly prism a @v1 @v2 @v3 b @w1 @w2 @w3");
     entry.wrong("poly prism a 0 0 0 1 0 0 1 1 0", "a prism needs two polygons");
     entry.wrong("poly prism a 0 0 0 1 0 0 1 1 b 0 0 1", "expected a number, found 'b'");
-    entry.wrong("poly prism 0 0 0 1 0 0", "'0' stands where a keyword of poly prism must be");
+    entry.wrong("poly prism 0 0 0 1 0 0", "expected a keyword of poly prism, found '0'");
     return entry;
 }
 
@@ -175,7 +175,7 @@ CommandSpec poly_tet() {
     entry.right("poly tet 0,0,0 1,0,0 0,1,0 0,0,1").right("poly region 4 tet @a @b @c @d");
     entry.right("poly tet a 0,0,0 b 1,0,0 c 0,1,0 d 0,0,1");
     entry.wrong("poly tet 0 0 0 1 0 0 0 1 0", "a tetrahedron has four corners, and 3 are given");
-    entry.wrong("poly tet 0 0 0 1 0 0 0 1 0 0 0 1 1 1 1", "'1' stands where a keyword of poly tet must be");
+    entry.wrong("poly tet 0 0 0 1 0 0 0 1 0 0 0 1 1 1 1", "expected a keyword of poly tet, found '1'");
     return entry;
 }
 
@@ -301,7 +301,7 @@ CommandSpec poly_tunnel() {
 CommandSpec import_file() {
     Entry<Import> entry({"import"});
     entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .msh, .stl, .obj, .ply, .wrl");
-    entry.argument(text("file").help("name with suffix, which says the format"), &Import::file);
+    entry.argument(text("file").help("name with suffix, which selects the format"), &Import::file);
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](Import & command) -> auto& { return command.options.*member; };
     };

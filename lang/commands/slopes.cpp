@@ -47,7 +47,7 @@ void add_surfaces(Entry<Limit>& entry) {
                   "where the upper end of a searched surface may lie");
     entry.keyword({"exit"}, pair("s1 s2").unit("length"), &Limit::exit, "where its lower end may lie");
     entry.keyword({"depth"}, real("d").unit("length").at_least(0), &Limit::least_depth,
-                  "surfaces that stay nearer below the ground do not count");
+                  "least depth of a surface below the ground");
     entry.keyword({"corners"}, integer("n").at_least(3).at_most(40), &Limit::corners,
                   "corners that a searched polyline may have; 8 if not given");
 }
@@ -69,9 +69,9 @@ CommandSpec limit() {
     entry.keyword({"crack-water"}, real("h").unit("length").at_least(0), &Limit::crack_water,
                   "height of the water in the crack");
     entry.keyword({"seismic"}, real("k"), &Limit::seismic,
-                  "horizontal acceleration over gravity, to where the body slides");
+                  "horizontal acceleration over gravity, in the direction of sliding");
     entry.keyword({"ru"}, real("r").at_least(0).below(1), &Limit::pressure_ratio,
-                  "pore pressure on the surface over the weight of what lies above it");
+                  "pore pressure on the surface over the weight above it");
     entry.keyword({"water-table"}, integer("n").at_least(0), &Limit::water_table,
                   "table with the height of the water over the distance; else the water of the model");
     entry.keyword({"table"}, integer("n").at_least(0), &Limit::table,
@@ -89,8 +89,7 @@ CommandSpec limit() {
         if (c.circle && !((*c.circle)[2] > 0))
             incomplete_line(reader, "the radius must be greater than 0", "the numbers are: distance, height, radius");
         if (c.crack_water > c.crack)
-            incomplete_line(reader, "the water in the crack is higher than the crack is deep",
-                            "give the depth: crack d");
+            incomplete_line(reader, "the water in the crack is higher than the crack", "give the depth: crack d");
         for (std::size_t i = 1; i < c.surface.size(); ++i)
             if (!(c.surface[i][0] > c.surface[i - 1][0]))
                 incomplete_line(reader, "the distances of a surface must grow from point to point",
@@ -107,7 +106,7 @@ CommandSpec limit() {
     entry.wrong("limit equilibrium surface 0 10 0 5", "the distances of a surface must grow from point to point");
     entry.wrong("limit equilibrium circle 0 10 0", "the radius must be greater than 0");
     entry.wrong("limit equilibrium bishp", "'bishp' is not a keyword of limit equilibrium");
-    entry.wrong("limit equilibrium crack-water 2", "the water in the crack is higher than the crack is deep");
+    entry.wrong("limit equilibrium crack-water 2", "the water in the crack is higher than the crack");
     return entry;
 }
 

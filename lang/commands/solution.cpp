@@ -36,15 +36,14 @@ CommandSpec damp() {
         },
         "local damping for motion that is mostly one way; 0.8 if not given");
     entry.action(
-        {"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping, dashpots of contacts neither");
+        {"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping and no dashpots of contacts");
     entry.action(
         {"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
         {"stiffness"}, [](Damp& d) { d.mass = false; }, "of Rayleigh damping: only the stiffness part");
     entry.keyword(
         {"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
-        "a dashpot at every contact, of that part of critical damping, besides what else the line names; alone, "
-        "nothing else damps, and 0 takes the dashpots away only");
+        "a dashpot at every contact, with that fraction of critical damping, in addition to the other damping of the line; alone it is the only damping, and 0 removes the dashpots");
     const auto fraction = real("fraction").at_least(0);
     const auto frequency = real("frequency").unit("1/time").at_least(0);
     entry.special(
@@ -99,20 +98,20 @@ CommandSpec damp() {
 
 CommandSpec cycle() {
     Entry<CycleCommand> entry({"cycle", "step"});
-    entry.help("moves the model on by a number of cycles or by a span of time");
+    entry.help("runs a number of cycles or a span of time");
     entry.argument(integer("n").at_least(0).optional().help("number of cycles"),
                    [](CycleCommand& c, std::int64_t n) { c.cycles = n; });
     entry.keyword({"time"}, real("t").unit("time").at_least(0), &CycleCommand::time, "time to be covered");
     entry.finish([](const Reader& reader, CycleCommand& c) {
         if (!c.cycles && !c.time)
-            incomplete_line(reader, "cycle does not say how many cycles", "write for example: cycle 1000");
+            incomplete_line(reader, "cycle has no number of cycles", "write for example: cycle 1000");
     });
     entry.right("cycle 1000").right("step 10").right("cyc 20000").right("cycle time 0.5").right("cycle @n");
-    entry.wrong("cycle", "cycle does not say how many cycles");
+    entry.wrong("cycle", "cycle has no number of cycles");
     entry.wrong("step 10.5", "step takes a whole number, not 10.5");
     entry.wrong("cycle -5", "cycle must be at least 0, not -5");
     entry.wrong("cycle many", "'many' is not a keyword of cycle");
-    entry.wrong("cycle 10 20", "'20' stands where a keyword of cycle must be");
+    entry.wrong("cycle 10 20", "expected a keyword of cycle, found '20'");
     return entry;
 }
 
@@ -147,17 +146,16 @@ CommandSpec solve() {
         .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
         .action(
             {"still"}, [](Solve& s) { s.still = true; },
-            "a ratio or a force counts only when no body gains displacement any more; fos always asks for it")
+            "a ratio or a force is accepted only when no body gains displacement any more; always on with fos")
         .action(
             {"elastic"}, [](Solve& s) { s.elastic = true; }, "first with unbreakable joints, then with the true ones")
         .action(
             {"fos", "factor"}, [](Solve& s) { s.factor_of_safety = true; },
-            "finds the factor by which the strength of joints and zones can be divided until the model fails; the model stays")
-        .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket,
-                 "with fos: a factor where it stands and one where it fails")
+            "computes the factor of safety by strength reduction; the model is left unchanged")
+        .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket, "with fos: a stable factor and a failing one")
         .keyword({"resolution"}, real("f").above(0).below(1), &Solve::resolution,
-                 "with fos: how near the two factors come, as a part; 0.005 if not given")
-        .keyword({"file"}, text("file"), &Solve::file, "with fos: the model is saved there as it fails")
+                 "with fos: relative difference of the two factors at the end; 0.005 if not given")
+        .keyword({"file"}, text("file"), &Solve::file, "with fos: file for the failed state")
         .special(
             {"include"}, {text("joints|zones|friction|cohesion|tension").spec},
             [](Reader& reader, Solve& s) { s.included.push_back(reduced_word(reader)); },
@@ -168,7 +166,7 @@ CommandSpec solve() {
             "with fos: this is not divided; may stand several times")
         .action(
             {"keep"}, [](Solve& s) { s.keep = true; },
-            "with fos: the model stays as it was at the end of the last trial that failed")
+            "with fos: the model keeps the state at the end of the last failed trial")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
             if (!s.factor_of_safety &&
@@ -178,9 +176,9 @@ CommandSpec solve() {
             if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio))
                 incomplete_line(
                     reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
-                    "give other limits to a `solve` of its own before");
+                    "give other limits to a separate `solve` before");
             if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
-                incomplete_line(reader, "the factor where the model stands must be below the one where it fails",
+                incomplete_line(reader, "the stable factor must be below the failing one",
                                 "write for example: solve fos bracket 1 2");
         })
         .right("solve")
@@ -195,18 +193,18 @@ CommandSpec solve() {
         .right("solve fos include joints include friction")
         .wrong("solve bracket 1 2", "bracket, file, include, exclude and keep belong to fos")
         .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
-        .wrong("solve fos bracket 2 1", "the factor where the model stands must be below the one where it fails")
+        .wrong("solve fos bracket 2 1", "the stable factor must be below the failing one")
         .wrong("solve fos force 1",
                "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")
-        .wrong("solve 100", "'100' stands where a keyword of solve must be");
+        .wrong("solve 100", "expected a keyword of solve, found '100'");
 }
 
 CommandSpec mass_scale() {
     return Entry<MassScale>({"mscale"})
-        .help("density scaling: bodies move with another mass than they weigh, for a longer time step")
+        .help("density scaling: inertial masses differ from weights, for a longer time step")
         .action(
             {"on", "full"}, [](MassScale& m) { m.on = true; },
             "all bodies, so that all allow the same time step; for static solution")
@@ -216,14 +214,13 @@ CommandSpec mass_scale() {
             {"off"}, [](MassScale& m) { m.off = true; }, "true masses")
         .finish([](const Reader& reader, MassScale& m) {
             const int given = m.on + m.off + m.step.has_value();
-            if (given == 0)
-                incomplete_line(reader, "mscale does not say what to scale", "expected: on, part dt or off");
+            if (given == 0) incomplete_line(reader, "mscale has no mode", "expected: on, part dt or off");
             if (given > 1) incomplete_line(reader, "on, part and off exclude each other", "keep one of them");
         })
         .right("mscale on")
         .right("mscale part 1e-4")
         .right("mscale off")
-        .wrong("mscale", "mscale does not say what to scale")
+        .wrong("mscale", "mscale has no mode")
         .wrong("mscale part", "a number is missing after 'part'")
         .wrong("mscale part 0", "dt must be greater than 0, not 0")
         .wrong("mscale on off", "on, part and off exclude each other")
@@ -241,7 +238,7 @@ Family solution() {
                 damp(),
                 mass_scale(),
                 Entry<Fraction>({"fraction"})
-                    .help("time step as a part of the largest stable one")
+                    .help("time step as a fraction of the largest stable one")
                     .argument(real("f").above(0).at_most(1), &Fraction::value)
                     .right("fraction 0.3")
                     .wrong("fraction", "a number is missing after 'fraction'")

@@ -88,8 +88,8 @@ CommandSpec beam() {
     entry.keyword(
         {"axis-y", "direction-y"}, vector("x y z"), &StructureBeam::axis,
         "where its axis y points, without its part along the beam; global y if not given, x where the beam goes along y");
-    add_grip(entry, "anchor", Grip::anchor, "nodes that go with the rock, and turn freely");
-    add_grip(entry, "clamp", Grip::clamp, "nodes that go with a rigid block and turn with it");
+    add_grip(entry, "anchor", Grip::anchor, "nodes that move with the rock and rotate freely");
+    add_grip(entry, "clamp", Grip::clamp, "nodes that move and rotate with a rigid block");
     entry.keyword({"tolerance"}, real("t").unit("length").at_least(0), &StructureBeam::tolerance,
                   "how far outside of the rock a node still lies on it; a millionth of the block if not given");
     entry.otherwise({vector("x y z").optional().spec}, [](Reader& reader, StructureBeam& beam) {
@@ -133,10 +133,9 @@ CommandSpec liner() {
         "axis x of its forces, without its part along the normal; global x if not given, y where that is the normal");
     entry.action(
         {"anchor"}, [](StructureLiner& c) { c.grip = Grip::anchor; },
-        "all its nodes go with the rock, also where its properties have springs");
+        "all its nodes move with the rock, even if its properties have springs");
     entry.action(
-        {"clamp"}, [](StructureLiner& c) { c.grip = Grip::clamp; },
-        "all its nodes go with rigid blocks and turn with them");
+        {"clamp"}, [](StructureLiner& c) { c.grip = Grip::clamp; }, "all its nodes move and rotate with rigid blocks");
     entry.keyword(
         {"tolerance"}, real("t").unit("length").at_least(0), &StructureLiner::tolerance,
         "corners of faces that are nearer to each other are one; a ten thousandth of the extent of the faces if not given");
@@ -219,7 +218,7 @@ const std::vector<PropertyWord>& property_words() {
 
 CommandSpec property() {
     Entry<StructureProperty> entry(structure_word(), {"property"});
-    entry.help("gives a number the properties of cables, of beams or of liners");
+    entry.help("defines the properties of cables, beams or liners under a number");
     entry.place(&StructureProperty::place);
     entry.argument(integer("n").at_least(1).help("number of the properties"), &StructureProperty::number);
     for (const auto& known : property_words()) {
@@ -263,7 +262,7 @@ CommandSpec property() {
 CommandSpec remove() {
     Entry<StructureDelete> entry(structure_word(), {"delete"});
     entry.help(
-        "takes cables, beams and liners out: one by its number, or those with a node in the range; all if neither is given");
+        "deletes cables, beams and liners: one by its number, or those with a node in the range; all if neither is given");
     entry.otherwise({integer("n").at_least(1).optional().spec}, [](Reader& reader, StructureDelete& c) {
         if (c.number || reader.peek()->kind != WordKind::number) return false;
         c.number = reader.integer(integer("n").at_least(1).spec);

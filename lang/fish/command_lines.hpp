@@ -1,4 +1,4 @@
-// Lines of a `command ... endcommand` block: what is put in at run time is found here.
+// Lines of a `command ... endcommand` block: finds the parts that are replaced at run time.
 #pragma once
 
 #include "lang/fish/lexer.hpp"
@@ -6,9 +6,9 @@
 
 namespace kaya::fish {
 
-/// Cuts the line at every `[expression]` and `@name` outside of quotes. A piece made from `@name` keeps its
-/// text too: only names of local variables are put in here, all others mean something to the command itself
-/// (`hist @x` records the variable, it does not record its present value).
+/// Cuts the line at every `[expression]` and `@name` outside of quotes. A piece made from `@name` keeps its text too: only names of local
+/// variables are replaced here. All other names have a meaning for the command itself (`hist @x` records the variable and not its present
+/// value).
 CommandLine read_command_line(const RawLine& raw);
 
 /// First word in lower case; empty for a blank line.

@@ -23,7 +23,7 @@ std::string generate(const Function& function, const Dictionary& dictionary) {
 
 namespace {
 
-/// Commands have @ in front of names, and so may their expressions: @f(@x) is f(x). Columns stay as they are.
+/// Commands have @ in front of names, and so may their expressions: @f(@x) is f(x). Columns are kept.
 std::string without_marks(std::string text) {
     char quote = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,5 +1,5 @@
-// From the text of a FISH function to the text of a Lua function. No Lua is needed here: what comes
-// out is a string, and what it expects of the Lua side is written at the foot of this file.
+// From the text of a FISH function to the text of a Lua function. No Lua is needed here: the result is a string, and the Lua functions that
+// it calls are listed at the end of this file.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -15,7 +15,7 @@ namespace kaya::fish {
 struct FunctionTree;
 struct ExpressionTree;
 
-/// What a name means that is neither local nor an argument.
+/// Meaning of a name that is neither local nor an argument.
 enum class NameKind {
     variable, ///< a global variable, or something that does not exist yet
     function, ///< a FISH function, or a function written in Lua
@@ -29,13 +29,13 @@ struct Meaning {
     bool writable = false; ///< a built-in that may stand left of `=`
 };
 
-/// Throws Diagnostic when a function, or a built-in name, is given another number of arguments than it takes.
+/// Throws Diagnostic when a function, or a built-in name, is called with a wrong number of arguments.
 void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place);
 
 /// True for the names of values: true, false, on, off, null.
 bool is_constant(std::string_view name);
 
-/// Tells the code generator what a (lower case) name means at this moment.
+/// Returns the present meaning of a name (in lower case) to the code generator.
 using Dictionary = std::function<Meaning(std::string_view name)>;
 
 /// A function that was read, not yet translated.
@@ -53,8 +53,8 @@ struct Function {
 /// `first` is the place where `text` begins: line n of the text is line first.line + n of first.source.
 Function read_function(const std::string& text, const Place& first);
 
-/// Lua source of the function. Line k of it belongs to line function.place.line + k - 1 of the deck.
-/// Throws Diagnostic for what only the dictionary can tell (number of arguments, read-only names).
+/// Lua source of the function. Line k of it belongs to line function.place.line + k - 1 of the deck. Throws Diagnostic for mistakes that
+/// only the dictionary shows (number of arguments, read-only names).
 std::string generate(const Function& function, const Dictionary& dictionary);
 
 /// An expression outside of any function: `@name(1,2)`, `[a + 1]`, `[a = 3]`.

@@ -54,7 +54,7 @@ private:
         const bool text_left = left.kind == NodeKind::text && is_number(right);
         const bool text_right = right.kind == NodeKind::text && is_number(left);
         if (text_left || text_right)
-            add("a text is never equal to a number", "take the quotes away", (text_left ? left : right).place);
+            add("a text is never equal to a number", "remove the quotes", (text_left ? left : right).place);
     }
 
     void statement(const Statement& s) {
@@ -76,7 +76,7 @@ private:
                 return !branch.condition.empty() && same_literal(branch.condition.front(), later->condition.front());
             });
             if (earlier != later)
-                add("this case comes a second time, and is never run",
+                add("this case is a duplicate and never runs",
                     fmt::format("the first is in line {}", earlier->place.line), later->condition.front().place);
         }
     }

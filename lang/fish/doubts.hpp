@@ -1,4 +1,4 @@
-// What a function may well say and hardly means.
+// Code of a function that is valid and hardly intended.
 #pragma once
 
 #include "lang/fish/compiler.hpp"
@@ -7,7 +7,7 @@
 
 namespace kaya::fish {
 
-/// Warnings, in the order of the lines: a case that comes twice, a text compared with a number, a vector of two numbers.
+/// Warnings in the order of the lines: a case that occurs twice, a text compared with a number, a vector of two numbers.
 std::vector<Diagnostic> doubts(const Function& function);
 
 } // namespace kaya::fish

@@ -206,7 +206,7 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
     const bool local = scope_.is_local(target.text);
     const Meaning meaning = local ? Meaning{} : meaning_of(target);
     if (meaning.kind == NameKind::function)
-        throw Diagnostic(fmt::format("'{}' is a function: a value cannot be given to it here", target.text),
+        throw Diagnostic(fmt::format("'{}' is a function: it cannot be assigned here", target.text),
                          "use another name for the variable")
             .at(target.place);
     if (meaning.kind == NameKind::built_in) {
@@ -216,7 +216,7 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
                 .at(target.place);
         check_arguments(target, meaning);
         const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
-        if (component) { // vectors are values: a new one takes the place of the old one
+        if (component) { // vectors are values: a new one replaces the old one
             const std::string whole =
                 fmt::format("{}({}, {})", built_in('W', target.text), this->value(target.children[0]), value);
             return assignment(target.children[0], whole);
@@ -225,7 +225,7 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
         return fmt::format("{}({}{}{})", built_in('W', target.text), arguments, arguments.empty() ? "" : ", ", value);
     }
     if (target.parentheses && target.text == scope_.function)
-        throw Diagnostic(fmt::format("'{}' is this function: a value cannot be given to a call of it", target.text))
+        throw Diagnostic(fmt::format("'{}' is this function: a call of it cannot be assigned", target.text))
             .at(target.place);
     if (!target.parentheses) return fmt::format("{} = {}", variable(target), value);
     const std::string array = variable(target);

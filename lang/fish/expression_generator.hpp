@@ -35,8 +35,8 @@ public:
     std::string variable(const Node& name) const;
     /// "a, b, c"
     std::string list(const std::vector<Node>& nodes) const;
-    /// Lua statements that make locals of the built-ins used so far, to stand in front of the function: a call
-    /// of a local costs a look-up less than a call of a table's member.
+    /// Lua statements that make locals of the built-ins used so far, to be put before the function: the call of a local costs one look-up
+    /// less than the call of a table's member.
     std::string shared_built_ins() const;
 
 private:
@@ -55,7 +55,7 @@ private:
     mutable std::set<std::pair<char, std::string>> shared_; ///< table and name of built-ins that are locals
 };
 
-/// `.name`, or `["name"]` where the name is no Lua name.
+/// `.name`, or `["name"]` where the name is not a valid Lua name.
 std::string member(std::string_view name);
 /// A Lua text literal on one line.
 std::string lua_string(std::string_view text);

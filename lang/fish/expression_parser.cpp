@@ -8,7 +8,7 @@ namespace kaya::fish {
 
 namespace {
 
-/// Lua's own parser gives up at 200 levels; this stays well below and can name the place.
+/// Lua's own parser stops at 200 levels; this limit is well below, and the message has the place.
 constexpr int deepest = 60;
 constexpr std::size_t most_arguments = 50;
 /// Every operator of a long sum is a level of the tree.
@@ -251,7 +251,7 @@ void fail_expected(const Line& line, std::string_view expected, std::string hint
 }
 
 std::string hint_for_missing_equals(const Line& line, std::string_view name) {
-    // Lines of decks that stand in functions by mistake.
+    // Lines of decks that are written in functions by mistake.
     constexpr std::array<std::string_view, 16> words_of_commands{"print", "list", "cycle",  "cyc", "step", "solve",
                                                                  "poly",  "prop", "delete", "gen", "hist", "save",
                                                                  "plot",  "fix",  "bound",  "grav"};

@@ -24,7 +24,7 @@ public:
     bool take_name(std::string_view name);
     /// Takes the sign or throws "expected ')' ...".
     void expect_sign(std::string_view sign, std::string_view why);
-    /// Takes a name or throws: `what` says what the name is for ("name of the loop variable").
+    /// Takes a name or throws: `what` is the purpose of the name ("name of the loop variable").
     const Token& expect_name(std::string_view what);
     /// Throws when something is left on the line.
     void expect_end(std::string_view after);
@@ -39,7 +39,7 @@ Node parse_expression(Line& line);
 Node parse_name(Line& line);
 /// "expected X, found Y" at the current token.
 [[noreturn]] void fail_expected(const Line& line, std::string_view expected, std::string hint = {});
-/// What is meant by a line that begins with this name and goes on without a '='; empty when nobody can tell.
+/// Probable meaning of a line that begins with this name and continues without a '='; empty when it is unknown.
 std::string hint_for_missing_equals(const Line& line, std::string_view name);
 
 } // namespace kaya::fish

@@ -8,7 +8,7 @@ namespace kaya::fish {
 
 namespace {
 
-/// Lua allows 200 locals in a function; loops need some of their own.
+/// Lua allows 200 locals in a function; loops need some of them.
 constexpr std::size_t most_locals = 100;
 
 class FunctionGenerator {
@@ -110,7 +110,7 @@ private:
         text_ += expressions_.assignment(whole, made) + "; ";
     }
 
-    /// The body, and after it the label where `continue` goes.
+    /// The body, and after it the label to which `continue` jumps.
     void round(const Statement& s) {
         rounds_.push_back(++labels_);
         const int label = labels_;
@@ -122,7 +122,7 @@ private:
     }
 
     void loop_range(const Statement& s) {
-        // The limits are taken once; the body may change the loop variable, as it may in FISH.
+        // The limits are evaluated once; the body may change the loop variable, as it may in FISH.
         text_ += fmt::format("do local last = {}; ", expressions_.value(s.expressions[1]));
         text_ += s.expressions.size() == 3
                      ? fmt::format("local step = R.step({}); ", expressions_.value(s.expressions[2]))
@@ -182,8 +182,8 @@ private:
             text_ += "end ";
             return;
         }
-        // What stands before the first `case` runs when none fits. Its lines come first, so it is kept
-        // first in the Lua text as well: the test whether any case fits is made before.
+        // The statements before the first `case` run when no case fits. Their lines come first in the deck, and so in the Lua text: the
+        // test whether any case fits is made before them.
         const bool has_default = !s.body.empty();
         if (has_default) {
             text_ += "local fits = ";

@@ -1,4 +1,4 @@
-// The commands that stand inside FISH functions, for those who want to look at them before they run.
+// The commands inside of FISH functions, for checks before they run.
 #pragma once
 
 #include "lang/fish/compiler.hpp"

@@ -14,7 +14,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Letters of any language may stand in a name: bytes beyond ASCII are taken as they are.
+/// Letters of any language may be part of a name: bytes beyond ASCII are accepted.
 bool starts_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
            static_cast<unsigned char>(c) >= 0x80;
@@ -102,9 +102,7 @@ bool Lexer::next_line(std::vector<Token>& tokens) {
 bool Lexer::scan_line(std::vector<Token>& tokens) {
     for (bool continued = true; continued;) {
         if (next_ == lines_.size())
-            throw Diagnostic("the line goes on after its last mark, but the text ends here",
-                             "take the '&' or '...' away")
-                .at(here());
+            throw Diagnostic("the last line ends with a continuation mark", "remove the '&' or '...'").at(here());
         const std::string& line = lines_[next_];
         std::size_t length = 0;
         continued = is_continued(line, length);
@@ -201,7 +199,7 @@ void Lexer::scan_text(Cursor& cursor, std::vector<Token>& tokens) const {
         const char c = cursor.peek();
         if (c == quote) {
             if (cursor.peek(1) != quote) break;
-            ++cursor.at; // a doubled quote stands for one
+            ++cursor.at; // a doubled quote is one quote
         } else if (c == '\\' && (cursor.peek(1) == 'n' || cursor.peek(1) == 't')) {
             ++cursor.at;
             token.text += cursor.peek() == 'n' ? '\n' : '\t';

@@ -31,7 +31,7 @@ struct RawLine {
 
 class Lexer {
 public:
-    /// `first` says where `text` begins.
+    /// `first` is the place where `text` begins.
     Lexer(const std::string& text, const Place& first);
 
     /// False when the text is used up. Lines without words are skipped; the last token is end_of_line.

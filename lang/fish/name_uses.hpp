@@ -1,4 +1,4 @@
-// What functions do with the names that are not their own: who reads a variable, who sets it, who calls what.
+// Uses of the names that are not local to a function: which variables it reads and sets, and which functions it calls.
 #pragma once
 
 #include "lang/fish/compiler.hpp"

@@ -16,7 +16,7 @@ std::string_view family(std::string_view name) {
     return end == name.npos ? std::string_view{} : name.substr(0, end + 1);
 }
 
-/// Letters that count: what differs by one of them only is another thing of the same kind.
+/// Letters that number objects: names that differ by one of them only are different objects of the same kind.
 bool both_count(char a, char b) {
     constexpr std::array<std::string_view, 5> series{"0123456789", "xyz", "ijklmn", "abcd", "uvw"};
     return std::ranges::any_of(series, [=](std::string_view letters) {

@@ -1,4 +1,4 @@
-// The name that was meant by one that nothing knows.
+// The known name that is nearest to an unknown one.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@ namespace kaya::fish {
 /// gp_dsf.
 std::string_view nearest_name(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// True when one letter too many, too few or wrong, or two that have changed places, make one name of the other. Names
-/// that are counted (x1, x2; xmin, ymin) are no slips of each other.
+/// True when the names differ by one missing, surplus or wrong letter, or by two exchanged letters. Numbered names (x1, x2; xmin, ymin) are
+/// not slips of each other.
 bool is_one_slip(std::string_view one, std::string_view other);
 
 } // namespace kaya::fish

@@ -9,7 +9,7 @@
 
 namespace kaya::fish {
 
-/// A block that is open: what opened it, and the words that end it or one of its parts.
+/// An open block: the statement that opened it, and the words that end it or one of its parts.
 struct Block {
     std::string_view opening; ///< "loop", "if", "case_of", "section", "def"
     std::string_view closing; ///< shown in messages

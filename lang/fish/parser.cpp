@@ -41,8 +41,8 @@ public:
         line_.expect_end("'end'");
         if (next_line()) throw Diagnostic("there is more text after the 'end' of the function").at(line_.peek().place);
         if (result_.whilestepping && !tree.arguments.empty())
-            throw Diagnostic(fmt::format("'{}' runs in every cycle, so nobody gives it its arguments", tree.name),
-                             "take the arguments away, or 'whilestepping'")
+            throw Diagnostic(fmt::format("'{}' runs in every cycle and cannot have arguments", tree.name),
+                             "remove the arguments, or 'whilestepping'")
                 .at(tree.place);
         return std::move(result_);
     }
@@ -90,12 +90,12 @@ private:
 
     // --- blocks -----------------------------------------------------------------------------------
 
-    /// Statements up to a word that closes `opened`; the line then stands before that word.
+    /// Statements up to a word that closes `opened`; the line is then at that word.
     std::vector<Statement> block(const Block& opened) {
         open_.push_back(opened);
         if (open_.size() > deepest_block)
             throw Diagnostic(fmt::format("more than {} blocks stand in each other", deepest_block),
-                             "put the inner ones into a function of their own")
+                             "move the inner ones into another function")
                 .at(opened.place);
         std::vector<Statement> body;
         for (;;) {
@@ -115,7 +115,7 @@ private:
     [[noreturn]] void fail_unclosed(const Block& opened) {
         if (opened.opening == "def")
             throw Diagnostic(fmt::format("the function '{}' has no 'end'", result_.tree.name),
-                             "write 'end' on a line of its own after its last statement")
+                             "write 'end' on a separate line after its last statement")
                 .at(opened.place);
         throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing)).at(opened.place);
     }
@@ -126,8 +126,8 @@ private:
                 .at(word.place);
         if (opened.opening == "def")
             throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text)).at(word.place);
-        throw Diagnostic(fmt::format("'{}' stands where '{}' must close the '{}' of line {}", word.text, opened.closing,
-                                     opened.opening, opened.place.line))
+        throw Diagnostic(fmt::format("expected '{}' to close the '{}' of line {}, found '{}'", opened.closing,
+                                     opened.opening, opened.place.line, word.text))
             .at(word.place);
     }
 
@@ -185,7 +185,7 @@ private:
         body.push_back(simple());
     }
 
-    /// An assignment, or an expression that is evaluated for what it does.
+    /// An assignment, or an expression that is evaluated for its side effects.
     Statement simple() {
         Statement made;
         made.place = line_.peek().place;
@@ -199,11 +199,11 @@ private:
             return made;
         }
         if (!line_.done()) {
-            // What begins like a statement and is none is more likely a slip of the pen than a name.
+            // A word that begins like a statement is more likely a misspelt statement than a name.
             const auto near = did_you_mean(left.text, {"loop", "if", "else", "elseif", "case_of", "case", "section",
                                                        "exit", "return", "local", "global", "array", "argument"});
             if (!near.empty() && !left.parentheses && !line_.peek().is_sign("("))
-                throw Diagnostic(fmt::format("'{}' begins no statement", left.text),
+                throw Diagnostic(fmt::format("'{}' does not begin a statement", left.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.place);
             fail_expected(line_, fmt::format("'=' after '{}'", left.text), hint_for_missing_equals(line_, left.text));
@@ -326,7 +326,7 @@ private:
             set_target(made, line_.expect_name("the loop variable, 'while', 'foreach' or 'for'"));
             const auto near = did_you_mean(made.target.text, {"while", "foreach", "for"});
             if (!line_.peek().is_sign("(") && !line_.done() && !near.empty())
-                throw Diagnostic(fmt::format("'{}' is no kind of loop", made.target.text),
+                throw Diagnostic(fmt::format("'{}' is not a kind of loop", made.target.text),
                                  fmt::format("did you mean '{}'?", near))
                     .at(made.target.place);
             if (!line_.peek().is_sign("(") && !line_.done())

@@ -43,7 +43,7 @@ constexpr Group groups[] = {
     {false, "output realtime normfromdip code_majorversion", "use out, clock, normfromdipdd, code_name"},
     {false, "cable_* liner_* le_* beam_* knot_*", "structures have no FISH names: read them in Lua"},
     {false, "fk_* fp_* fpx_* fpz_*", "flow of fluids is not supported"},
-    {false, "cf_*", "config asks for nothing here"},
+    {false, "cf_*", "config has no such option"},
     {false, "zfd_*", "use z_near and the fields of the zone"},
     {true, "bou_*", "use the command bound"},
 };

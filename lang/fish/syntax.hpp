@@ -1,4 +1,4 @@
-// What a FISH function is made of after parsing.
+// The parts of a parsed FISH function.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -32,14 +32,14 @@ struct Node {
 enum class StatementKind {
     nothing,    ///< null, whilestepping, a declaration without a value
     assign,     ///< target = value
-    evaluate,   ///< value, for what it does
+    evaluate,   ///< an expression evaluated for its side effects
     array,      ///< target(children are the dimensions)
     loop_range, ///< target from expressions[0] to [1], step [2] if given
     loop_while, ///< value
     loop_each,  ///< target over value
     loop_for,   ///< init; value; step
     branches,   ///< if
-    choice,     ///< case_of value; body is what runs when no case fits
+    choice,     ///< case_of value; body runs when no case fits
     section,
     exit_function,
     exit_loop,
@@ -92,7 +92,7 @@ struct FunctionTree {
 
 struct ExpressionTree {
     std::vector<Statement> assignment; ///< none or one
-    Node value;                        ///< when there is no assignment
+    Node value;                        ///< when it is not an assignment
     Place place;
 };
 

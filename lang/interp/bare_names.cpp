@@ -92,7 +92,7 @@ void BareNames::learn(const CommandSpec& spec, const Statement& statement) {
 }
 
 void BareNames::learn_function(const std::string& body) {
-    bool commands = false; // their words are no names
+    bool commands = false; // words of commands are not names
     for (std::string_view rest = body; !rest.empty();) {
         const auto end = std::min(rest.find('\n'), rest.size());
         const std::string_view line = rest.substr(0, end);
@@ -126,13 +126,14 @@ BoundCommand bind_with_names(const Language& language, const Statement& statemen
     } catch (const Diagnostic& as_it_stands) {
         Statement with_names = statement;
         std::vector<BareName> bare;
-        std::optional<Diagnostic> after_range; // a range was named for certain: the mistake is what comes then
+        std::optional<Diagnostic>
+            after_range; // the word is certainly the name of a range: the mistake is in the words after it
         Place place = as_it_stands.place;
         while (const auto name = name_at(with_names, place, names)) {
             if (bare.size() > statement.words.size()) break;
             bare.push_back(*name);
             read_as_name(with_names, *name);
-            if (name->word == 0 && with_names.words.size() > 1) break; // a call stands alone
+            if (name->word == 0 && with_names.words.size() > 1) break; // a call must be the only word of its line
             try {
                 BoundCommand bound = bind_statement(language, with_names);
                 bound.bare = std::move(bare);

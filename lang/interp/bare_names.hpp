@@ -1,5 +1,5 @@
-// Names that stand without the word or mark that says what they are: FISH without @, as files for 3DEC 4 and before have it
-// (`poly brick 0 width`, a line `build_wall`), and named ranges without nrange (`delete range left`).
+// Names written without the word or mark that identifies them: FISH without @, as in files for 3DEC 4 and before (`poly brick 0 width`, a
+// line `build_wall`), and named ranges without nrange (`delete range left`).
 #pragma once
 
 #include "lang/interp/binder.hpp"
@@ -9,11 +9,11 @@
 
 namespace kaya::lang {
 
-/// Names that a deck has said so far, folded: functions, what functions and @ mention, ranges. What stands only further
-/// down is no name yet.
+/// Names that occur in a deck so far, in lower case: functions, names in functions and after @, ranges. Names that occur only further down
+/// are not known yet.
 class BareNames {
 public:
-    /// Takes what a statement brings.
+    /// Records the names of a statement.
     void learn(const CommandSpec& spec, const Statement& statement);
 
     bool is_function(const std::string& folded) const { return functions_.contains(folded); }
@@ -27,12 +27,12 @@ private:
     std::set<std::string> functions_, names_, ranges_;
 };
 
-/// Reads a word as the name that it is. A name of FISH takes the arguments in parentheses after it, force_on(3), and
-/// their words go; in front of the name of a range comes the word nrange.
+/// Replaces a word by the name that it is. A name of FISH takes the arguments in parentheses after it, force_on(3), and their words are
+/// removed; the word nrange is put before the name of a range.
 void read_as_name(Statement& statement, const BareName& name);
 
-/// Binds a statement. A word that makes no sense where it stands is read as a name when it is one; BoundCommand::bare
-/// says which. Throws Diagnostic, that of the statement as it stands, when this does not help.
+/// Binds a statement. A word that is not valid at its position is read as a name when it is one; BoundCommand::bare lists such words.
+/// Throws the Diagnostic of the statement as written when this does not help.
 BoundCommand bind_with_names(const Language& language, const Statement& statement, const BareNames& names,
                              Spelled* spelled = nullptr);
 

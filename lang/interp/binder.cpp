@@ -29,14 +29,14 @@ std::vector<const CommandSpec*> find_commands(const Language& language, std::str
     return commands;
 }
 
-/// The commands that share the first word which `typed` stands for.
+/// The commands whose first word is the one that `typed` abbreviates.
 const std::vector<const CommandSpec*>& commands_called(const Language& language, std::string_view typed) {
     static const std::vector<const CommandSpec*> none;
     auto& known = language.called.words();
     auto found = known.find(typed);
     if (found == known.end()) {
         auto commands = find_commands(language, typed);
-        if (commands.empty()) return none; // there is no end of words that are none
+        if (commands.empty()) return none; // unknown words are not cached: their number is unlimited
         found = known.emplace(typed, std::move(commands)).first;
     }
     return found->second;
@@ -47,13 +47,13 @@ void add_words(std::vector<std::string_view>& to, const std::vector<Spelling>& w
         if (std::find(to.begin(), to.end(), s.word) == to.end()) to.push_back(s.word);
 }
 
-/// Also words that are not supported yet, unless only those that run are `offered`.
+/// Includes words that are not supported yet, unless only supported ones are `offered`.
 void add_words(std::vector<std::string_view>& to, const std::vector<KeywordSpec>& keywords, bool offered = false) {
     for (const auto& k : keywords)
         if (!offered || k.support != Support::not_yet) add_words(to, k.words);
 }
 
-/// The canonical spellings: enough for a list of what may be typed.
+/// The canonical spellings, for lists of valid words.
 std::vector<std::string_view> first_words(const std::vector<KeywordSpec>& keywords) {
     std::vector<std::string_view> words;
     for (const auto& k : keywords)
@@ -85,7 +85,7 @@ bool is_one_of(const std::vector<Spelling>& spellings, const Word& word) {
            std::any_of(spellings.begin(), spellings.end(), [&](const Spelling& s) { return s.matches(word.folded); });
 }
 
-/// How many words of the form of a command stand from a place of the statement on.
+/// How many words of the form of a command match the statement from word `at` on.
 std::size_t depth_at(const CommandSpec& spec, const Statement& statement, std::size_t at) {
     std::size_t depth = 0;
     while (depth < spec.form.size() && at + depth < statement.words.size() &&
@@ -148,7 +148,7 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     throw d.at(word.place);
 }
 
-/// Index of the first word that names the form, 0 when it is not there. Options may stand before it.
+/// Index of the first word that names the form, 0 when there is none. Options may precede it.
 std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
     const auto& words = statement.words;
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -160,7 +160,7 @@ std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
     return 0;
 }
 
-/// Index of the word that stands where the form should: after options and their values.
+/// Index of the word at the position of the form: after options and their values.
 std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     const auto& words = statement.words;
     std::size_t i = 1;
@@ -171,7 +171,7 @@ std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
     return i;
 }
 
-/// The next word is no keyword: says so, with everything that might have stood there.
+/// The next word is not a keyword: throws with all words that are valid there.
 [[noreturn]] void unknown_keyword(const Language& language, const CommandSpec& spec, const Reader& reader) {
     std::vector<std::string_view> candidates, listed = first_words(spec.keywords);
     for (const auto& argument : spec.otherwise_arguments) listed.push_back(argument.name);
@@ -202,7 +202,7 @@ bool at_range(const CommandSpec& spec, const Reader& reader) {
     return spec.range_without_word && find_keyword(*spec.range_elements, word->folded);
 }
 
-/// Whether the next word is none of the keywords, nor nearly one: where a number may stand it is meant as one.
+/// Whether the next word is neither a keyword nor close to one: where a number is valid, it is read as a number.
 bool is_no_keyword(const CommandSpec& spec, const Reader& reader) {
     const Word* word = reader.peek();
     if (!word || spec.otherwise || word->text == "?" || word->text == "&") return false;
@@ -243,11 +243,11 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
     }
 }
 
-/// Words begin a command, and none of those that might follow does.
+/// The words begin a command, and no valid form follows.
 [[noreturn]] void no_form(const std::vector<const CommandSpec*>& commands, const Statement& statement) {
     const std::size_t at = wrong_word(*commands.front(), statement);
     std::size_t depth = 0;
-    // One whose options stood in the way is not offered what follows it.
+    // The words that may follow a form are not offered when its options were in the line.
     const auto depth_of = [&](const CommandSpec& spec) {
         return std::min(depth_at(spec, statement, at), spec.form.size() - 1);
     };
@@ -352,8 +352,8 @@ std::optional<Diagnostic> mistake_in(const Language& language, const Statement& 
     } catch (const Diagnostic& problem) { return problem; }
 }
 
-/// A text that a command takes as it stands may also stand on the line below, `title` alone. A line that is a command, or
-/// may be a misspelt one, is none.
+/// A text that a command takes unparsed may also be on the line below, as after `title` alone. A line that is a command, or may be a
+/// misspelt one, is not taken as such a text.
 void take_text_below(const Language& language, Lexer& lexer, Statement& statement) {
     const auto& commands = commands_called(language, statement.words.front().folded);
     if (statement.words.size() > 1 || commands.size() != 1 || !commands.front()->raw ||
@@ -379,8 +379,8 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
     lexer.go_to(below + 1);
 }
 
-/// The line of the second lone `end` behind a line, with nothing but one function's body before each; 0 without one. It shows
-/// that one function was written inside of another.
+/// The line of the second lone `end` after a line, where each `end` closes the body of one function; 0 if there is none. It shows that one
+/// function was written inside another.
 int second_end(const Lexer& lexer, int from, int last, std::string_view end) {
     int found = 0;
     for (int line = from + 1; line <= last; ++line) {
@@ -407,7 +407,7 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
 
     const auto& lines = lexer.source()->lines;
     const int count = static_cast<int>(lines.size());
-    // A script keeps its own first line when it is part of the script (def NAME), else starts below (lua).
+    // The body of a script includes its first line when that is part of the script (def NAME), else it starts below (lua).
     const int body_first = opens->body_needs_bare_line ? statement.last_line + 1 : statement.first_line;
     const auto never_ended = [&](int next_line, std::string_view next_name = {}) {
         lexer.go_to(next_line);
@@ -431,11 +431,11 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
                 lexer.go_to(end + 1);
                 Diagnostic d(fmt::format("'{}' stands inside of {} '{}'", words[1].text, opens->name(),
                                          statement.words.back().text),
-                             "one function stands behind the other: put it before or behind the whole of that one");
+                             "functions cannot be nested: put it before or after that one");
                 d.code = "never-ended";
                 throw d.at(words[0].place);
             }
-            throw never_ended(line, words[1].text); // the next function starts: reading goes on there
+            throw never_ended(line, words[1].text); // the next function starts: reading continues there
         }
         if (words.size() != 1 || words[0].folded != opens->body_end) continue;
 

@@ -23,11 +23,11 @@ struct BoundCommand {
     std::vector<std::string_view> ignored; ///< its words that are without effect, in whole
     std::vector<BareName> bare; ///< to be read in this order before the statement is bound, see bare_names.hpp
 
-    /// The statement in one line, words as typed and single blanks between them; a body follows as it is.
+    /// The statement in one line, words as typed with single blanks between them; a body follows unchanged.
     std::string text() const;
 };
 
-/// Calls `visit` with each command of the language, in the order in which short words are looked up.
+/// Calls `visit` with each command of the language, in the order in which abbreviated words are looked up.
 template <class Visit> void for_each_command(const Language& language, Visit visit) {
     for (const auto& family : language.families)
         for (const auto& command : family.commands) visit(command);
@@ -40,14 +40,13 @@ struct FoundCommand {
 };
 FoundCommand find_command(const Language& language, const Statement& statement);
 
-/// Throws Diagnostic for the first mistake in the statement. Without `values` names bind to wildcards.
-/// A word `?` throws a Diagnostic of severity note that lists what may stand there. `spelled` takes the whole
-/// words that shortened ones stand for.
+/// Throws Diagnostic for the first mistake in the statement. Without `values` names bind to wildcards. A word `?` throws a Diagnostic of
+/// severity note that lists the valid words. `spelled` receives the whole words of abbreviated ones.
 BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values = nullptr,
                             Spelled* spelled = nullptr);
 
-/// The next statement with its body (def ... end), or false at the end of the text.
-/// Throws Diagnostic when the body is never ended; the lexer then follows what was read.
+/// The next statement with its body (def ... end), or false at the end of the text. Throws Diagnostic when the body has no end; the lexer
+/// is then after the text that was read.
 bool next_statement(const Language& language, Lexer& lexer, Statement& statement);
 
 } // namespace kaya::lang

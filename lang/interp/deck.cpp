@@ -47,12 +47,12 @@ public:
         Lexer lexer(source);
         Statement statement;
         const std::size_t before = problems_.size();
-        std::vector<Diagnostic> newer; // of lines in the dialect of later versions: said once for a file
+        std::vector<Diagnostic> newer; // of lines in the dialect of later versions: reported once for each file
         while (problems_.size() < most_problems_) {
             try {
                 if (!next_statement(language_, lexer, statement)) break;
                 bound->steps.push_back(step(statement));
-                // What follows `return` is never read: many a deck keeps notes there.
+                // The text after `return` is never read: many decks keep notes there.
                 if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
                 if (const auto other = other_language(statement)) { // what follows is of that language, too
@@ -64,7 +64,7 @@ public:
                 if (!dialect || newer.size() == 1) problems_.push_back(dialect ? *dialect : problem);
             }
         }
-        // Where most of what is wrong is of that dialect, so are the lines that only look like classic ones.
+        // Where most mistakes are of that dialect, the lines that only look classic are taken as that dialect too.
         if (newer.size() > 1 && 2 * newer.size() > problems_.size() - before) {
             problems_.resize(before, Diagnostic(""));
             problems_.push_back(newer.front());
@@ -104,7 +104,7 @@ private:
                 throw Diagnostic(fmt::format("more than {} files call each other", deepest_call));
             return file(name);
         } catch (Diagnostic& problem) {
-            // A script may write the file before the call is reached; it is looked for again there.
+            // A script may write the file before the call is reached; it is searched again then.
             if (problem.code == "no-file" && script_seen_) return {};
             place_problem(problem, language_, command.place);
             throw;
@@ -116,11 +116,10 @@ private:
         if (first == chain_.end()) return;
         std::string names;
         for (auto link = first; link != chain_.end(); ++link) names += link->second + " calls ";
-        throw Diagnostic(fmt::format("this call never comes to an end: {}{}", names, first->second),
-                         "take one of the calls out");
+        throw Diagnostic(fmt::format("endless calls of files: {}{}", names, first->second), "remove one of the calls");
     }
 
-    /// The folder of the calling file first, then those of its callers, then where the program was started.
+    /// The folder of the calling file first, then those of its callers, then the folder where the program was started.
     std::vector<fs::path> searched() const {
         std::vector<fs::path> folders;
         for (auto link = chain_.rbegin(); link != chain_.rend(); ++link) folders.push_back(link->first.parent_path());

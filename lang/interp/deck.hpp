@@ -12,7 +12,7 @@
 
 namespace kaya::lang {
 
-/// All mistakes that were found in a deck (at most 20). Caught as a Diagnostic it is the first of them.
+/// All mistakes of a deck (at most 20). Caught as a Diagnostic it is the first of them.
 class DeckErrors : public Diagnostic {
 public:
     explicit DeckErrors(std::vector<Diagnostic> errors) : Diagnostic(errors.front()), all(std::move(errors)) {}
@@ -30,7 +30,7 @@ struct BoundFile {
         std::shared_ptr<const BoundFile> called; ///< of a call with a literal name
     };
     Source source;
-    std::filesystem::path path; ///< empty for a text that is no file
+    std::filesystem::path path; ///< empty for a text that does not come from a file
     std::vector<Step> steps;
 };
 
@@ -41,10 +41,9 @@ struct Checks {
     std::function<void(const std::filesystem::path&)> before_reading; ///< may refuse a file; each deck and called file
 };
 
-/// Reads and binds the file `name` and all files that it calls, searched in `folders`.
-/// Throws DeckErrors with every mistake; parsing goes on after each.
-/// A called file that does not exist is no mistake yet when a script in front of the call may write it.
-/// `names` are those of what ran before; it takes those of this deck.
+/// Reads and binds the file `name` and all files that it calls, searched in `folders`. Throws DeckErrors with every mistake; parsing
+/// continues after each. A called file that does not exist is not reported yet when a script before the call may write it. `names` are
+/// those of the decks that ran before; the names of this deck are added to it.
 std::shared_ptr<const BoundFile> bind_deck(const Language& language, const std::string& name,
                                            const std::vector<std::filesystem::path>& folders,
                                            const Checks* checks = nullptr, BareNames* names = nullptr);
@@ -54,20 +53,19 @@ std::shared_ptr<const BoundFile> bind_text(const Language& language, Source sour
                                            const std::vector<std::filesystem::path>& folders,
                                            const Checks* checks = nullptr, BareNames* names = nullptr);
 
-/// A deck that may hold mistakes: what was bound, and what was not.
+/// A deck that may hold mistakes: the statements that were bound, and the mistakes.
 struct ReadDeck {
     std::shared_ptr<const BoundFile> file;
     std::vector<Diagnostic> problems; ///< in the order in which they were met
     BareNames names;
 };
 
-/// The same as bind_deck for `kaya check`: however many mistakes there are, they are given back, not thrown.
+/// The same as bind_deck for `kaya check`: mistakes are returned and not thrown, however many there are.
 /// Throws Diagnostic when the deck cannot be read at all.
 ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<std::filesystem::path>& folders,
                    const Checks* checks = nullptr);
 
-/// True when the text ends inside something: a line to be continued, def without end.
-/// The prompt then asks for the next line.
+/// True when the text is incomplete: a line to be continued, def without end. The prompt then reads another line.
 bool needs_more(const Language& language, std::string_view text);
 
 } // namespace kaya::lang

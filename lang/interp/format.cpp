@@ -16,7 +16,7 @@ std::string without_blanks_at_end(std::string text) {
     return text;
 }
 
-/// What stands between words or after the last one: runs of blanks become one, a comment stays as it is.
+/// The text between words or after the last one: runs of blanks become one, a comment is unchanged.
 std::string tidied(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -39,7 +39,7 @@ public:
                 if (!next_statement(language_, lexer, statement)) break;
                 if (add(statement) == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
-                // A line that cannot be run yet may be right all the same: it stays as it is.
+                // A line that is not supported yet may be right: it is unchanged.
                 if (problem.code != "not-supported-yet") problems_.push_back(problem);
             }
         }
@@ -53,9 +53,9 @@ private:
         Spelled spelled;
         const BoundCommand bound = bind_with_names(language_, statement, names_, &spelled);
         names_.learn(*bound.spec, statement);
-        if (!bound.bare.empty()) return bound.spec->flow; // names that look like words: the line stays as it is
+        if (!bound.bare.empty()) return bound.spec->flow; // names that look like words: the line is unchanged
         copy_up_to(statement.first_line - 1);
-        // The lines of a body are those after the line of its last word.
+        // The lines of a body follow the line of the last word.
         const int last = statement.body.empty() ? statement.last_line : statement.words.back().place.line;
         for (int line = statement.first_line; line <= last; ++line) add_line(statement, spelled, bound.spec->raw, line);
         done_ = last;
@@ -71,7 +71,7 @@ private:
         for (std::size_t i = 0; i < statement.words.size(); ++i) {
             const Word& word = statement.words[i];
             if (word.place.line != number) continue;
-            if (raw && i > 0) break; // a title, a plot: the rest is as it stands
+            if (raw && i > 0) break; // a title, a plot: the rest is unchanged
             const auto from = static_cast<std::size_t>(word.place.column - 1);
             text += tidied(std::string_view(line).substr(at, from - at));
             const auto whole = spelled.find(i);
@@ -80,7 +80,7 @@ private:
         }
         const std::string_view ending = std::string_view(line).substr(at);
         const std::string rest = raw ? std::string(ending) : tidied(ending);
-        // A mark that is joined to its word stays readable for every editor when it stands alone.
+        // A mark that is joined to its word is set apart, so that every editor can read it.
         const bool joined = !raw && at > 0 && (rest.starts_with('&') || rest.starts_with("..."));
         text = without_blanks_at_end(fmt::format("{}{}{}", text, joined ? " " : "", rest));
         const auto first = std::min(text.find_first_not_of(' '), text.size());

@@ -7,9 +7,8 @@
 
 namespace kaya::lang {
 
-/// The same deck with whole words. Numbers, names, texts, comments, continuation marks and the lines of
-/// functions stay as they are, and so does what follows `return`. To format the result gives it again.
-/// Throws DeckErrors when the deck does not bind. Called files are not looked at.
+/// The same deck with whole words. Numbers, names, texts, comments, continuation marks, the lines of functions and the text after `return`
+/// are unchanged. Formatting is idempotent. Throws DeckErrors when the deck does not bind. Called files are not read.
 std::string format_deck(const Language& language, const Source& source);
 
 } // namespace kaya::lang

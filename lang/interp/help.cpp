@@ -80,7 +80,7 @@ std::string about_command(const CommandSpec& command) {
         add_keywords(text, command.keywords);
     }
     if (command.range_elements)
-        text += "\n  Ends with a range phrase when it shall not act on all that is visible: help range\n";
+        text += "\n  May end with a range phrase; without one it acts on all visible objects: help range\n";
     if (!command.right.empty()) text += "\n  Examples\n";
     for (const auto& example : command.right) {
         std::string lines(example.text);
@@ -92,13 +92,13 @@ std::string about_command(const CommandSpec& command) {
 }
 
 std::string about_range(const Language& language) {
-    std::string text = "range ELEMENT ...\n    picks the objects that a command acts on; all elements must "
+    std::string text = "range ELEMENT ...\n    selects the objects of a command; all elements must "
                        "hold\n\n  Elements\n";
     add_keywords(text, language.range_elements);
     return text;
 }
 
-/// Where below `before` a word may stand: among the keywords, and inside of each of them.
+/// The positions of a word below `before`: among the keywords, and inside of each of them.
 void add_places(std::string& text, const std::string& before, const std::vector<KeywordSpec>& keywords,
                 std::string_view word) {
     if (const KeywordSpec* found = find_keyword(keywords, word))
@@ -107,7 +107,7 @@ void add_places(std::string& text, const std::string& before, const std::vector<
         add_places(text, fmt::format("{} {} ...", before, keyword.words.front().word), keyword.keywords, word);
 }
 
-/// Where a word may stand that is no command; empty when nowhere.
+/// The positions of a word that is not a command; empty when there are none.
 std::string about_keyword(const Language& language, std::string_view word) {
     std::string text;
     for_each_command(language, [&](const CommandSpec& command) {
@@ -161,8 +161,7 @@ std::string help_list(const Language& language) {
         for (const auto& command : family.commands) add_line(text, command.name(), command.help);
         text += "\n";
     }
-    return text + "help WORD tells more about a command or a keyword; ? in place of a word lists what may "
-                  "stand there.\n";
+    return text + "help WORD explains a command or a keyword; ? in place of a word lists the valid words.\n";
 }
 
 std::string help_on(const Language& language, std::string_view words) {

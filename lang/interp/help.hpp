@@ -1,4 +1,4 @@
-// What the tables say about themselves: help, usage lines, and what may be typed next.
+// Texts made from the tables: help, usage lines, and completions.
 #pragma once
 
 #include "lang/interp/spec.hpp"
@@ -15,12 +15,12 @@ std::string usage(const CommandSpec& command);
 /// All commands, one line each, by family.
 std::string help_list(const Language& language);
 
-/// About one command ("poly", "hist write"), or about a keyword ("xvel": where it may stand).
-/// Throws Diagnostic with a suggestion when the word is unknown.
+/// Help on one command ("poly", "hist write"), or on a keyword ("xvel": where it is valid). Throws Diagnostic with a suggestion when the
+/// word is unknown.
 std::string help_on(const Language& language, std::string_view words);
 
-/// What may stand at the end of an unfinished line: whole words that start with what is typed of the last
-/// one. Empty where a number or a name of the user must stand.
+/// Completions of an unfinished line: whole words that start with the typed part of the last word. Empty where a number or a name of the
+/// user must follow.
 std::vector<std::string> completions(const Language& language, std::string_view line);
 
 } // namespace kaya::lang

@@ -22,7 +22,7 @@ Ended Interpreter::run(const BoundFile& file) {
     if (frames_.size() >= deepest_call)
         throw Diagnostic(fmt::format("more than {} files and scripts call each other", deepest_call),
                          "does one of them call itself?");
-    struct Leave { // the frame goes whatever happens
+    struct Leave { // the frame is removed on every exit
         std::vector<Frame>& frames;
         ~Leave() { frames.pop_back(); }
     };

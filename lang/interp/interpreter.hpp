@@ -1,4 +1,4 @@
-// Runs bound commands in order and keeps track of where in the deck it is.
+// Runs bound commands in order and tracks the place in the deck.
 #pragma once
 
 #include "lang/interp/deck.hpp"
@@ -10,10 +10,10 @@
 
 namespace kaya::lang {
 
-/// Why a run came to its end.
+/// Why a run ended.
 enum class Ended { end_of_deck, quit };
 
-/// What an interpreter needs of its owner: somebody who does what commands say, knows values, and is told what happens.
+/// What an interpreter needs of its owner: handlers of commands, values of names, and listeners to its progress.
 class InterpreterHost {
 public:
     virtual ~InterpreterHost() = default;
@@ -31,23 +31,23 @@ public:
 /// same interpreter while it is running.
 class Interpreter {
 public:
-    /// Both are kept by reference.
+    /// Keeps references to both.
     Interpreter(const Language& language, InterpreterHost& host) : language_(language), host_(host) {}
 
     Checks checks;                                      ///< run when a deck is bound
-    std::vector<std::filesystem::path> folders = {"."}; ///< where decks are looked for
+    std::vector<std::filesystem::path> folders = {"."}; ///< where decks are searched
 
     /// Binds the whole deck, then runs it. Throws DeckErrors before the first command runs, or the
     /// Diagnostic of the first command that fails, with its place and the lines that called.
     Ended run_file(const std::string& name);
 
-    /// The same for a text. `name` and `first_line` are what messages call it: those of the script for
-    /// command ... endcommand, "prompt" for a typed line.
+    /// The same for a text. `name` and `first_line` are its name and line in messages: those of the script for command ... endcommand,
+    /// "prompt" for a typed line.
     Ended run_text(const std::string& text, const std::string& name, int first_line = 1);
 
     /// Of the command that is running; none between commands.
     Place current_place() const { return frames_.empty() ? Place{} : frames_.back().place; }
-    /// Folders of the file that is running and of those that called it, innermost first, then `folders`.
+    /// Folders of the running file and of its callers, innermost first, then `folders`.
     std::vector<std::filesystem::path> searched() const;
     /// "called from base.3dd:12" for each file around the current one, innermost first.
     std::vector<std::string> call_chain() const;

@@ -67,7 +67,7 @@ bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
         word.folded = fold(word.text);
         words.push_back(std::move(word));
     };
-    /// After a continuation mark only blanks and a comment may stand; then it is one.
+    /// After a continuation mark only blanks and a comment may follow; otherwise it is not a mark.
     const auto ends_after = [&](std::size_t from) {
         const auto rest = line.find_first_not_of(" \t", from);
         return rest == std::string_view::npos || line[rest] == ';';
@@ -140,7 +140,7 @@ bool Lexer::next(Statement& statement) {
         const std::string& line = source_->lines[static_cast<std::size_t>(line_ - 1)];
         const bool continued = read_line(line_++, statement.words);
         statement.last_line = line_ - 1;
-        // A line that was taken out by a comment does not end the statement around it.
+        // A line that holds only a comment does not end the statement around it.
         const auto start = line.find_first_not_of(" \t");
         const bool comment = start != std::string::npos && line[start] == ';';
         if (!continued && !comment && !statement.words.empty()) return true;

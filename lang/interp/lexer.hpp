@@ -27,9 +27,9 @@ struct Word {
     std::int64_t integer = 0;
     Place place; ///< of the word as typed, quotes and @ included
 
-    /// Known only when a script language has given its value.
+    /// Known only when a script language has evaluated it.
     bool late() const { return kind == WordKind::symbol || kind == WordKind::expression; }
-    /// As it stands in the line, quotes and all.
+    /// The text in the line, including quotes.
     std::string raw_text() const;
     /// As messages call it: 'brick', or the text 'left wall'.
     std::string shown() const;
@@ -45,8 +45,8 @@ struct Statement {
     std::string raw(std::size_t first) const;
 };
 
-/// Gives one statement after the other; blank and comment lines are skipped. Never throws: what is not
-/// closed becomes a word of kind `open`, because a title or a plot line may hold anything.
+/// Returns the statements in order; blank and comment lines are skipped. Never throws: an unclosed quote or bracket becomes a word of kind
+/// `open`, because a title or a plot line may hold any text.
 class Lexer {
 public:
     explicit Lexer(Source source, int first_line = 1) : source_(std::move(source)), line_(first_line) {}
@@ -72,7 +72,7 @@ private:
     int line_ = 1;
 };
 
-/// ASCII letters in lower case; other bytes are kept.
+/// ASCII letters in lower case; other bytes are unchanged.
 std::string fold(std::string_view text);
 
 } // namespace kaya::lang

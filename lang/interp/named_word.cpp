@@ -11,7 +11,7 @@ namespace {
 
 bool part_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; }
 
-/// Names of files are known by their ending or their quotes in the deck; other words only count where the message quotes them.
+/// Names of files are recognised by their ending or by quotes in the deck; other words only where the message quotes them.
 bool names(const std::string& message, const Word& word) {
     if (word.text.empty() || (word.kind != WordKind::word && word.kind != WordKind::text)) return false;
     const bool anywhere = word.kind == WordKind::text || word.text.find('.') != std::string::npos;

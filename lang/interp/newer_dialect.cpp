@@ -10,8 +10,8 @@ namespace {
 
 struct NewerCommand {
     std::string_view words;   ///< as it begins
-    std::string_view classic; ///< what to write in its place
-    bool rest_stays = true;   ///< what follows is the same in both
+    std::string_view classic; ///< the classic words
+    bool rest_stays = true;   ///< the rest of the line is the same in both
 };
 
 constexpr NewerCommand commands[] = {
@@ -90,7 +90,7 @@ std::vector<std::string_view> split(std::string_view words) {
     return parts;
 }
 
-/// The number of words of the statement that the entry stands for, 0 when it begins otherwise. Words may be shortened.
+/// The number of words of the statement that the entry matches, 0 when it does not match. Words may be abbreviated.
 std::size_t begins_like(const Statement& statement, const NewerCommand& command) {
     const auto parts = split(command.words);
     if (statement.words.size() < parts.size()) return 0;

@@ -8,7 +8,7 @@
 
 namespace kaya::lang {
 
-/// What to say of a statement that is written in the newer dialect, with its classic spelling where there is one.
+/// The message about a statement in the newer dialect, with its classic spelling where there is one.
 std::optional<Diagnostic> newer_dialect(const Statement& statement);
 
 } // namespace kaya::lang

@@ -1,4 +1,4 @@
-// Letters that look like others: what a word processor puts in place of what was typed.
+// Letters that look like others: replacements made by word processors.
 #pragma once
 
 #include <string>

@@ -39,7 +39,7 @@ const char* name_of(const Value& value) {
 
 Diagnostic wrong_value(const Word& word, const Value& value, const ArgumentSpec& argument, const char* needed) {
     return wrong("wrong-type", word.place,
-                 fmt::format("{} is {}, where {} must be", word.shown(), name_of(value), needed), expected(argument));
+                 fmt::format("{} is {}, and must be {}", word.shown(), name_of(value), needed), expected(argument));
 }
 
 double as_real(const Word& word, const Value& got, const ArgumentSpec& argument) {
@@ -107,7 +107,7 @@ void Reader::missing(const ArgumentSpec& argument) const {
 
 namespace {
 
-/// 9,81: a number right behind a comma that stands right behind a number.
+/// 9,81: a number directly after a comma that directly follows a number.
 bool follows_comma(const Word& word) {
     if (word.kind != WordKind::number || !word.place || word.place.column < 3) return false;
     const auto& lines = word.place.source->lines;
@@ -125,14 +125,14 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     refuse_open(word);
     const std::string list = fmt::format("{}", fmt::join(listed.empty() ? candidates : listed, ", "));
     if (is_question(word))
-        throw Choices(candidates.empty() ? "nothing more may stand here" : fmt::format("{} may be: {}", what, list),
+        throw Choices(candidates.empty() ? "nothing more is allowed here" : fmt::format("{} may be: {}", what, list),
                       {candidates.begin(), candidates.end()}, word.place);
     if (candidates.empty())
         throw wrong("left-over", word.place, fmt::format("unexpected {} after the end of the command", word.shown()),
                     follows_comma(word) ? "a comma separates values: numbers have a point"
                                         : "nothing more is expected here");
     if (word.kind != WordKind::word)
-        throw wrong("not-a-word", word.place, fmt::format("{} stands where {} must be", word.shown(), what),
+        throw wrong("not-a-word", word.place, fmt::format("expected {}, found {}", what, word.shown()),
                     "expected: " + list);
     if (word.text == "&" || word.text == "...")
         throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
@@ -209,7 +209,7 @@ std::int64_t Reader::integer(const ArgumentSpec& argument) {
             value = static_cast<std::int64_t>(*r);
         else throw wrong_value(word, got, argument, "a whole number");
     } else if (word.kind != WordKind::number) {
-        throw wrong("not-a-number", word.place, fmt::format("{} stands where a whole number must be", word.shown()),
+        throw wrong("not-a-number", word.place, fmt::format("expected a whole number, found {}", word.shown()),
                     hint_for_number(word, argument));
     } else if (!word.whole) {
         throw wrong("not-whole", word.place,
@@ -250,7 +250,7 @@ bool Reader::on_off(const ArgumentSpec& argument) {
         if (word.folded == yes) return true;
     for (const auto no : {"off", "false", "no"})
         if (word.folded == no) return false;
-    throw wrong("not-on-off", word.place, fmt::format("{} stands where on or off must be", word.shown()),
+    throw wrong("not-on-off", word.place, fmt::format("expected on or off, found {}", word.shown()),
                 expected(argument));
 }
 
@@ -258,7 +258,7 @@ Vec3 Reader::vector(const ArgumentSpec& argument) {
     const Word* word = peek();
     if (word && word->late()) {
         if (!has_values()) {
-            // It may be a vector or the first of three numbers: what follows tells which.
+            // It may be a vector or the first of three numbers: the next words decide.
             (void)real(argument);
             for (int i = 1; i < 3 && at_number(); ++i) (void)real(argument);
             return Vec3::Ones();
@@ -286,7 +286,7 @@ Value Reader::any(const ArgumentSpec& argument) {
 std::string Reader::symbol(const ArgumentSpec& argument) {
     const Word& word = take_value(argument);
     if (word.kind != WordKind::symbol)
-        throw wrong("not-a-symbol", word.place, fmt::format("{} stands where a name with @ must be", word.shown()),
+        throw wrong("not-a-symbol", word.place, fmt::format("expected a name with @, found {}", word.shown()),
                     fmt::format("write @{}", word.text));
     return word.text;
 }

@@ -12,26 +12,26 @@
 
 namespace kaya::lang {
 
-/// A `?` stands in the line: not a mistake, but a question. Severity note, code "choices".
+/// The line holds a `?`: a question and not a mistake. Severity note, code "choices".
 class Choices : public Diagnostic {
 public:
     Choices(const std::string& text, std::vector<std::string> list, const Place& where);
-    std::vector<std::string> words; ///< empty where a number or a name of the user must stand
+    std::vector<std::string> words; ///< empty where a number or a name of the user must follow
 };
 
-/// The whole words that shortened ones stand for, by number of the word in its statement.
+/// The whole words of abbreviated ones, by number of the word in its statement.
 using Spelled = std::map<std::size_t, std::string_view>;
 
 class Reader {
 public:
-    /// Without a source of values, @name and [expression] are accepted where a value may stand and give a
-    /// wildcard (1, or the text as typed); late() then says that the statement must be read again.
+    /// Without a source of values, @name and [expression] are accepted where a value is valid and return a wildcard (1, or the text as
+    /// typed); late() then tells that the statement must be read again.
     Reader(const Statement& statement, std::size_t first, std::size_t end, const ValueSource* values)
         : statement_(statement), next_(first), end_(end), values_(values) {}
 
-    /// Where spell() keeps the whole words; nowhere when it is not set.
+    /// Where spell() stores the whole words; not set: nowhere.
     void keep_spelling(Spelled* spelled) { spelled_ = spelled; }
-    /// The word just taken stands for this one.
+    /// The word just taken is an abbreviation of this one.
     void spell(std::string_view whole) {
         if (spelled_ != nullptr) (*spelled_)[next_ - 1] = whole;
     }
@@ -54,7 +54,7 @@ public:
     std::string text(const ArgumentSpec& argument);
     bool on_off(const ArgumentSpec& argument);
     Vec3 vector(const ArgumentSpec& argument); ///< three numbers, or one @name that is a vector
-    /// Integer, real or text, whatever is there.
+    /// The next value as integer, real or text.
     Value any(const ArgumentSpec& argument);
     /// The name of a variable or function, written @name; without the @.
     std::string symbol(const ArgumentSpec& argument);
@@ -62,13 +62,13 @@ public:
     template <class T> T read(const ArgumentSpec& argument);
 
     bool late() const { return late_; }
-    /// True while @names still stand for wildcards: checks of values against each other must wait.
+    /// True while @names are wildcards: checks of values against each other must wait.
     bool wildcards() const { return late_ && !has_values(); }
 
     /// Throws: a value is missing at the place after the last word.
     [[noreturn]] void missing(const ArgumentSpec& argument) const;
-    /// Throws: the next word is none of the candidates. `what` names what they are: "a keyword of bound".
-    /// When none is near, the message lists `listed`, or all of them.
+    /// Throws: the next word is not among the candidates. `what` is their kind: "a keyword of bound". When none is near, the message lists
+    /// `listed`, or all of them.
     [[noreturn]] void unknown(std::string_view what, const std::vector<std::string_view>& candidates,
                               const std::vector<std::string_view>& listed = {}) const;
 
@@ -76,8 +76,7 @@ private:
     bool has_values() const { return values_ && *values_; }
     Value value_of(const Word& word);
     void check_limits(const ArgumentSpec& argument, double value) const; ///< of the word just taken
-    /// What the word just taken is called in a message: the name of the argument, or, when that is only
-    /// a letter, the keyword before it.
+    /// Name of the word just taken in a message: the name of the argument, or, when that is only a letter, the keyword before it.
     std::string name_of_value(const ArgumentSpec& argument) const;
     const Word& take_value(const ArgumentSpec& argument);
 

@@ -7,7 +7,7 @@
 
 namespace kaya::lang {
 
-/// Looks for the words with which FISH, Lua and their commands write files.
+/// Searches for the words with which FISH, Lua and their commands write files.
 bool may_write_files(std::string_view script);
 
 /// Of a command that is a script: a function, a chunk of Lua.

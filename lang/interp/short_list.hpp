@@ -11,7 +11,7 @@ namespace kaya::lang {
 
 class ShortList {
 public:
-    /// `typed` is the word that is none of them, or null when nothing was typed. A question (`?`) gets the whole list.
+    /// `typed` is the word that is not in the list, or null when no word was typed. A question (`?`) lists all words.
     ShortList(std::vector<std::string_view> all, std::string_view topic, const Word* typed);
     ShortList(const ShortList&) = delete;
     ShortList& operator=(const ShortList&) = delete;

@@ -18,13 +18,13 @@ namespace {
 /// No deck is near this size; reading a 10 GB result file as text would only exhaust the memory.
 constexpr std::uintmax_t largest_deck = 512u << 20;
 
-/// The longest lines that are known of, written by programs, have some thousand characters. A file without line ends
-/// is no command file, and would fill the memory with its words.
+/// The longest lines seen, written by programs, have some thousand characters. A file without line ends is not a command file, and would
+/// fill the memory with its words.
 constexpr std::size_t longest_line = 4u << 20;
 
 constexpr std::array suffixes = {"", ".3dd", ".dat", ".3ddat", ".fis", ".txt"};
 
-/// What a file that is no text most likely is, by its first bytes.
+/// The probable kind of a binary file, by its first bytes.
 struct Signature {
     std::string_view start;
     const char* message;
@@ -103,7 +103,7 @@ Source read_source(const fs::path& path, std::string name) {
                          "check the permissions of the file");
     std::string text;
     const bool read = read_all(in.number(), text, largest_deck);
-    if (text.size() > largest_deck) // a pipe or device has no size to ask for
+    if (text.size() > largest_deck) // a pipe or device has no size
         throw Diagnostic(
             fmt::format("'{}' is too large for a command file (more than {} MB)", name, largest_deck >> 20));
     if (!read) throw Diagnostic(fmt::format("reading '{}' failed: {}", name, std::strerror(errno)));

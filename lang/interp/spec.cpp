@@ -38,7 +38,7 @@ void not_supported_yet(std::string_view name, std::string_view help, const Place
 std::string describe(const ArgumentSpec& argument) {
     static constexpr const char* kinds[] = {"a number", "a whole number", "a word or a text in quotes", "on or off"};
     const char* kind = kinds[static_cast<int>(argument.kind)];
-    // A letter tells nothing that the keyword in front of it does not.
+    // A name of one letter adds nothing to the keyword before it.
     const bool named = argument.name.size() > 1 && argument.kind != ArgumentKind::on_off;
     std::string text = named ? fmt::format("{}, {}", argument.name, kind) : kind;
     if (argument.count > 1) text = fmt::format("{} numbers {}", argument.count, argument.name);

@@ -1,5 +1,5 @@
-// The language as data: what a command is called, what it takes, how it is explained.
-// From these tables come the binder, help, completion, pages, editor grammars and the fuzz dictionary.
+// The language as data: names, arguments and explanations of commands. The binder, help, completion, pages, editor grammars and the fuzz
+// dictionary are made from these tables.
 #pragma once
 
 #include "lang/interp/lexer.hpp"
@@ -39,12 +39,12 @@ struct ArgumentSpec {
     int count = 1;
     bool optional = false;
     bool repeated = false;      ///< as many as there are
-    std::string_view unit = {}; ///< what is measured: "length", "stress", ...; kaya never converts units
+    std::string_view unit = {}; ///< the quantity: "length", "stress", ...; kaya never converts units
     Limits limits = {};
     std::string_view help = {};
 };
 
-/// A word with hyphens may be shortened in each of its parts: pos-x for position-x. Every hyphen must be typed.
+/// A word with hyphens may be abbreviated in each of its parts: pos-x for position-x. Every hyphen must be typed.
 bool fits_part_by_part(std::string_view word, std::string_view typed);
 
 /// A word that may be typed, and how much of it is enough.
@@ -61,14 +61,14 @@ struct Spelling {
     }
 };
 
-/// What becomes of a word that the tables know.
+/// How a word of the tables is treated.
 enum class Support {
     runs,
     ignored, ///< read, and without effect here
-    not_yet  ///< refused with a message that says so: better than "unknown" for somebody who knows that it exists
+    not_yet  ///< refused as not supported yet, which helps more than "unknown"
 };
 
-/// A word inside a command with what follows it. `target` of read is the struct of the command.
+/// A word inside a command and its arguments. `target` of read is the struct of the command.
 struct KeywordSpec {
     std::vector<Spelling> words; ///< the first is the canonical one
     std::vector<ArgumentSpec> arguments;
@@ -78,7 +78,7 @@ struct KeywordSpec {
     Support support = Support::runs;
 };
 
-/// What stands in front of the keywords, in order.
+/// The arguments before the keywords, in order.
 struct PositionalSpec {
     ArgumentSpec argument;
     std::function<void(Reader&, void* target)> read;
@@ -90,7 +90,7 @@ struct Example {
     std::string_view message;
 };
 
-/// What the interpreter itself does when the command is reached.
+/// What the interpreter itself does at the command.
 enum class Flow {
     next, ///< the handler runs, then the next command
     call, ///< another file runs
@@ -113,7 +113,7 @@ struct CommandSpec {
     Flow flow = Flow::next;
     std::string_view body_end;         ///< "end": the lines up to this word belong to the command
     bool body_needs_bare_line = false; ///< only a line without further words opens a body (lua)
-    bool raw = false;                  ///< takes the rest of the line as it stands
+    bool raw = false;                  ///< takes the rest of the line unparsed
 
     /// Elements of a range phrase, when the command takes one.
     const std::vector<KeywordSpec>* range_elements = nullptr;
@@ -124,9 +124,9 @@ struct CommandSpec {
     std::function<void*(std::any&)> address;
     std::function<void(Reader&, void*)> read_range;
     std::function<void(const Statement&, void*)> start; ///< place and body, before anything is read
-    std::function<bool(Reader&, void*)> otherwise;      ///< for a word that is no keyword; false: not mine
+    std::function<bool(Reader&, void*)> otherwise;      ///< for a word that is not a keyword; false: not taken
     std::vector<ArgumentSpec> otherwise_arguments;
-    std::function<void(const Reader&, void*)> finish;        ///< what only the whole line shows
+    std::function<void(const Reader&, void*)> finish;        ///< checks of the whole line
     std::function<std::string(const std::any&)> called_file; ///< of Flow::call
 
     std::string name() const; ///< "poly brick"
@@ -138,8 +138,8 @@ struct Family {
     std::vector<CommandSpec> commands;
 };
 
-/// The commands that words have been found to stand for: decks say the same few words again and again. A copy of a
-/// language has commands of its own, so that nothing is copied.
+/// Cache of the commands that words stand for: decks use the same few words again and again. A copy of a language has its own commands, so
+/// the cache is not copied.
 class CommandsCalled {
 public:
     CommandsCalled() = default;
@@ -154,7 +154,7 @@ private:
     std::map<std::string, std::vector<const CommandSpec*>, std::less<>> of_;
 };
 
-/// A whole dialect. The order of families and of commands in them decides what a short word means.
+/// A whole dialect. The order of families and of commands in them resolves abbreviated words.
 struct Language {
     std::vector<Family> families;
     std::vector<KeywordSpec> range_elements;
@@ -175,8 +175,7 @@ template <class Table, class WordsOf> auto* resolve(Table& table, std::string_vi
 
 const KeywordSpec* find_keyword(const std::vector<KeywordSpec>& keywords, std::string_view typed);
 
-/// Throws the Diagnostic of a word that is known and not supported yet. `name` is what the user typed, in whole
-/// words; `help` says what it is about.
+/// Throws the Diagnostic of a word that is known and not supported yet. `name` is the word in full; `help` explains it.
 [[noreturn]] void not_supported_yet(std::string_view name, std::string_view help, const Place& place);
 
 /// "edge, a number greater than 0 [length]"

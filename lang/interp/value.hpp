@@ -1,4 +1,4 @@
-// What an @name or an [expression] in a command stands for.
+// The value of an @name or an [expression] in a command.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -14,8 +14,8 @@ namespace kaya::lang {
 /// nil (a name that was never set), truth, integer, real, text, vector.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3>;
 
-/// Gives the value of an expression of the script language: what followed @ or between [ and ],
-/// e.g. "pressure", "f(1,2)", "2*r". The place is that of the word in the deck. Throws Diagnostic.
+/// Returns the value of an expression of the script language: the text after @ or between [ and ], e.g. "pressure", "f(1,2)", "2*r". The
+/// place is that of the word in the deck. Throws Diagnostic.
 using ValueSource = std::function<Value(const std::string& expression, const Place& place)>;
 
 } // namespace kaya::lang

@@ -69,7 +69,7 @@ const std::vector<std::string> fish_words = {
     "for",         "global",     "if",       "local",       "loop",          "null",
     "return",      "section",    "then",     "while",       "whilestepping", "while_stepping"};
 
-/// The names that FISH knows without a definition. Their list in docs/fish.md is that of the program, which a test sees to.
+/// The names that FISH knows without a definition. A test compares their list in docs/fish.md with the program.
 Words fish_names() {
     std::istringstream page(kaya::text_of_file(KAYA_FISH_PAGE));
     Words names;
@@ -95,13 +95,13 @@ std::string shortened(const std::string& word, std::size_t shortest) {
 }
 
 std::string alternatives(const Words& words) {
-    // The longest first: the first that fits is taken.
+    // The longest first: the first match is taken.
     std::vector<std::string> sorted(words.begin(), words.end());
     std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.size() > b.size(); });
     return fmt::format("{}", fmt::join(sorted, "|"));
 }
 
-/// A rule of a grammar: what the expression matches is called `name`.
+/// A rule of a grammar: matches of the expression get the scope `name`.
 Json pattern(std::string_view name, const std::string& match) { return {{"name", name}, {"match", match}}; }
 Json text_between(std::string_view name, const std::string& quote) {
     return {{"name", name}, {"begin", quote}, {"end", quote + "|$"}};
@@ -114,7 +114,7 @@ Json captures(const std::vector<std::string_view>& names) {
 }
 Json include(std::string_view rules) { return Json::array({{{"include", rules}}}); }
 
-/// Rules around others: what looks the same in commands and in functions.
+/// The rules, with those that commands and functions share.
 Json with_common_rules(const std::vector<Json>& rules) {
     Json list = Json::array(
         {pattern("comment.line.semicolon.kaya", ";.*$"), text_between("string.quoted.single.kaya", "'"),
@@ -157,7 +157,7 @@ Json rules_of_functions() {
          pattern("support.function.intrinsic.kaya", fmt::format("(?i)(?<![.@\\w])(?:{})(?![.\\w])", intrinsics))});
 }
 
-/// Commands, functions of FISH and chunks of Lua each have rules of their own.
+/// Commands, functions of FISH and chunks of Lua each have their own rules.
 Json vscode_grammar(const Vocabulary& words) {
     const Json lua = {{"begin", "(?i)^\\s*(lua)\\s*(?:;.*)?$"},
                       {"while", "(?i)^(?!\\s*endlua\\b)"},
@@ -199,7 +199,7 @@ Json completion_words(const Language& language) {
     return entries;
 }
 
-/// What a snippet must not take as its own.
+/// Escapes the characters that have a meaning in a snippet.
 std::string literal(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -230,7 +230,7 @@ Json snippets(const Language& language) {
 /// As a file.
 std::string text_of(const Json& value) { return value.dump(1) + "\n"; }
 
-/// Words as one expression: what is defined later wins at one place, and commands come last.
+/// Words as one expression: later definitions take precedence at one place, and commands come last.
 std::string vim_match(std::string_view group, std::string_view before, const std::vector<std::string>& words,
                       std::string_view more = "") {
     return fmt::format("syntax match {} /{}\\%({}\\)\\>/{}\n", group, before, fmt::join(words, "\\|"), more);
@@ -242,7 +242,7 @@ std::string vim_syntax(const Vocabulary& words) {
                        "syntax include @kayaLuaWords syntax/lua.vim\nunlet! b:current_syntax\n"
                        "syntax case ignore\nsetlocal iskeyword=@,48-57,_,-\n";
     std::vector<std::string> commands, classic;
-    for (const auto& [word, shortest] : words.shortest) // Vim's own way of saying how much of a word is enough
+    for (const auto& [word, shortest] : words.shortest) // Vim's notation for the shortest abbreviation of a word
         commands.push_back(
             shortest < word.size() ? fmt::format("{}\\%[{}]", word.substr(0, shortest), word.substr(shortest)) : word);
     for (const auto& name : fish_names())

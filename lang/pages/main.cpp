@@ -1,6 +1,6 @@
-// command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples
-// and errors come from the tables; the other sections of a page are written by people and kept. With --check
-// nothing is written, and the status is 1 when a page does not agree with the tables.
+// command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples and errors come from the
+// tables; the other sections of a page are written by hand and kept. With --check nothing is written, and the status is 1 when a page does
+// not agree with the tables.
 #include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
@@ -88,8 +88,7 @@ std::string arguments(const Page& page) {
             rows += fmt::format("| | {} | {} |\n", cell(describe(positional.argument)), cell(positional.argument.help));
         argument_rows(rows, command->keywords, "");
         if (command->range_elements)
-            rows +=
-                "| `range` | [a range phrase](../range-phrase.md) | what is meant; everything visible if not given |\n";
+            rows += "| `range` | [a range phrase](../range-phrase.md) | the objects; all visible ones if not given |\n";
         if (rows.empty()) continue;
         if (page.commands.size() > 1) out += fmt::format("`{}`\n\n", command->name());
         out += "| word | values | meaning |\n|---|---|---|\n" + rows + "\n";
@@ -116,13 +115,13 @@ std::string errors(const Page& page) {
     for (const auto* command : page.commands)
         for (const auto& example : command->wrong)
             rows += fmt::format("| `{}` | {} |\n", cell(example.text), cell(example.message));
-    if (rows.empty()) return "None of its own.\n";
+    if (rows.empty()) return "None.\n";
     return "| line | message |\n|---|---|\n" + rows;
 }
 
 using Sections = std::map<std::string, std::string>;
 
-/// Texts below the `## ` headings of a page that is there.
+/// Texts below the `## ` headings of an existing page.
 Sections sections_of(const fs::path& file) {
     Sections sections;
     std::istringstream stream(kaya::text_of_file(file));

@@ -12,8 +12,7 @@ namespace kaya::script {
 
 namespace {
 
-/// A field of a table as the one upvalue of its functions: these run millions of times, and every call into
-/// Lua counts.
+/// A field of a table as the one upvalue of its functions: these run millions of times, and every call into Lua adds time.
 struct FieldKey {
     std::int32_t table;
     std::uint32_t field;

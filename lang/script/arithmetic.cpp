@@ -39,7 +39,7 @@ int refuse(lua_State* L) { fail_operands(L, static_cast<std::size_t>(lua_tointeg
 
 // --- texts ----------------------------------------------------------------------------------------
 
-/// Upvalues: number of the operation, what Lua itself does.
+/// Upvalues: number of the operation, Lua's own function.
 int text_operation(lua_State* L) {
     const auto operation = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
     if (called_by_fish(L)) {
@@ -252,7 +252,7 @@ void open_text_arithmetic(lua_State* L) {
         lua_pushcclosure(L, guarded<text_operation>, 2);
         lua_setfield(L, -2, operations[i].event);
     }
-    lua_pushboolean(L, 0); // getmetatable("") gives this: a chunk must not change what FISH stands on
+    lua_pushboolean(L, 0); // getmetatable("") returns this: a chunk must not change the arithmetic of FISH
     lua_setfield(L, -2, "__metatable");
     lua_pop(L, 2);
 }

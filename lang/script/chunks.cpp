@@ -64,7 +64,7 @@ Definitions definitions(Machine& machine) {
     return found;
 }
 
-/// A chunk that runs in a loop and defines the same functions each time is kept once; hooks add up.
+/// A chunk that runs in a loop and defines the same functions each time is stored once; hooks are added.
 void keep_chunk(Machine& machine, StoredSource chunk) {
     auto& stored = machine.fish.stored;
     if (!machine.registered)
@@ -85,8 +85,8 @@ void run_loaded_chunk(Machine& machine, const std::string& text, const Place& pl
                              std::max(place.line, 1), text});
 }
 
-/// Where `require "a.b"` looks: next to the deck or the called file, in the folders of the options, in the working
-/// folder. The name of a called file counts from the folder of its caller.
+/// Where `require "a.b"` searches: next to the deck or the called file, in the folders of the options, in the working folder. The name of a
+/// called file is relative to the folder of its caller.
 std::vector<fs::path> candidates(const Machine& machine, const std::string& name) {
     std::string file = name;
     std::replace(file.begin(), file.end(), '.', '/');

@@ -1,4 +1,4 @@
-// What a library of functions sees of the machine: each takes the part that it needs from the Lua state that calls it.
+// The parts of the machine that libraries of functions use: each gets the part that it needs from the Lua state that calls it.
 #pragma once
 
 #include "base/door.hpp"
@@ -25,7 +25,7 @@ const Options& options_of(lua_State* L);
 Tables& tables_of(lua_State* L);
 Random& random_of(lua_State* L);
 OpenFile& file_of(lua_State* L);
-/// While a state is restored, Lua chunks run for their definitions only: what writes or prints does nothing.
+/// While a state is restored, Lua chunks run for their definitions only: functions that write or print do nothing.
 bool is_restoring(lua_State* L);
 /// Whether the value is an array of FISH, with one dimension or more.
 bool is_array(lua_State* L, int index);

@@ -1,5 +1,5 @@
-// From the name of a field to its number, quickly: Lua keeps one copy of each short string, so the address
-// of the characters is enough.
+// Fast look-up of the number of a field by its name: Lua keeps one copy of each short string, so the address of the characters identifies
+// it.
 #pragma once
 
 #include "lang/script/world.hpp"

@@ -25,7 +25,7 @@ void require_allowed(lua_State* L, const std::string& name, const std::string& m
     else gate.may_read(name);
 }
 
-/// The same, and opens it. Null: errno says why.
+/// The same, and opens it. Null: errno has the reason.
 door::Stream open_allowed(lua_State* L, const std::string& name, const std::string& mode) {
     require_allowed(L, name, mode);
     return door::open_stream(name, writes(mode) ? Use::write : Use::read, mode);

@@ -1,4 +1,4 @@
-// Files of Lua: its own io.open knows no gate.
+// Files of Lua: its own io.open does not query the gate.
 #pragma once
 
 #include "lang/script/lua_headers.hpp"

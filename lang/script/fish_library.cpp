@@ -14,7 +14,7 @@ namespace kaya::script {
 
 namespace {
 
-/// A Lua function takes what it is given.
+/// A Lua function accepts any number of arguments.
 constexpr int most_lua_arguments = 50;
 
 using fish::is_constant;
@@ -86,8 +86,8 @@ void push_translated(Machine& machine, const std::string& name) {
     lua_pop(L, 1);
 }
 
-/// Stands in F for a function that has to be translated before it runs. Upvalue: its name.
-/// No object may live here during the call, because an error jumps over this function.
+/// Entry in F of a function that must be translated before it runs. Upvalue: its name. No object may live here during the call, because an
+/// error jumps over this function.
 int translate_and_call(lua_State* L) {
     push_translated(machine_of(L), lua_tostring(L, lua_upvalueindex(1)));
     lua_insert(L, 1);
@@ -172,10 +172,10 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
     const bool is_callback = std::ranges::any_of(
         fish.hooks, [&](const StoredHook& hook) { return hook.function == function.name && !hook.whilestepping; });
     if (is_callback && !function.arguments.empty())
-        throw Diagnostic(fmt::format("'{}' is a callback, so nobody gives it its arguments", function.name),
+        throw Diagnostic(fmt::format("'{}' is a callback and cannot have arguments", function.name),
                          fmt::format("write before: fish callback remove {}", function.name))
             .at(function.place);
-    // Nothing is changed before the whole function is known to be right.
+    // Nothing is changed before the whole function has been checked.
     const auto dictionary = dictionary_of(machine, &function);
     const std::string generated = fish::generate(function, dictionary);
     const std::string chunk_name = machine.sources.add({function.name, function.place, true});
@@ -249,7 +249,7 @@ void push_expression(Machine& machine, const std::string& text, const Place& pla
     }
     const fish::Expression expression = fish::read_expression(bare_expression(text), place);
     const auto dictionary = dictionary_of(machine);
-    // A word of a command that means nothing is a slip of the pen; only an assignment makes a variable here.
+    // An unknown word of a command is a misspelling; only an assignment makes a variable here.
     for (const auto& name : expression.mentions) {
         if (name == expression.assigned || is_constant(name)) continue;
         if (dictionary(name).kind == fish::NameKind::variable && !variable_exists(machine, name))
@@ -280,7 +280,7 @@ void set_fish_name(Machine& machine, const std::string& given, int index) {
     lua_State* L = machine.lua;
     const std::string name = lower_case(given);
     if (machine.fish.functions.contains(name) || machine.fish.lua_functions.contains(name))
-        throw Diagnostic(fmt::format("'{}' is a FISH function: a value cannot be given to it", name));
+        throw Diagnostic(fmt::format("'{}' is a FISH function: it cannot be assigned", name));
     if (machine.fish.built_ins.contains(name))
         throw Diagnostic(fmt::format("'{}' is built in: a variable of this name cannot be made", name),
                          "use another name for the variable");

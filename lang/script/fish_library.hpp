@@ -1,4 +1,4 @@
-// FISH functions, what their names mean, and the built-ins that they may use.
+// FISH functions, the meanings of their names, and the built-ins that they may use.
 #pragma once
 
 #include "lang/fish/compiler.hpp"
@@ -32,13 +32,13 @@ struct FishLibrary {
     std::map<std::string, DefinedFunction, std::less<>> functions;
     std::set<std::string, std::less<>> lua_functions; ///< lower case names of global Lua functions
     std::map<std::string, BuiltIn, std::less<>> built_ins;
-    std::vector<StoredHook> hooks;    ///< functions that run in cycles, in the order in which they came
-    std::vector<StoredSource> stored; ///< FISH functions and Lua chunks in the order in which they came
+    std::vector<StoredHook> hooks;    ///< functions that run in cycles, in the order of their registration
+    std::vector<StoredSource> stored; ///< FISH functions and Lua chunks in the order of their definition
     /// Translated expressions of commands and histories, by text: number in Lua's registry.
     std::unordered_map<std::string, int> expressions;
 };
 
-/// What names mean now; `coming` is a function that is about to be defined.
+/// Present meanings of names; `coming` is a function that is about to be defined.
 fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming = nullptr);
 
 /// Reads and checks the function, then puts it in the place of an older one of its name.
@@ -51,10 +51,10 @@ std::string bare_expression(const std::string& expression);
 
 /// The meaning of a name has changed: functions that mention it are translated again at their next call.
 void forget_translations(Machine& machine, const std::string& name);
-/// A Lua function has come: FISH can call it by its name in lower case.
+/// Registers a Lua function: FISH can call it by its name in lower case.
 void adopt_lua_function(Machine& machine, const std::string& name);
 
-/// What fish.name is in Lua, and what `set @name` does; throw Diagnostic.
+/// Reading fish.name in Lua, and `set @name`; both throw Diagnostic.
 void push_fish_name(Machine& machine, const std::string& name);
 void set_fish_name(Machine& machine, const std::string& name, int index);
 

@@ -26,7 +26,7 @@ int show(lua_State* L) {
     return 1;
 }
 
-/// By halving: Lua walks the whole stack to find one level, and there may be 200,000 of them.
+/// By bisection: Lua walks the whole stack to find one level, and there may be 200,000 of them.
 int count_levels(lua_State* L) {
     lua_Debug record;
     int below = 0, above = 1; // level `below` exists or is 0, level `above` does not
@@ -85,7 +85,7 @@ Diagnostic from_error_value(lua_State* L, int index) {
     return diagnostic;
 }
 
-/// Runs at the point of the error, while the stack of functions still stands.
+/// Runs at the point of the error, while the stack of functions still exists.
 int handle_error(lua_State* L) {
     try {
         Diagnostic diagnostic = from_error_value(L, 1);
@@ -105,7 +105,7 @@ void open_diagnostics(lua_State* L) {
     lua_setfield(L, -2, "__tostring");
     lua_pushstring(L, "error");
     lua_setfield(L, -2, "__name");
-    lua_pushboolean(L, 0); // keeps getmetatable of a script away from __gc
+    lua_pushboolean(L, 0); // hides __gc from getmetatable of a script
     lua_setfield(L, -2, "__metatable");
     machine_of(L).anchors.diagnostic_type = luaL_ref(L, LUA_REGISTRYINDEX);
 }
@@ -132,7 +132,7 @@ void call_protected(lua_State* L, int arguments, int results) {
         throw Diagnostic(fmt::format("commands and functions call each other more than {} levels deep", deepest_call),
                          "a function that runs commands which call it needs a way to end", Fault::run);
     const int outer_levels = machine.levels_before;
-    // A wish to stop that came while no script ran was not meant for this one.
+    // A stop that was requested while no script ran was not meant for this one.
     if (machine.depth == 0) lua_sethook(L, nullptr, 0, 0), machine.stopping = false;
     if (machine.depth > 0) machine.levels_before = count_levels(L);
     ++machine.depth;

@@ -9,14 +9,14 @@
 
 namespace kaya::script {
 
-/// Leaves a value on the stack that stands for the diagnostic while Lua unwinds.
+/// Leaves a value on the stack that represents the diagnostic while Lua unwinds.
 void push_diagnostic(lua_State* L, const Diagnostic& diagnostic);
 /// The diagnostic at `index`, or null when another value was thrown.
 const Diagnostic* diagnostic_at(lua_State* L, int index);
 /// Makes the type of such values.
 void open_diagnostics(lua_State* L);
 
-/// What Lua calls instead of `body`: exceptions become Lua errors.
+/// Lua calls this in place of `body`: exceptions become Lua errors.
 template <int (*body)(lua_State*)> int guarded(lua_State* L) {
     try {
         return body(L);
@@ -27,8 +27,8 @@ template <int (*body)(lua_State*)> int guarded(lua_State* L) {
     return lua_error(L);
 }
 
-/// Runs the function below its `arguments` on the stack. A Lua error comes back as a Diagnostic with the
-/// place in the deck and the stack of functions.
+/// Runs the function below its `arguments` on the stack. A Lua error becomes a Diagnostic with the place in the deck and the stack of
+/// functions.
 void call_protected(lua_State* L, int arguments, int results);
 
 /// Loads Lua text; a mistake in it is thrown with its place.

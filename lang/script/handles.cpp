@@ -98,7 +98,7 @@ int children(lua_State* L) {
     return 3;
 }
 
-/// The name as Lua keeps it, held alive for good.
+/// Lua's copy of the name, kept alive permanently.
 const char* kept_name(lua_State* L, std::string_view name) {
     lua_pushlstring(L, name.data(), name.size());
     const char* address = lua_tostring(L, -1);

@@ -21,7 +21,7 @@ inline Handle unpack_handle(const void* packed) {
             part(slot_bits, generation_bits), static_cast<std::uint8_t>(part(slot_bits + generation_bits, model_bits))};
 }
 
-/// Whether it belongs to the model of now; handles of models that were replaced are dead.
+/// Whether it belongs to the present model; handles of replaced models are stale.
 inline bool is_of_this_model(const World& world, const Handle& handle) { return handle.model == world.model_number; }
 
 /// Whether there can be such an object: of a table of the model, with numbers that fit.

@@ -10,8 +10,8 @@
 
 namespace kaya::script {
 
-/// The file is a chunk that returns a table (docs/joint-models-in-lua.md). Each thread that runs it has a Lua state of
-/// its own, with mathematics and texts but no files and no random numbers: a row's result depends on the row alone.
+/// The file is a chunk that returns a table (docs/joint-models-in-lua.md). Each thread that runs it has a separate Lua state, with
+/// mathematics and texts and without files and random numbers: a row's result depends on the row alone.
 class JointScript {
 public:
     /// Reads the file. Throws Diagnostic with file and line: it does not compile, it returns no table, an entry is
@@ -21,10 +21,10 @@ public:
     JointScript(const JointScript&) = delete;
     JointScript& operator=(const JointScript&) = delete;
 
-    /// Name, properties, history and states; the functions in it are NULL, those below stand for them.
+    /// Name, properties, history and states; its functions are NULL, the members below replace them.
     const kaya_jmodel& descriptor() const { return descriptor_; }
 
-    // They mean what the members of kaya_jmodel mean, and may be called from several threads at once.
+    // Same meaning as the members of kaya_jmodel; may be called from several threads at once.
     ptrdiff_t initialise(kaya_jbatch* batch);
     ptrdiff_t run(kaya_jbatch* batch);
     std::string check(const double* values);
@@ -34,7 +34,7 @@ private:
     struct Lease;
 
     std::string file_, text_;
-    std::vector<std::string> texts_; ///< what the descriptor points at
+    std::vector<std::string> texts_; ///< owns the texts of the descriptor
     std::vector<kaya_jproperty> properties_;
     std::vector<kaya_jhistory> history_;
     kaya_jmodel descriptor_{};

@@ -15,7 +15,7 @@ namespace kaya::script {
 
 namespace {
 
-/// What a table is called in messages.
+/// Name of a table in messages.
 constexpr int noun_upvalue = lua_upvalueindex(1), names_upvalue = lua_upvalueindex(2);
 
 /// "the row has no 'normal_forse'; did you mean 'normal_force'?"
@@ -43,7 +43,7 @@ int raise(lua_State* L, const std::string& sentence) {
 }
 
 int refuse_unknown(lua_State* L) {
-    raise(L, unknown_name(L)); // the texts are gone before Lua jumps
+    raise(L, unknown_name(L)); // the texts are destroyed before Lua jumps
     return lua_error(L);
 }
 
@@ -54,9 +54,9 @@ int refuse_writing(lua_State* L) {
     return lua_error(L);
 }
 
-/// It gets the chunk, the globals, the model and `debug`. What functions of the file reach, and the globals, can only be read from
-/// then on: a number that is kept from call to call would make a row depend on those before it, and on the thread.
-/// It returns a function that says which variable was changed all the same, after putting it back.
+/// It gets the chunk, the globals, the model and `debug`. Upvalues of functions of the file, and the globals, become read-only: a number
+/// that is kept from call to call would make a row depend on the rows before it, and on the thread. It returns a function that restores a
+/// variable which was changed nevertheless, and returns its name.
 constexpr const char* freezer = R"(
 local chunk, globals, model, debug = ...
 local getupvalue, setupvalue = debug.getupvalue, debug.setupvalue

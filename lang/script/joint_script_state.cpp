@@ -38,14 +38,14 @@ std::string underscored(std::string name) {
 
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error(what); }
 
-/// Raw, so that what a script did to the table does not matter.
+/// Raw, so that changes of the table by a script do not matter.
 void set_number(lua_State* L, const char* field, double value) {
     lua_pushstring(L, field);
     lua_pushnumber(L, value);
     lua_rawset(L, -3);
 }
 
-/// What run() finds in a row; the header says what they mean.
+/// Fields of a row in run(); the header describes them.
 constexpr const char* row_fields[] = {"area",
                                       "normal_disp",
                                       "normal_disp_inc",

@@ -1,4 +1,4 @@
-// One Lua state that holds a joint model. Not seen outside of this folder.
+// One Lua state that holds a joint model. Internal to this folder.
 #pragma once
 
 #include "kaya/jmodel.h"
@@ -10,7 +10,7 @@ struct lua_State;
 
 namespace kaya::script {
 
-/// What the file says of itself.
+/// The description in the file.
 struct JointScriptTable {
     struct Property {
         std::string name, aliases, unit, help;

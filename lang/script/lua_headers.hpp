@@ -1,4 +1,4 @@
-// The one place that includes Lua; seen by the .cpp files of this folder only.
+// The only header that includes Lua; used by the .cpp files of this folder only.
 #pragma once
 
 #include <lua.hpp>

@@ -69,7 +69,7 @@ int count(lua_State* L) {
     return 1;
 }
 
-/// (table, field, way)
+/// (table, field, kind of reduction)
 int reduce(lua_State* L) {
     const std::string caller = text_argument(L, 3, "sum");
     const std::int32_t table = table_argument(L, caller.c_str());
@@ -91,7 +91,7 @@ int nearest(lua_State* L) {
         for (int i = 0; i < 3; ++i) place[i] = number_argument(L, i + 2, "nearest");
     World& world = machine_of(L).world;
     const auto relation = find_relation(world, RelationInfo::Form::nearest, -1, table);
-    if (relation < 0) throw Diagnostic("corners of faces cannot be looked for", "look for the gridpoint", Fault::run);
+    if (relation < 0) throw Diagnostic("corners of faces cannot be searched", "search for the gridpoint", Fault::run);
     push_lua_value(L, world.relate(static_cast<std::size_t>(relation), {}, place));
     return 1;
 }
@@ -275,8 +275,7 @@ Place calling_place(lua_State* L) {
     return {};
 }
 
-/// Runs command lines; leaves why the last of them that cycles came to its end, or nil, after what they printed if that is
-/// caught.
+/// Runs command lines. Leaves the reason why the last cycling command ended, or nil; when the output is caught, the output comes before it.
 int run_lines(lua_State* L, const char* function, bool caught) {
     Machine& machine = machine_of(L);
     World& world = machine.world;
@@ -373,7 +372,7 @@ int add_hook(lua_State* L) {
     return 1;
 }
 
-/// Takes every hook of this function away.
+/// Removes every hook of this function.
 int remove_hook(lua_State* L) {
     Machine& machine = machine_of(L);
     std::erase_if(machine.hooks, [&](const Hook& hook) {
@@ -453,7 +452,7 @@ constexpr std::array<luaL_Reg, 36> natives{{
 
 void open_library(Machine& machine) {
     lua_State* L = machine.lua;
-    // A script that reached the type of files could give it a finalizer of its own.
+    // A script with access to the type of files could give it a finalizer.
     luaL_getmetatable(L, LUA_FILEHANDLE);
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");

@@ -1,4 +1,4 @@
-// What Lua chunks of a deck can use beyond Lua itself: stdlib/lua/library.lua and the functions under it.
+// Functions for Lua chunks of a deck beyond Lua itself: stdlib/lua/library.lua and the functions that it calls.
 #pragma once
 
 #include <string>

@@ -17,9 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 6> left_out{"coroutine",  "dofile",  "loadfile",
                                                    "loadstring", "setfenv", "getfenv"};
 
-constexpr const char* how_to_walk = "objects come one after the other: for b in blocks() do ... end";
+constexpr const char* how_to_walk = "objects are walked in order: for b in blocks() do ... end";
 
-/// Adds the names in the table on top of the stack, and of the tables in it where asked for.
+/// Adds the names in the table on top of the stack and, if `inner`, those of the tables in it.
 void add_names(lua_State* L, std::vector<std::string>& names, bool inner) {
     lua_pushnil(L);
     while (lua_next(L, -2) != 0) {
@@ -38,7 +38,7 @@ std::string near_name(lua_State* L, std::string_view word, bool inner) {
     std::vector<std::string> names;
     push_anchor(L, machine_of(L).anchors.environment);
     if (lua_istable(L, -1)) add_names(L, names, inner);
-    // What a deck cannot change stands behind its own names.
+    // Read-only names are behind the names of the deck.
     if (lua_getmetatable(L, -1) != 0) {
         lua_pushstring(L, "__index");
         if (lua_rawget(L, -2) == LUA_TTABLE) add_names(L, names, inner);
@@ -89,7 +89,7 @@ Diagnostic of_nil(lua_State* L, const Attempt& attempt) {
     if (calls) return said(fmt::format("there is no function {} here", name), hint);
     if (attempt.action == "index")
         return said(fmt::format("{} is nil here: it has no fields", name),
-                    attempt.name.empty() ? "what was called or looked up before gave nothing" : hint);
+                    attempt.name.empty() ? "the call or look-up before it returned nothing" : hint);
     return said(fmt::format("{} is nil here: nothing has set it", name), hint);
 }
 
@@ -100,7 +100,7 @@ std::optional<Diagnostic> of_attempt(lua_State* L, const Attempt& attempt) {
     if (attempt.value == "function" && attempt.action == "get length of")
         return said("a function has no length", fmt::format("{}; count(\"block\") is their number", how_to_walk));
     if (attempt.action == "call" && (attempt.kind == "method" || attempt.kind == "field") && !attempt.name.empty())
-        return said(fmt::format("'{}' is a {} and no function", attempt.name, attempt.value),
+        return said(fmt::format("'{}' is a {} and not a function", attempt.name, attempt.value),
                     fmt::format("write it without parentheses: .{}", attempt.name));
     return {};
 }

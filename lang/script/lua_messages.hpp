@@ -1,4 +1,4 @@
-// What Lua says of a mistake, in the words of somebody who writes decks.
+// Error messages of Lua in the words of authors of decks.
 #pragma once
 
 #include "base/diagnostic.hpp"

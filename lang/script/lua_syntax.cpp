@@ -1,4 +1,4 @@
-// Reads Lua without running it, in a state of its own.
+// Reads Lua without running it, in a separate state.
 #include "lang/script/lua_headers.hpp"
 #include "lang/script/scripts.hpp"
 #include "lang/script/source_list.hpp"

@@ -16,7 +16,7 @@ namespace kaya::script {
 
 namespace {
 
-/// Keeps a new table in the registry.
+/// Stores a new table in the registry.
 int new_table(lua_State* L) {
     lua_newtable(L);
     return luaL_ref(L, LUA_REGISTRYINDEX);

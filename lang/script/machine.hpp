@@ -1,4 +1,4 @@
-// The Lua state and what stands around it. Shared by the files of this folder, not seen outside of it.
+// The Lua state and its surroundings. Shared by the files of this folder, and internal to it.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -19,7 +19,7 @@
 
 namespace kaya::script {
 
-/// Numbers of values that are kept in Lua's registry.
+/// References to values in Lua's registry.
 struct Anchors {
     int globals = LUA_NOREF;     ///< G: values of FISH variables
     int functions = LUA_NOREF;   ///< F: FISH functions and, wrapped, Lua functions
@@ -28,7 +28,7 @@ struct Anchors {
     int runtime = LUA_NOREF;     ///< R: functions that translated FISH calls
     int extras = LUA_NOREF;      ///< "b_extra" -> handle -> value
     int environment = LUA_NOREF; ///< global variables of the user's Lua
-    int library = LUA_NOREF;     ///< what every Lua chunk can use: contacts, math, hook, ...
+    int library = LUA_NOREF;     ///< names for every Lua chunk: contacts, math, hook, ...
     int methods = LUA_NOREF;     ///< contact -> sub_contacts -> function
     int modules = LUA_NOREF;     ///< values of `require`, by name
     int vector_type = LUA_NOREF;
@@ -42,7 +42,7 @@ struct Hook {
     int function = LUA_NOREF;
 };
 
-/// What scripts have taken, where it is limited.
+/// Memory that scripts use, where it is limited.
 struct Memory {
     std::size_t used = 0, limit = 0;
 };
@@ -72,17 +72,17 @@ struct Machine {
     Random random;
     OpenFile file;
     std::function<void(const std::string&)> sink;
-    std::string unfinished_line;         ///< of io.write
-    std::filesystem::path script_folder; ///< of the deck that speaks last: searched by `require`
+    std::string unfinished_line;                                      ///< of io.write
+    std::filesystem::path script_folder;                              ///< of the present deck: searched by `require`
     std::function<std::vector<std::filesystem::path>()> deck_folders; ///< of the running file and its callers
 
     /// While a state is restored, Lua chunks run for their definitions only.
     bool restoring = false;
-    bool stopping = false;   ///< the user has asked for it; until the outermost call has ended
+    bool stopping = false;   ///< requested by the user; until the outermost call has ended
     int depth = 0;           ///< calls into Lua that are open
-    int awaited = 0;         ///< commands and cycles that wait for what a script gives
+    int awaited = 0;         ///< commands and cycles that wait for a value from a script
     int levels_before = 0;   ///< stack levels of Lua that belong to outer calls
-    bool registered = false; ///< a chunk made a hook or a history: it must be kept
+    bool registered = false; ///< a chunk registered a hook or a history: it must be stored
 };
 
 /// The machine that a Lua state belongs to.

@@ -1,4 +1,4 @@
-// What `prop` gave to a material number: m_density(n), m_jkn(n) = 1e9.
+// Properties that `prop` gave to a material number: m_density(n), m_jkn(n) = 1e9.
 #include "lang/script/built_ins.hpp"
 #include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"

@@ -163,7 +163,7 @@ int bits_not(lua_State* L) {
     return 1;
 }
 
-/// Bits that leave the 64 of an integer are lost; a negative count shifts the other way.
+/// Bits shifted beyond the 64 of an integer are lost; a negative count shifts in the other direction.
 void push_shifted(lua_State* L, std::int64_t value, std::int64_t left) {
     const auto bits = static_cast<std::uint64_t>(value);
     if (left <= -64 || left >= 64) lua_pushinteger(L, 0);

@@ -7,9 +7,9 @@
 namespace kaya::script {
 
 struct Module {
-    std::string_view name; ///< what `require` is given
+    std::string_view name; ///< the argument of `require`
     std::string_view text;
-    bool is_public = true; ///< false: a part of the program, which no deck may ask for
+    bool is_public = true; ///< false: a part of the program, which a deck must not require
 };
 
 std::span<const Module> built_in_modules();

@@ -11,7 +11,7 @@ namespace kaya::script {
 
 namespace {
 
-/// find_range(name): the name again, or 0 when there is no such range.
+/// find_range(name): returns the name, or 0 when there is no such range.
 int find_range(lua_State* L) {
     const std::string name = text_argument(L, 1, "find_range");
     if (world_of(L).has_range(name)) lua_pushlstring(L, name.data(), name.size());

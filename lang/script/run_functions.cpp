@@ -1,4 +1,4 @@
-// Built-in functions of FISH that read what a run has given: samples of histories, why it stopped, what a command prints.
+// Built-in functions of FISH that read results of a run: samples of histories, the reason of its end, the output of a command.
 #include "lang/script/built_ins.hpp"
 #include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
@@ -25,8 +25,8 @@ World::Samples samples(lua_State* L, const char* function) {
 World::Samples some_samples(lua_State* L, const char* function) {
     const World::Samples all = samples(L, function);
     if (all.values.empty())
-        throw Diagnostic(fmt::format("'{}' is asked for a history that has no sample", function),
-                         "cycle before it is read", Fault::run);
+        throw Diagnostic(fmt::format("'{}' reads a history that has no sample", function), "cycle before it is read",
+                         Fault::run);
     return all;
 }
 
@@ -76,7 +76,7 @@ int stop_reason(lua_State* L) {
     return 1;
 }
 
-/// (command lines): what they print
+/// (command lines): their output
 int command_output(lua_State* L) {
     const std::string text = text_argument(L, 1, "command_output");
     std::string printed;

@@ -22,7 +22,7 @@ int fail_not_array(lua_State* L) {
     const Machine& machine = machine_of(L);
     const std::string name = lua_tostring(L, 2);
     const bool zero = lua_isinteger(L, 1) && lua_tointeger(L, 1) == 0;
-    if (!zero) throw Diagnostic(fmt::format("'{}' is no array but {}", name, describe_value(L, 1)), {}, Fault::run);
+    if (!zero) throw Diagnostic(fmt::format("'{}' is not an array but {}", name, describe_value(L, 1)), {}, Fault::run);
     if (const auto* reserved = fish::find_reserved_family(name)) {
         Diagnostic unsupported = fish::reserved_message(name, *reserved);
         unsupported.fault = Fault::run;
@@ -120,7 +120,7 @@ int set_element(lua_State* L) {
 
 /// name(), where the name is that of a variable
 int not_function(lua_State* L) {
-    throw Diagnostic(fmt::format("'{}' is no function but {}", lua_tostring(L, 2), describe_value(L, 1)), {},
+    throw Diagnostic(fmt::format("'{}' is not a function but {}", lua_tostring(L, 2), describe_value(L, 1)), {},
                      Fault::run);
 }
 
@@ -184,7 +184,7 @@ constexpr std::array<luaL_Reg, 6> functions{{{"element", guarded<element>},
                                              {"command", guarded<command>},
                                              {nullptr, nullptr}}};
 
-/// Arithmetic with whole arrays is refused in words. Gives the address of the type.
+/// Arithmetic with whole arrays is refused with a message. Returns the address of the type.
 const void* finish_array_type(lua_State* L, const char* name) {
     lua_getfield(L, -1, name);
     add_refusing_arithmetic(L);

@@ -32,7 +32,7 @@ public:
 
 namespace {
 
-/// The hook stays until the outermost call has ended, so that no pcall of a script can hold it up.
+/// The hook stays until the outermost call has ended, so that a pcall of a script cannot stop it.
 int stop(lua_State* L) {
     machine_of(L).stopping = true;
     throw Diagnostic("the script was stopped", {}, Fault::run);
@@ -41,7 +41,7 @@ int stop(lua_State* L) {
 /// Runs before the next instruction of Lua.
 void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
 
-/// Leaves the stack as it was, whatever happens in between.
+/// Restores the height of the stack on every exit.
 class StackLevel {
 public:
     explicit StackLevel(lua_State* L) : lua_(L), level_(lua_gettop(L)) { luaL_checkstack(L, 40, "for a call"); }
@@ -54,7 +54,7 @@ private:
     int level_;
 };
 
-/// As long as it lives, somebody waits for what a script gives.
+/// While it lives, a command or a cycle waits for a value from a script.
 class Awaited {
 public:
     explicit Awaited(Machine& machine) : count_(machine.awaited) { ++count_; }
@@ -171,7 +171,7 @@ void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int
             .at(place);
     }
     if (!found->second.function.arguments.empty())
-        throw Diagnostic(fmt::format("'{}' runs in cycles, so nobody gives it its arguments", function),
+        throw Diagnostic(fmt::format("'{}' runs in cycles and cannot have arguments", function),
                          "take a function without arguments", Fault::run)
             .at(place);
     fish.hooks.push_back({name, static_cast<std::uint8_t>(moment), interval, false});
@@ -211,7 +211,7 @@ void Scripts::run_hooks(Moment moment, std::int64_t cycle) {
     for (const auto& hook : hooks) {
         if (hook.moment != moment || cycle % hook.interval != 0) continue;
         lua_rawgeti(L, LUA_REGISTRYINDEX, hook.function);
-        // A hook that ran before may have taken this one away.
+        // An earlier hook may have removed this one.
         if (lua_isfunction(L, -1)) call_protected(L, 0, 0);
         else lua_pop(L, 1);
     }
@@ -224,7 +224,7 @@ void Scripts::interrupt() noexcept {
 
 bool Scripts::is_deaf() const noexcept {
     const Machine* machine = impl_->machine.get();
-    // The hook is there when the wish came while the script ran.
+    // The hook is set when the stop was requested while the script ran.
     return machine && machine->depth > 0 && !machine->stopping && lua_gethook(machine->lua) != nullptr;
 }
 
@@ -256,8 +256,8 @@ bool Scripts::running() const { return impl_->machine->depth > 0; }
 void Scripts::refuse_while_awaited(const char* what) const {
     if (impl_->machine->awaited > 0)
         throw Diagnostic(
-            fmt::format("'{}' cannot be given here: a command or a cycle waits for what the function gives", what),
-            "call the function on a line of its own, as @name, or from a Lua chunk", Fault::run);
+            fmt::format("'{}' cannot be given here: a command or a cycle waits for the value of the function", what),
+            "call the function on a separate line, as @name, or from a Lua chunk", Fault::run);
 }
 
 void Scripts::change_model(const ScriptState* state) {

@@ -20,16 +20,16 @@ namespace kaya::script {
 
 struct Options {
     bool trusted = false;       ///< true: os.execute, io.popen, files anywhere, debug, load libraries
-    std::shared_ptr<Gate> gate; ///< says which files may be touched; the working folder alone if there is none
+    std::shared_ptr<Gate> gate; ///< decides which files may be opened; without it only those of the working folder
     std::uint64_t seed = 1;     ///< of urand, grand and Lua's math.random
-    std::size_t memory = 0;     ///< bytes that scripts may take together; 0: as much as there is
+    std::size_t memory = 0;     ///< bytes that all scripts together may use; 0: unlimited
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
 };
 
-/// Where in a cycle a script may look on. A FISH whilestepping function runs at after_cycle.
+/// Where in a cycle a script may run. A FISH whilestepping function runs at after_cycle.
 enum class Moment { before_cycle, after_forces, after_cycle };
 
-/// Throws Diagnostic at the first mistake in the text of a Lua chunk, of which nothing runs; `place` is where it begins.
+/// Throws Diagnostic at the first mistake in the text of a Lua chunk, without running it; `place` is where it begins.
 void check_lua_text(const std::string& text, const Place& place);
 
 /// All functions throw Diagnostic: with a place in the deck, and the stack of functions in `context`.
@@ -41,7 +41,7 @@ public:
     Scripts(const Scripts&) = delete;
     Scripts& operator=(const Scripts&) = delete;
 
-    /// Takes what `out(...)` and Lua's print write; one call per line, without line end. Default: stdout.
+    /// Receives the output of `out(...)` and Lua's print; one call per line, without line end. Default: stdout.
     void on_print(std::function<void(const std::string& line)> sink);
 
     /// Gives the folders of the running deck file and of its callers, for `require`.
@@ -57,14 +57,14 @@ public:
     /// Value of `name`, `name(a,b)`, or any FISH expression (also an assignment), with or without the
     /// leading `@` or brackets around it. A FISH or Lua function that is named is run.
     Value value(const std::string& expression, const Place& place = {});
-    /// The same as a number, for histories and commands; texts, vectors and pointers are refused.
-    /// The translated expression is kept: fit for a call in every cycle.
+    /// The same as a number, for histories and commands; texts, vectors and pointers are refused. The translated expression is kept, for
+    /// calls in every cycle.
     double number(const std::string& expression, const Place& place = {});
-    /// A line that starts with `@`: runs the function. A name that stands for nothing is an error.
+    /// A line that starts with `@`: runs the function. An unknown name is an error.
     void call(const std::string& expression, const Place& place = {});
     /// `set @name = value`
     void set(const std::string& name, const Value& value, const Place& place = {});
-    /// The random numbers of FISH and Lua start anew.
+    /// Restarts the random numbers of FISH and Lua.
     void seed(std::uint64_t seed);
     /// True for a function, a variable that was mentioned, or a built-in name.
     bool knows(const std::string& name) const;
@@ -76,12 +76,12 @@ public:
 
     /// Names of newer versions and the classic ones with the same meaning.
     std::vector<std::pair<std::string, std::string>> newer_names() const;
-    /// What a name of FISH, in lower case, means at this moment.
+    /// Present meaning of a name of FISH in lower case.
     fish::Meaning meaning_of(const std::string& name) const;
 
     /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`.
     void add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place);
-    /// Takes away what add_fish_hook gave; throws Diagnostic when there is nothing of that function.
+    /// Removes a hook of add_fish_hook; throws Diagnostic when the function has none.
     void remove_fish_hook(const std::string& function, const Place& place);
 
     /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
@@ -91,7 +91,7 @@ public:
     /// Stops the running script at its next instruction with a Diagnostic. May be called by a signal handler.
     void interrupt() noexcept;
 
-    /// A wish to stop has not been met, because one call into Lua's own library does not end. For signal handlers.
+    /// A requested stop is pending, because one call into Lua's own library does not end. For signal handlers.
     bool is_deaf() const noexcept;
 
     /// Tables by number, shared with the commands.
@@ -104,13 +104,13 @@ public:
     /// `new`: forgets all variables, functions, hooks and tables.
     void clear();
 
-    /// A script runs, which outlives the model that it throws away: restore and clear are not for it, but what follows.
+    /// A script is running that outlives the model which it replaces: restore and clear do not apply to it, change_model does.
     bool running() const;
-    /// Throws Diagnostic when the running script cannot replace the model: a command or a cycle waits for what it gives.
+    /// Throws Diagnostic when the running script cannot replace the model: a command or a cycle waits for its value.
     void refuse_while_awaited(const char* what) const;
-    /// The model is another one, and the scripts stay: what belonged to its objects goes, and handles of them are dead; with
-    /// a state, what belongs to the objects of that comes, and tables of numbers that are not there. Throws Diagnostic, with
-    /// nothing changed, when the state is damaged.
+    /// The model is replaced and the scripts stay: values that belonged to its objects are dropped, and handles of them become stale. With
+    /// a state, the values that belong to its objects are added, and tables of numbers that do not exist. Throws Diagnostic, with nothing
+    /// changed, when the state is damaged.
     void change_model(const ScriptState* state = nullptr);
 
 private:

@@ -32,7 +32,7 @@ Place line_place(const Source& source, int lua_line) {
     const std::string& text = lines[place.line - 1];
     const auto first = text.find_first_not_of(" \t");
     if (first == std::string::npos) return place;
-    // A comment is no part of what went wrong.
+    // A comment is not part of the place of an error.
     auto last = text.find_last_not_of(" \t\r", text.find(source.is_fish ? ";" : "--", first));
     if (last != std::string::npos && text.compare(last, 1, ";") == 0) last = text.find_last_not_of(" \t;", last);
     place.column = static_cast<int>(first) + 1;

@@ -20,7 +20,7 @@ class SourceList {
 public:
     /// Chunk name to give to Lua: "=fish#3" or "=lua#3".
     std::string add(Source source);
-    /// The source that a chunk name stands for, or null.
+    /// The source of a chunk name, or null.
     const Source* find(std::string_view chunk_name) const;
     void clear() { sources_.clear(); }
 
@@ -28,7 +28,7 @@ private:
     std::vector<Source> sources_;
 };
 
-/// Place of a whole line, from its first character that is no blank to its last.
+/// Place of a whole line, from its first to its last character without surrounding blanks.
 Place line_place(const Source& source, int lua_line);
 
 /// Cuts "fish#3:12: text" into chunk, line and text. False when the message has no such head.

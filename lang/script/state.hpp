@@ -1,4 +1,4 @@
-// Everything that the scripts of a model remember, as plain data: what `save` writes and `restore` reads.
+// The whole state of the scripts of a model as plain data: `save` writes it and `restore` reads it.
 #pragma once
 
 #include "lang/script/tables.hpp"
@@ -42,7 +42,7 @@ struct StoredHook {
     std::string function;
     std::uint8_t moment = 2;    ///< a script::Moment
     std::int64_t interval = 1;  ///< runs in each cycle whose number is a multiple
-    bool whilestepping = false; ///< asked for in the function itself: goes when that is defined anew
+    bool whilestepping = false; ///< registered in the function itself: removed when the function is redefined
 };
 
 struct ScriptState {
@@ -51,7 +51,7 @@ struct ScriptState {
     std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
     std::vector<StoredObject> objects;
     std::vector<StoredSource> sources; ///< FISH functions and Lua chunks that define something, in order
-    std::vector<StoredHook> hooks;     ///< of FISH functions, in the order in which they came
+    std::vector<StoredHook> hooks;     ///< of FISH functions, in the order of their registration
     Tables tables;
     std::array<std::uint64_t, 4> random{};
 };

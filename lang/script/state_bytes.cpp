@@ -170,7 +170,7 @@ std::string to_bytes(const ScriptState& state) {
 ScriptState from_bytes(const std::string& bytes) {
     Reader in(bytes);
     if (in.take(std::min<std::uint64_t>(mark.size(), bytes.size())) != mark)
-        throw Diagnostic("these are no saved scripts", "the file is damaged, or no file of kaya", Fault::run);
+        throw Diagnostic("these are not saved scripts", "the file is damaged, or kaya did not write it", Fault::run);
     const auto found = taken<std::uint32_t>(in);
     if (found != version)
         throw Diagnostic(

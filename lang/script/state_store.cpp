@@ -60,8 +60,7 @@ public:
 
 private:
     Named named(int anchor) {
-        // Sorted before the values are taken, so that the numbers of objects do not depend on the order in
-        // which Lua keeps names.
+        // Sorted before the values are taken, so that the numbers of objects do not depend on the order in which Lua stores names.
         std::vector<std::string> names;
         push_anchor(lua_, anchor);
         for (lua_pushnil(lua_); lua_next(lua_, -2) != 0; lua_pop(lua_, 1))
@@ -79,7 +78,7 @@ private:
         return result;
     }
 
-    /// The value at the top of the stack; false for what is no data: functions, files.
+    /// The value at the top of the stack; false for values that cannot be stored: functions, files.
     bool take(StoredValue& value, int depth) {
         if (lua_istable(lua_, -1)) return take_table(value, depth);
         if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1))) return false;
@@ -93,7 +92,7 @@ private:
         return std::holds_alternative<std::monostate>(value) ? StoredValue(std::int64_t{0}) : value;
     }
 
-    /// A file does not say of which model a pointer was: one of a model that is gone would point anywhere.
+    /// A file does not record the model of a pointer: a pointer of a deleted model could point at any object.
     bool is_stale(const StoredValue& value) const {
         const auto* handle = std::get_if<Handle>(&value);
         return handle != nullptr && handle->generation != 0 && !is_of_this_model(machine_.world, *handle);
@@ -168,7 +167,7 @@ private:
     Machine& machine_;
     lua_State* lua_;
     ScriptState state_;
-    std::unordered_map<const void*, std::size_t> known_; // looked up, never walked through
+    std::unordered_map<const void*, std::size_t> known_; // looked up, never iterated
 };
 
 class StateReader {
@@ -197,7 +196,7 @@ public:
         machine_.random.state = state_.random;
     }
 
-    /// Only what belongs to objects of the model, and tables that are not there.
+    /// Only values of objects of the model, and tables that do not exist.
     void read_adjacent_scripts() {
         check();
         named(machine_.anchors.extras, state_.extras);
@@ -205,7 +204,7 @@ public:
     }
 
 private:
-    /// Numbers of objects and of lines are those that a model can have, before anything is made of them.
+    /// Checks the numbers of objects and of lines before they are used.
     void check() const {
         const auto check_value = [&](const StoredValue& value) {
             if (const auto* reference = std::get_if<ObjectReference>(&value);
@@ -230,8 +229,7 @@ private:
             if ((lines += last) > most_lines) fail_damaged();
     }
 
-    /// One text for each deck, with the lines that are known; the others are empty, so that numbers are
-    /// right.
+    /// One text for each deck, with the known lines; the others are empty, so that line numbers are right.
     void rebuild_decks() {
         for (const auto& stored : state_.sources) {
             auto& deck = decks_[stored.name];
@@ -272,8 +270,8 @@ private:
         lua_pop(lua_, 1);
     }
 
-    /// Pushes the value. Below it stands what the variable holds now: a table is filled, not replaced,
-    /// because functions of the chunks that ran again may hold it.
+    /// Pushes the value. Below it is the present value of the variable: a table is filled and not replaced, because functions of the chunks
+    /// that ran again may hold it.
     void push(const StoredValue& stored) {
         if (const auto* reference = std::get_if<ObjectReference>(&stored)) return push_object(reference->index);
         if (const auto* stored_handle = std::get_if<Handle>(&stored)) {

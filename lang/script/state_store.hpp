@@ -11,9 +11,9 @@ ScriptState stored_state(Machine& machine);
 /// `machine` is new: nothing has run in it.
 void restore_state(Machine& machine, const ScriptState& state);
 
-/// The model is another one, and the scripts stay: what belonged to its objects (b_extra) goes, and handles of them are
-/// dead; with a state, what belongs to the objects of that comes, and tables of numbers that are not there. Throws
-/// Diagnostic, with nothing changed, when the state is damaged.
+/// The model is replaced and the scripts stay: values that belonged to its objects (b_extra) are dropped, and handles of them become stale.
+/// With a state, the values that belong to its objects are added, and tables of numbers that do not exist. Throws Diagnostic, with nothing
+/// changed, when the state is damaged.
 void change_model(Machine& machine, const ScriptState* state);
 
 } // namespace kaya::script

@@ -115,8 +115,8 @@ int write_name(lua_State* L) {
     return 0;
 }
 
-/// get_table(n): the number, and the table is there from then on; get_table(name): the number of the table that has
-/// this name, 0 when none has.
+/// get_table(n): the number; creates the table if it does not exist. get_table(name): the number of the table of this name, 0 if there is
+/// none.
 int find(lua_State* L) {
     Tables& tables = tables_of(L);
     if (lua_type(L, 1) != LUA_TSTRING) {

@@ -13,10 +13,10 @@ struct TablePoint {
     double y = 0;
 };
 
-/// One table. Points with the same x keep the order in which they came (a step).
+/// One table. Points with the same x keep the order of insertion (a step).
 class Table {
 public:
-    /// Linear between points; the first or last y outside of them. Throws Diagnostic when empty.
+    /// Linear between points; the first or last y outside. Throws Diagnostic when empty.
     double at(double x) const;
     /// Adds a point in its place; a point with exactly this x gets the new y.
     void set(double x, double y);
@@ -24,7 +24,7 @@ public:
     void insert(double x, double y);
 
     std::vector<TablePoint> points;
-    std::string name; ///< what table_name gives; may be empty
+    std::string name; ///< value of table_name; may be empty
 };
 
 /// All tables by number.

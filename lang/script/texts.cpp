@@ -66,7 +66,7 @@ double number_from(lua_State* L, const char* function) {
     if (lua_type(L, 1) != LUA_TSTRING) return number_argument(L, 1, function);
     const std::string text = text_argument(L, 1, function);
     if (!push_number(L, text))
-        throw Diagnostic(fmt::format("'{}' is given the text '{}', which is no number", function, text), {},
+        throw Diagnostic(fmt::format("'{}' is given the text '{}', which is not a number", function, text), {},
                          Fault::run);
     return lua_tonumber(L, -1);
 }
@@ -93,7 +93,7 @@ int length(lua_State* L) {
     return 1;
 }
 
-/// substr(text, first [, count]); places outside of the text give what is inside.
+/// substr(text, first [, count]); positions outside of the text are ignored.
 int part(lua_State* L) {
     const std::string text = text_argument(L, 1, "substr");
     const auto size = static_cast<std::int64_t>(text.size());
@@ -205,13 +205,13 @@ int new_array(lua_State* L) {
     const int sizes = lua_gettop(L);
     push_runtime(L, "array");
     lua_pushstring(L, "get_array");
-    lua_pushnil(L); // nothing to keep
+    lua_pushnil(L); // no result
     for (int i = 1; i <= sizes; ++i) lua_pushvalue(L, i);
     lua_call(L, sizes + 2, 1);
     return 1;
 }
 
-/// Arrays go by themselves when nothing holds them.
+/// Arrays are freed when no variable holds them.
 int lose_array(lua_State* L) {
     lua_pushinteger(L, 0);
     return 1;

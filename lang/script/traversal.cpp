@@ -174,7 +174,7 @@ Reader reader_of(const World& world, const Traversal& traversal) {
     return {guarded<related>, 1, 1};
 }
 
-/// All of them that the tables and relations of the world ask for.
+/// All traversals of the tables and relations of the world.
 std::vector<Traversal> traversals_of(const World& world) {
     std::vector<Traversal> all;
     const auto& relations = world.relations();

@@ -1,4 +1,4 @@
-// Functions of FISH that go from an object to another, or to what it has by a name.
+// Functions of FISH that lead from an object to another, or to a named value of it.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ enum class Walk { relation, property, joint, extra };
 struct Traversal {
     std::string name;
     Walk walk = Walk::relation;
-    std::int32_t table = -1;  ///< that the argument is in; -1: it takes no object
+    std::int32_t table = -1;  ///< table of the argument; -1: it takes no object
     std::size_t relation = 0; ///< index into World::relations()
 };
 

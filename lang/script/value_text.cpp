@@ -33,7 +33,7 @@ bool is_known(const World& world, const Handle& handle) {
 std::int64_t handle_number(World& world, const Handle& handle) {
     if (handle.generation == 0 || !is_known(world, handle) || !world.alive(handle)) return 0;
     const auto id = find_field(world.tables()[static_cast<std::size_t>(handle.table)].fields, "id");
-    if (id < 0) return static_cast<std::int64_t>(handle.slot) + 1; // corners have no numbers of their own
+    if (id < 0) return static_cast<std::int64_t>(handle.slot) + 1; // corners have no numbers
     const Value number = world.get(handle, static_cast<std::size_t>(id));
     const auto* whole = std::get_if<std::int64_t>(&number);
     return whole ? *whole : 0;

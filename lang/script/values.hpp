@@ -1,4 +1,4 @@
-// Values on their way into Lua and back.
+// Conversion of values to Lua and back.
 #pragma once
 
 #include "lang/script/lua_headers.hpp"
@@ -12,14 +12,14 @@ namespace kaya::script {
 void push_lua_value(lua_State* L, const Value& value);
 /// For FISH: nothing and null are the integer 0, truth is 1 or 0.
 void push_fish_value(lua_State* L, const Value& value);
-/// Turns what Lua gives into what FISH knows, at the top of the stack.
+/// Converts a value of Lua at the top of the stack to one of FISH.
 void make_fish_value(lua_State* L);
 
 /// Throws Diagnostic for a table or a function: `what` names the value in the message.
 Value value_at(lua_State* L, int index, const std::string& what);
 /// "integer 3", "text 'abc'", "a pointer to a contact": for messages.
 std::string describe_value(lua_State* L, int index);
-/// What FISH prints.
+/// The text that FISH prints.
 std::string text_at(lua_State* L, int index);
 
 bool is_vector(lua_State* L, int index);

@@ -1,5 +1,5 @@
-// What the script languages see of a model: tables of named fields. Implemented in src/commands,
-// so that the language never sees a contact and the engine never sees Lua.
+// The view that script languages have of a model: tables of named fields. Implemented in src/commands, so that the language never sees a
+// contact and the engine never sees Lua.
 #pragma once
 
 #include "base/vector.hpp"
@@ -15,7 +15,7 @@
 
 namespace kaya::script {
 
-/// A handle that survives changes of the table: of a deleted object it says so, it never crashes.
+/// A handle that survives changes of the table: access to a deleted object raises an error and never crashes.
 struct Handle {
     std::int32_t table = 0;
     std::uint32_t slot = 0;
@@ -39,7 +39,7 @@ struct FieldInfo {
 struct TableInfo {
     std::string_view name; ///< "contact": Lua sees contact.normal_force, and iterates contacts()
     std::vector<FieldInfo> fields;
-    /// What FISH names for any kind of object begin with: "cx" in cx_near, cx_extra; "" when there are none.
+    /// First part of the FISH names that any kind of object has: "cx" in cx_near, cx_extra; "" when there are none.
     std::string_view classic = {}, modern = {};
     bool has_properties = false; ///< cx_prop
     bool has_spares = false;     ///< cx_ispare, cx_rspare
@@ -49,7 +49,7 @@ struct TableInfo {
 struct RelationInfo {
     enum class Form {
         first,    ///< of a list of objects
-        next,     ///< in the list that the object stands in
+        next,     ///< in the list of the object
         other,    ///< of one object to another
         numbered, ///< one of several, by a number from 0
         nearest   ///< to a place
@@ -78,10 +78,9 @@ public:
     virtual Value get(const Handle& object, std::size_t field) = 0;
     virtual void set(const Handle& object, std::size_t field, const Value& value) = 0;
 
-    /// What `numbered` and `nearest` ask for.
+    /// The argument of `numbered` and `nearest`.
     using At = std::variant<std::monostate, std::size_t, Vec3>;
-    /// The relation is the index into relations(); null where there is no object. Throws Diagnostic (object deleted, no
-    /// such number).
+    /// The relation is the index into relations(); null where there is no object. Throws Diagnostic (object deleted, no such number).
     virtual Handle relate(std::size_t relation, const Handle& object, const At& at = {}) = 0;
 
     /// Number of objects, and the i-th (from 0) in the order of FISH's next links.
@@ -91,8 +90,8 @@ public:
 
     /// Whether there is a range of that name.
     virtual bool has_range(const std::string& name) = 0;
-    /// Whether an object, or a place, is in a named range. Throws Diagnostic when there is no such range, or when the
-    /// range asks for more than a place.
+    /// Whether an object, or a place, is in a named range. Throws Diagnostic when there is no such range, or when the range needs more than
+    /// a place.
     virtual bool in_range(const std::string& name, const std::variant<Handle, Vec3>& what) = 0;
 
     /// The material of that number, by the words of the command `prop`.
@@ -100,10 +99,10 @@ public:
         std::int64_t number;
     };
     using Owner = std::variant<Handle, Material>;
-    /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone. Of a
-    /// sub-contact also what its joint model remembers (history variables). Of a material 0 when nobody has given it.
+    /// A property by its name: of the joint model of a contact or sub-contact, of the material of a zone. For a sub-contact also the
+    /// history variables of its joint model. 0 for a material whose property has not been given.
     virtual Value property(const Owner& owner, const std::string& name) = 0;
-    /// Of a sub-contact what its joint model remembers, or of a material. Throws Diagnostic for anything else.
+    /// Sets a history variable of a sub-contact, or a property of a material. Throws Diagnostic for anything else.
     virtual void set_property(const Owner& owner, const std::string& name, double value) = 0;
 
     /// Sum, minimum, maximum, mean of one numeric field over all rows, without a script loop.
@@ -111,17 +110,17 @@ public:
 
     /// Samples of a history, by its label or number; nothing when there is none.
     struct Samples {
-        std::span<const double> values, times; ///< as long as nothing cycles and no history comes or goes
+        std::span<const double> values, times; ///< valid until a cycle runs or a history is added or removed
     };
     virtual std::optional<Samples> history(const std::string& name) = 0;
 
-    /// Runs command lines (`command ... endcommand`, Lua's command[[...]]). What they print goes to the user, or comes back
-    /// when it is `caught`.
+    /// Runs command lines (`command ... endcommand`, Lua's command[[...]]). Their output goes to the user, or is returned when it is
+    /// `caught`.
     virtual std::string command(const std::string& text, const std::string& chunk, int line, bool caught) = 0;
 
-    std::string stopped_by; ///< why the last command that cycled came to its end, in words; "" before the first
+    std::string stopped_by; ///< reason, in words, why the last command that cycled ended; "" before the first
 
-    /// Counts models that were thrown away while a script ran, modulo what a handle can hold: handles of others are dead.
+    /// Counts models that were replaced while a script ran, modulo the range of a handle: handles of other models are stale.
     std::uint8_t model_number = 0;
     static constexpr unsigned model_numbers = 128;
 };

@@ -84,7 +84,7 @@ AdapterCache::AdapterCache(const std::vector<std::string>& line, const fs::path&
     try {
         if (!door::make_folders(folder, Use::own) && access(folder.c_str(), W_OK) == 0)
             file_ = folder / fmt::format("adapter-{}.o", sha256(all).substr(0, 32));
-    } catch (const Diagnostic&) {} // XDG_CACHE_HOME may name a place that holds no cache
+    } catch (const Diagnostic&) {} // XDG_CACHE_HOME may name a folder that cannot be written
 }
 
 fs::path AdapterCache::object(const fs::path& draft, const std::function<bool()>& compile) const {

@@ -17,8 +17,8 @@ public:
     /// line, the compiler, the headers and this machine's processor.
     AdapterCache(const std::vector<std::string>& line, const std::filesystem::path& include);
 
-    /// The object. What is not kept yet is made by `compile`, which says whether it could, at `draft`, and kept if there is a place
-    /// for it. Empty when it could not be made.
+    /// The object. `compile` makes a missing one at `draft` and returns whether it succeeded; the object is then cached if there is a
+    /// folder for it. Empty when it could not be made.
     std::filesystem::path object(const std::filesystem::path& draft, const std::function<bool()>& compile) const;
 
 private:

@@ -18,7 +18,7 @@ public:
     bool take(const std::filesystem::path& file);
     /// Names that `param` lines declare.
     const std::set<std::string>& declared() const { return declared_; }
-    /// Throws Diagnostic at a parameter that no deck mentions. A property ('prop 1 jfric') is none: the run says whether it
+    /// Throws Diagnostic at a parameter that no deck mentions. A property ('prop 1 jfric') is not checked here: the run reports whether it
     /// was set.
     void require(const std::string& name, const Place& place) const;
 

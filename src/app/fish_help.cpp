@@ -21,7 +21,7 @@ constexpr std::array statements{
         "loop endloop end_loop",
         "loop i (1, n)            also loop i (from, to, step); not run when from is beyond to\n"
         "    loop while x > 0\n    loop for (i = 1, i < 9, i = i + 1)\n    loop foreach b block.list\n    ...\n    endloop",
-        "repeats what stands up to endloop; exit loop leaves it, continue goes on with the next turn"},
+        "repeats the lines up to endloop; exit loop leaves it, continue starts the next turn"},
     Entry{"foreach while for", "loop foreach b block.list,  loop while x > 0,  loop for (i = 1, i < 9, i = i + 1)",
           "forms of loop: help loop"},
     Entry{"if then else elseif endif end_if",
@@ -35,7 +35,7 @@ constexpr std::array statements{
           "section\n    ...\n      if x = 0 then\n        exit section\n      endif\n    ...\n    endsection",
           "a part of a function that exit section leaves"},
     Entry{"exit", "exit,  exit loop,  exit section", "leaves the function, the loop or the section"},
-    Entry{"continue", "continue", "goes on with the next turn of the loop"},
+    Entry{"continue", "continue", "starts the next turn of the loop"},
     Entry{"return", "return VALUE", "leaves the function and gives its value"},
     Entry{"command endcommand end_command", "command\n      prop mat 1 dens [density]\n    endcommand",
           "commands of the deck inside a function; [expression] is replaced by its value"},

@@ -48,7 +48,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// gnuplot may be missing: the script is there for another day. It names no file that it writes: its own would go through links.
+/// gnuplot may be missing: the script is kept. gnuplot is not given the name of an output file: it would follow links.
 std::string draw(const fs::path& script) {
     fs::path picture = script;
     picture.replace_extension(".png");
@@ -106,20 +106,18 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
             ->check(CLI::Range(1, 100'000'000));
         sub->add_option("--area", order->bench.settings.area, "area of the sub-contact")->check(CLI::PositiveNumber);
         sub->add_option("--output", order->bench.output, "name of the files, without an ending");
-        sub->add_flag("--no-picture", order->no_picture, "no PNG, also where gnuplot is installed");
+        sub->add_flag("--no-picture", order->no_picture, "no PNG, even if gnuplot is installed");
         sub->callback([order, joint_folders, &chosen] {
             chosen = [order, joint_folders] { return carry_out(*order, joint_folders()); };
         });
         return std::pair(sub, order);
     };
     const auto [testing, test] =
-        add("jtest", "lead one sub-contact of a joint model along a path and look at the answer");
-    testing->add_flag("--strict", test->strict, "exit with 2 when something odd was found");
-    const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a curve that was measured");
-    fitting->add_option("--fit", fit->fitted, "the properties, with commas between")->required();
-    fitting
-        ->add_option("--offset", fit->offsets,
-                     "measured columns whose zero is not known, with commas between; none: \"\"")
+        add("jtest", "lead one sub-contact of a joint model along a path and check the response");
+    testing->add_flag("--strict", test->strict, "exit with 2 if the model behaves oddly");
+    const auto [fitting, fit] = add("jfit", "fit properties of a joint model to a measured curve");
+    fitting->add_option("--fit", fit->fitted, "the properties, separated by commas")->required();
+    fitting->add_option("--offset", fit->offsets, "measured columns with unknown zero, separated by commas; none: \"\"")
         ->default_str("opening");
     fit->bench.settings.steps = 0; // as many as the result needs
 }
@@ -127,19 +125,19 @@ void add_joint_bench(CLI::App& app, const std::function<std::vector<fs::path>()>
 void add_zone_bench(CLI::App& app, const std::function<std::vector<fs::path>()>& folders,
                     std::function<int()>& chosen) {
     auto order = std::make_shared<ZoneOrder>();
-    auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and look at the answer");
+    auto* sub = app.add_subcommand("ztest", "lead one zone of a zone model along a path and check the response");
     sub->add_option("model", order->bench.model, "name or file of the zone model")->required();
     sub->add_option("path", order->bench.path, "CSV file of the path: docs/writing-a-zone-model.md")->required();
     sub->add_option("values", order->settings, "properties: bulk=4e9 shear=3e9 cohesion=1e6 friction=30");
-    sub->add_option("--stress", order->stress, "stress in the beginning: xx,yy,zz,xy,xz,yz, tension positive")
+    sub->add_option("--stress", order->stress, "initial stress: xx,yy,zz,xy,xz,yz, tension positive")
         ->delimiter(',')
         ->expected(6);
     sub->add_option("--steps", order->bench.settings.steps, "steps between two points of the path")
         ->check(CLI::Range(1, 1'000'000));
     sub->add_option("--volume", order->bench.settings.volume, "volume of the zone")->check(CLI::PositiveNumber);
     sub->add_option("--output", order->bench.output, "name of the files, without an ending");
-    sub->add_flag("--no-picture", order->no_picture, "no PNG, also where gnuplot is installed");
-    sub->add_flag("--strict", order->strict, "exit with 2 when something odd was found");
+    sub->add_flag("--no-picture", order->no_picture, "no PNG, even if gnuplot is installed");
+    sub->add_flag("--strict", order->strict, "exit with 2 if the model behaves oddly");
     sub->callback([order, folders, &chosen] { chosen = [order, folders] { return carry_out(*order, folders()); }; });
 }
 

@@ -33,7 +33,7 @@ constexpr std::uint64_t rights_of_files =
     LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_EXECUTE | right_to_truncate;
 
 std::uint64_t all_rights(int version) {
-    std::uint64_t rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1; // those of the first version
+    std::uint64_t rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1; // rights of the first version
     if (version >= 2) rights |= right_to_refer;
     if (version >= 3) rights |= right_to_truncate;
     return rights;

@@ -1,4 +1,4 @@
-// Linux' own lock on files and connections: it holds whatever code runs in the program, native joint models included.
+// The lock of Linux on files and connections: it applies to all code in the program, native joint models included.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@ namespace kaya {
 
 /// Version of Landlock that the kernel offers; 0: none.
 int landlock_version();
-/// The first version that knows connections.
+/// The first version that restricts connections.
 inline constexpr int landlock_with_connections = 4;
 
-/// The files and ports that stay open. A folder stands for everything below it.
+/// The allowed files and ports. A folder includes everything below it.
 struct KernelLock {
     std::vector<std::filesystem::path> writable; ///< and readable
     std::vector<std::filesystem::path> readable;
@@ -21,8 +21,8 @@ struct KernelLock {
     std::optional<int> listens;                  ///< a port on which the program itself listens; 0: any
 };
 
-/// Holds this thread and all that it starts from now on. To be called before other threads are there; a second lock can only take
-/// more away. False: the kernel cannot.
+/// Restricts this thread and all threads and processes that it starts. Must be called before other threads exist; a second lock can only
+/// restrict further. False: the kernel does not support it.
 bool lock_by_kernel(const KernelLock& lock);
 
 } // namespace kaya

@@ -140,8 +140,8 @@ Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path&
     return lines;
 }
 
-/// A new folder for files that are being made; it goes with all in it. The compiler would write through links that lie ready under
-/// names in a folder of the user.
+/// A new folder for files in the making; it is removed with its content. In a folder of the user the compiler would write through links of
+/// the expected names.
 class DraftFolder {
 public:
     explicit DraftFolder(const fs::path& parent) : path(parent / fmt::format(".kaya-jmodel-{}", getpid())) {

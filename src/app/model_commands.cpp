@@ -108,7 +108,7 @@ int list_plugins(const std::vector<std::string>& names, const std::vector<fs::pa
 CLI::App* add_build(CLI::App* group, const std::shared_ptr<BuildOrder>& order, const char* help) {
     auto* building = group->add_subcommand("build", help);
     building->add_option("source", order->sources, "its .cpp files")->required();
-    building->add_option("--into", order->folder, "folder of the library; the present one if not given");
+    building->add_option("--into", order->folder, "folder of the library; the current folder if not given");
     building->add_option("--compiler", order->compiler, "the compiler; CXX, c++, g++ or clang++ if not given");
     return building;
 }
@@ -183,12 +183,12 @@ template <class Models> void add_new(CLI::App& app, const char* command, const c
 }
 
 void add_plugin_list(CLI::App& app, const Folders& folders, std::function<int()>& chosen) {
-    auto* plugin = app.add_subcommand("plugin", "look at joint and zone models");
+    auto* plugin = app.add_subcommand("plugin", "inspect joint and zone models");
     plugin->require_subcommand(1);
     auto names = std::make_shared<std::vector<std::string>>();
     auto* listing =
         plugin->add_subcommand("list", "file, name, versions, properties and states of joint and zone models");
-    listing->add_option("model", *names, "names or files; all that are found if not given");
+    listing->add_option("model", *names, "names or files; all available ones if not given");
     listing->callback([=, &chosen] { chosen = [=] { return list_plugins(*names, folders()); }; });
 }
 
@@ -198,13 +198,13 @@ void add_model_commands(CLI::App& app, const fs::path& program_folder, const Fol
                         std::function<int()>& chosen) {
     add_jmodel(app, program_folder, chosen);
     add_zmodel(app, program_folder, chosen);
-    add_new<JointRegistry>(app, "new-jmodel", "write a joint model to begin with: source, deck, test and page",
+    add_new<JointRegistry>(app, "new-jmodel", "write a joint model to start from: source, deck, test and page",
                            {{"joint", "joint-shared"},
                             "build it:  kaya jmodel build {0}/{0}.cpp --into {0}\ntest it:   kaya {0}/test-{0}.3dd\n"},
                            Writing{{"joint-lua", "joint-shared"}, "test it:   kaya --joints {0} {0}/test-{0}.3dd\n"},
                            joint_folders, chosen);
     add_new<ZoneModels>(
-        app, "new-zmodel", "write a zone model to begin with: source, path, test and page",
+        app, "new-zmodel", "write a zone model to start from: source, path, test and page",
         {{"zone"},
          "build it:  kaya zmodel build {0}/{0}.cpp --into {0}\ntry it:    kaya ztest {0}/{0}.so {0}/triaxial.csv "
          "bulk=4e9 shear=3e9 strength=2e7\ntest it:   kaya {0}/test-{0}.3dd\n"},

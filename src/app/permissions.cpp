@@ -24,7 +24,7 @@ void write_permissions(const Permissions& permissions) {
     if (file.empty())
         throw Diagnostic("there is no place for your permissions", "set HOME, or XDG_CONFIG_HOME to a whole path",
                          Fault::run);
-    door::make_folders(file.parent_path(), Use::own); // what is wrong there, the file will say
+    door::make_folders(file.parent_path(), Use::own); // a failure is reported by the file
     std::string text;
     for (const auto& folder : permissions.folders) text += fmt::format("{} {}\n", folder_word, folder.string());
     for (const auto& [digest, library] : permissions.libraries)
@@ -41,8 +41,8 @@ fs::path place_of(const fs::path& path) {
 }
 
 [[noreturn]] void fail_damaged(const fs::path& file, std::size_t line) {
-    throw Diagnostic(fmt::format("line {} of '{}' is no permission", line, file.string()),
-                     "take the line out, and allow it again with: kaya allow PATH", Fault::run);
+    throw Diagnostic(fmt::format("line {} of '{}' is not a permission", line, file.string()),
+                     "remove the line, and allow it again with: kaya allow PATH", Fault::run);
 }
 
 } // namespace
@@ -103,7 +103,7 @@ void revoke(const fs::path& path) {
     const auto libraries =
         std::erase_if(permissions.libraries, [&](const auto& known) { return known.second == whole; });
     if (folders + libraries == 0)
-        throw Diagnostic(fmt::format("'{}' was not allowed", path.string()), "'kaya allow' lists what is");
+        throw Diagnostic(fmt::format("'{}' was not allowed", path.string()), "'kaya allow' lists the permissions");
     write_permissions(permissions);
 }
 
@@ -113,7 +113,7 @@ std::string describe(const Permissions& permissions) {
     constexpr std::size_t shown = 12; // digits of a digest
     for (const auto& [digest, library] : permissions.libraries)
         text += fmt::format("{:<8} {} ({})\n", library_word, library.string(), digest.substr(0, shown));
-    return text.empty() ? "nothing is allowed beyond a run's own folders\n" : text;
+    return text.empty() ? "only a run's own folders are allowed\n" : text;
 }
 
 } // namespace kaya

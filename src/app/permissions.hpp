@@ -20,7 +20,7 @@ std::filesystem::path permissions_file();
 /// Empty when there is no such file. Throws Diagnostic when it is not a list of permissions.
 Permissions read_permissions();
 
-/// Allows a folder, or a library as it is now. Throws Diagnostic when it is neither.
+/// Allows a folder, or a library in its present state. Throws Diagnostic when it is neither.
 void allow(const std::filesystem::path& path);
 
 /// Revokes a permission. Throws Diagnostic when there was none.

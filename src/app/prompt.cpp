@@ -112,7 +112,7 @@ private:
         if (words.empty()) return CC_REFRESH_BEEP;
         std::string rest = common_beginning(words);
         rest.erase(0, std::min(typed, rest.size()));
-        if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a folder goes on
+        if (words.size() == 1 && !words.front().ends_with("/")) rest += ' '; // a path may continue after a folder
         if (!rest.empty()) return el_insertstr(editor, rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
         print_text(stdout, fmt::format("\n{}\n", filled(words, screen().columns - 1)));
         return CC_REDISPLAY;
@@ -182,7 +182,7 @@ int show(Session& session) {
         session.output.message(Diagnostic("there is not enough memory for this", {}, Fault::run));
         return static_cast<int>(Fault::run);
     } catch (const std::exception& error) {
-        session.output.message(Diagnostic(fmt::format("kaya itself failed: {}", error.what()),
+        session.output.message(Diagnostic(fmt::format("internal error: {}", error.what()),
                                           "please report this, with the lines that were typed", Fault::own));
         return static_cast<int>(Fault::own);
     }

@@ -112,7 +112,7 @@ void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* 
         const auto value = session.parameters.find(lang::fold(name));
         if (!words || value == session.parameters.end() || words->declared().contains(lang::fold(name))) continue;
         if (session.scripts->value(name) != value->second)
-            session.warn(Diagnostic(fmt::format("the deck gives '{}' a value of its own: --set was not used", name),
+            session.warn(Diagnostic(fmt::format("the deck sets '{}' itself: --set was not used", name),
                                     fmt::format("write there param {} = VALUE", name)));
     }
 }
@@ -173,10 +173,10 @@ int run_session(Session& session, const RunOrder& order) {
         return fail(session, order,
                     Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
     } catch (const std::exception& error) {
-        return fail(session, order,
-                    Diagnostic(fmt::format("kaya itself failed: {}", error.what()), "please report this, with the deck",
-                               Fault::own)
-                        .at(session.last_place));
+        return fail(
+            session, order,
+            Diagnostic(fmt::format("internal error: {}", error.what()), "please report this, with the deck", Fault::own)
+                .at(session.last_place));
     }
 }
 

@@ -87,7 +87,7 @@ std::string RunReport::page() {
     order.centre = states_.empty() ? report_centre(model) : centre_;
     order.before = states_;
     if (!states_.empty() && states_.back().cycle == model.clock.cycle)
-        order.before.pop_back(); // it comes last by itself
+        order.before.pop_back(); // the writer adds the present state itself
     return report_of(model, session_extras(session_), order);
 }
 

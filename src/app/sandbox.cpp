@@ -48,7 +48,7 @@ fs::path present(fs::path folder) {
     return folder;
 }
 
-/// Where other programs keep what they need again.
+/// Caches of other programs.
 std::vector<fs::path> caches() {
     std::vector<fs::path> folders;
     for (const char* name : {"XDG_CACHE_HOME", "CCACHE_DIR"})

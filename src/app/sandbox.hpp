@@ -1,4 +1,4 @@
-// Puts together what the program may use: of the command line, of the user's permissions, of where the program lies.
+// Collects what the program may use: from the command line, the user's permissions, and the place of the program.
 #pragma once
 
 #include "base/gate.hpp"
@@ -13,8 +13,8 @@ namespace kaya {
 /// Which programs may be started.
 enum class Programs {
     none,
-    installed, ///< those of the system, of PATH and next to kaya; they may write temporary files
-    compiler   ///< the same, which also read whatever the user may read, and write their caches
+    installed, ///< files of the system, of PATH and next to kaya; they may write temporary files
+    compiler   ///< the same, and all files that the user may read; they may write their caches
 };
 
 struct SandboxOrder {

@@ -19,8 +19,8 @@ struct Scope {
     std::string_view command;               ///< "study rerun"; "run": no subcommand
     std::string_view reads, writes, starts; ///< for the page
     std::vector<const char*> inputs;        ///< arguments and options that name files which are read, or folders
-    std::vector<const char*> folders;       ///< those that name a folder to write into
-    std::vector<const char*> files;         ///< those that name a file, or the beginning of its name, to write
+    std::vector<const char*> folders;       ///< options that name a folder to write into
+    std::vector<const char*> files;         ///< options that name a file, or the beginning of its name, to write
     Programs programs = Programs::none;
     bool permissions = false; ///< it writes the list of what is allowed
 };
@@ -30,8 +30,7 @@ std::span<const Scope> scopes();
 /// `kaya info --scopes`: a row for each subcommand, as docs/safety.md shows them.
 std::string scope_table();
 
-/// Shuts the gate for the subcommand that the command line asks for, unless --trust is given. A subcommand without a scope is not
-/// carried out.
+/// Restricts the gate to the subcommand of the command line, unless --trust is given. A subcommand without a scope is refused.
 void enter_scope(const CLI::App& app, const RunOrder& order, const std::filesystem::path& program);
 
 } // namespace kaya

@@ -73,7 +73,7 @@ std::string unused_values(Session& session, const Case& one, const std::set<std:
         if (is_property(name) || declared.contains(lang::fold(name))) continue;
         if (study_value(session.scripts->value(name), session) !=
             study_value(session.parameters[lang::fold(name)], session))
-            return fmt::format("the deck gives '{0}' a value of its own: write there param {0} = VALUE", name);
+            return fmt::format("the deck sets '{0}' itself: write there param {0} = VALUE", name);
     }
     return {};
 }
@@ -141,7 +141,8 @@ void forget_runs(const fs::path& folder) {
     std::error_code failed;
     if (!is_study_folder(folder)) {
         if (fs::exists(folder, failed) && !fs::is_empty(folder, failed))
-            throw Diagnostic(fmt::format("{} is no folder of a study: --anew does not touch it", folder.string()));
+            throw Diagnostic(
+                fmt::format("{} is not the folder of a study: --anew does not remove it", folder.string()));
         return;
     }
     for (const char* own : {"runs", "slurm", "about.toml", "study.toml", "results.csv", "results.h5", "report.html"}) {
@@ -294,13 +295,13 @@ int work(const StudyOrder& wanted, const RunOrder& order, const fs::path& progra
 
 void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& program, std::function<int()>& action) {
     auto wanted = std::make_shared<StudyOrder>();
-    auto* study = app.add_subcommand("study", "run one deck many times with parameters that vary: docs/studies.md");
+    auto* study = app.add_subcommand("study", "run one deck many times with varying parameters: docs/studies.md");
     study->add_option("study", wanted->file, "the study, a TOML file");
     study->add_option("--into", wanted->folder, "folder of the runs; the study's name with -study if not given");
     study->add_option("--jobs", wanted->at_once, "runs at one time; one for each core if not given")
         ->check(CLI::Range(1, 4096));
-    study->add_flag("--anew", wanted->anew, "remove the runs that are there");
-    study->add_flag("--again", wanted->again, "do runs again that failed");
+    study->add_flag("--anew", wanted->anew, "remove existing runs");
+    study->add_flag("--again", wanted->again, "repeat failed runs");
     study->add_flag("--quiet,-q", wanted->quiet, "no progress");
     auto* slurm = study->add_flag("--slurm", wanted->slurm, "the runs are jobs of Slurm");
     study
@@ -312,7 +313,7 @@ void add_study_commands(CLI::App& app, const RunOrder& order, const fs::path& pr
         ->excludes(slurm);
     auto* showing = study->add_subcommand("show", "show the runs of a study");
     showing->add_option("folder", wanted->folder, "the folder of the study")->required();
-    auto* repeating = study->add_subcommand("rerun", "do one run again, with a deck of its own");
+    auto* repeating = study->add_subcommand("rerun", "repeat one run, with a separate deck");
     repeating->add_option("folder", wanted->folder, "the folder of the study")->required();
     repeating->add_option("run", wanted->number, "its number")->required();
     auto* working = study->add_subcommand("work", "do one task of a batch: for queues")->group("");

@@ -15,7 +15,7 @@ std::set<std::string> declared_names(const Study& study);
 /// Throws Diagnostic at a parameter that neither the deck nor a file that it calls mentions.
 void check_names(const Study& study);
 
-/// Writes a deck beside that of the study which sets the values of this run and calls it. Returns its name. Throws Diagnostic.
+/// Writes a deck next to that of the study; it sets the values of this run and calls the study's deck. Returns its name. Throws Diagnostic.
 std::filesystem::path write_case_deck(const Study& study, const Case& one);
 
 /// The runs that a search has done, from their folders.

@@ -30,7 +30,7 @@ struct Words {
 
 using Action = std::function<int(const Words&)>;
 
-/// A command, its words, and what makes its action the chosen one.
+/// A command, its words, and a function that makes its action the chosen one.
 struct Tool {
     CLI::App* command;
     std::shared_ptr<Words> words = std::make_shared<Words>();
@@ -77,7 +77,7 @@ void add_format(CLI::App& app, std::function<int()>& chosen) {
     auto* writing = tool.command->add_flag("--write,-w", tool.words->first, "write it into the files");
     tool.command
         ->add_flag("--check", tool.words->second,
-                   "write nothing; name the decks that are not in their long form, status 1 if there are any")
+                   "write nothing; list the decks that are not in their long form, status 1 if there are any")
         ->excludes(writing);
 }
 
@@ -91,7 +91,7 @@ void add_explain(CLI::App& app, std::function<int()>& chosen) {
 
 void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
               std::function<int()>& chosen) {
-    const Tool tool(app, chosen, "info", "say what a saved model holds", [&order, program](const Words& words) {
+    const Tool tool(app, chosen, "info", "describe a saved model", [&order, program](const Words& words) {
         if (words.first) {
             print_result(describe_sandbox(policy_of(order, program)));
             return 0;
@@ -113,14 +113,14 @@ void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path&
         return 0;
     });
     tool.command->add_option("file", tool.words->name, "a file that 'save' has written");
-    tool.command->add_flag("--sandbox", tool.words->first, "say what a run in this folder may do");
-    tool.command->add_flag("--scopes", tool.words->second, "say which files each subcommand reads and writes");
+    tool.command->add_flag("--sandbox", tool.words->first, "show what a run in this folder may do");
+    tool.command->add_flag("--scopes", tool.words->second, "show which files each subcommand reads and writes");
 }
 
 void add_report(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
                 std::function<int()>& chosen) {
     const Tool tool(app, chosen, "report",
-                    "make a page of a saved model for a browser: numbers, curves, a view to turn",
+                    "make a page of a saved model for a browser: numbers, curves, a view to rotate",
                     [&order, program](const Words& words) {
                         print_result(write_report(words.names, words.name, joint_folders(order, program)));
                         return 0;
@@ -142,11 +142,11 @@ void add_export(CLI::App& app, std::function<int()>& chosen) {
                     });
     tool.command->add_option("file", tool.words->name, "a file that 'save' has written")->required();
     tool.command->add_option("--into", tool.words->folder, "the folder; the file's name with -tables if not given");
-    tool.command->add_flag("--vtk", tool.words->first, "also the files for ParaView");
+    tool.command->add_flag("--vtk", tool.words->first, "also write the files for ParaView");
 }
 
 void add_diff(CLI::App& app, std::function<int()>& chosen) {
-    const Tool tool(app, chosen, "diff", "say in what two saved models differ", [](const Words& words) {
+    const Tool tool(app, chosen, "diff", "list the differences of two saved models", [](const Words& words) {
         const std::string difference = difference_of(words.names);
         print_result(difference.empty() ? "the same" : difference);
         return difference.empty() ? 0 : 1;
@@ -156,18 +156,18 @@ void add_diff(CLI::App& app, std::function<int()>& chosen) {
 
 void add_allow(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "allow",
-                    "allow runs a folder or a joint model, for good; without one, list what is allowed",
+                    "allow runs a folder or a joint model, permanently; without one, list the permissions",
                     [](const Words& words) {
                         for (const auto& path : words.names) words.first ? revoke(path) : allow(path);
                         print_result(describe(read_permissions()));
                         return 0;
                     });
-    tool.command->add_option("path", tool.words->names, "folders, or libraries as they are now");
-    tool.command->add_flag("--revoke", tool.words->first, "take it back");
+    tool.command->add_option("path", tool.words->names, "folders, or libraries in their present state");
+    tool.command->add_flag("--revoke", tool.words->first, "revoke the permission");
 }
 
 void add_check(CLI::App& app, std::function<int()>& chosen) {
-    const Tool tool(app, chosen, "check", "read decks and say what is wrong with them, without running them",
+    const Tool tool(app, chosen, "check", "check decks without running them",
                     [](const Words& words) { return check(words.names, words.first); });
     tool.command->add_option("deck", tool.words->names, "command files; - is the standard input")->required();
     tool.command->add_flag("--json", tool.words->first, "one object of JSON per line, for editors");

@@ -141,7 +141,7 @@ std::string write_report(const std::vector<std::string>& saved, const std::strin
     JointRegistry joints;
     joints.set_path(joint_folders);
     order.property_names = property_names_of(joints);
-    // The last one is the model of the tables; those before it are what it came from.
+    // The last one is the model of the tables; the earlier ones are its history.
     Model model;
     SaveExtras extras;
     std::string file;

@@ -10,7 +10,7 @@ namespace kaya {
 /// front; a number does not.
 std::string csv_cell(std::string_view text);
 
-/// A number with the fewest digits that give back the same bits; an empty cell for NaN.
+/// A number with the fewest digits that preserve the bits; an empty cell for NaN.
 std::string csv_cell(double number);
 
 } // namespace kaya

@@ -26,18 +26,18 @@ public:
     /// For a library that opens files by their names alone.
     std::string name() const { return "/proc/self/fd/" + std::to_string(number_); }
     int release() { return std::exchange(number_, -1); }
-    /// False when what was written did not reach its place.
+    /// False when data could not be written.
     bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
 
 private:
     int number_;
 };
 
-/// A file or folder to be looked at, or to go on from, by a path whose links are followed. Nothing is read or written through it.
+/// A file or folder to be examined, or as the start of a path; links are followed. Nothing is read or written through it.
 Descriptor handle_of(const std::filesystem::path& path, int more_flags = 0);
 
-/// Opens what lies below a folder, by a path that goes down only. A link anywhere on the path is an error, and so the file is the
-/// one that was looked at before, also when somebody changes the folders meanwhile. Without a descriptor errno says why.
+/// Opens a file below a folder, by a path that only descends. A link anywhere on the path is an error, so that the file is the
+/// one that was checked before, even when another process changes the folders meanwhile. Without a descriptor errno says why.
 Descriptor open_beneath(int folder, const std::filesystem::path& below, int flags, mode_t mode = 0666);
 
 /// False: errno says why. Reading ends when there are more than `most` bytes.

@@ -61,7 +61,7 @@ Descriptor open(const fs::path& file, Use use, int flags) {
     const auto held = gate();
     const Gate::Route route = held->route_to(file, use);
     if (route.folder < 0) return Descriptor(::open(route.below.c_str(), flags | O_CLOEXEC, 0666));
-    // A pipe does not hold it up, and nothing is cut off before it is known what it is.
+    // A pipe does not block it, and the file is not truncated before its kind is known.
     Descriptor opened = open_beneath(route.folder, route.below, (flags & ~O_TRUNC) | O_NONBLOCK | O_NOCTTY);
     if (!opened) return opened;
     if (route.plain) held->refuse_special(file, opened.number());

@@ -1,6 +1,6 @@
 // The one door to files: whatever the program opens, makes, renames or removes by name goes through here, and the gate of the
-// process is asked for each. No link on the path is followed after the gate has looked, so that nobody can change the answer
-// between the question and the opening. tests/house/check door refuses other openings.
+// process checks each. No link on the path is followed after the check, so that no other process can redirect the path
+// between the check and the opening. tests/house/check door refuses other openings.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -14,9 +14,9 @@
 
 namespace kaya::door {
 
-/// One gate for this process and those that it forks, like the kernel's lock; for that reason no function takes it as an argument.
+/// One gate for this process and its children, like the kernel's lock; for that reason no function takes it as an argument.
 void set_gate(std::shared_ptr<Gate> gate);
-/// That gate; an open one for who asks when there is none.
+/// That gate; without one a gate that allows everything.
 std::shared_ptr<Gate> gate();
 
 // All functions throw Diagnostic when the gate refuses.
@@ -33,7 +33,7 @@ using Stream = std::unique_ptr<std::FILE, Close>;
 /// The mode is that of fopen: "r", "w+". Null: errno says why.
 Stream open_stream(const std::filesystem::path& file, Use use, const std::string& mode);
 
-/// The folder of a file, open, and its name there: for what is done to names. Without a folder errno says why.
+/// The folder of a file, open, and the name in it: for operations on names. Without a folder errno says why.
 struct Place {
     Descriptor folder;
     std::string name;
@@ -42,15 +42,15 @@ struct Place {
 Place place_of(const std::filesystem::path& file, Use use, bool follow = true);
 
 std::error_code make_folders(const std::filesystem::path& folder, Use use);
-// For destructors: these two throw nothing; what the gate refuses is an error, too.
+// For destructors: these two do not throw; a refusal of the gate is an error code, too.
 /// A link is removed, not its target. No error when there is no such file.
 std::error_code remove(const std::filesystem::path& file) noexcept;
 /// A folder with all below it. Links are removed, not their targets.
 std::error_code remove_all(const std::filesystem::path& folder) noexcept;
-/// Goes into a folder. False: errno says why.
+/// Changes the current folder. False: errno says why.
 bool enter(const std::filesystem::path& folder);
 
-/// The device that takes and gives nothing.
+/// /dev/null.
 Descriptor null_device();
 /// A file of the system by a name that is written in the program: /proc/meminfo. Empty when there is none.
 std::string system_text(const char* name);

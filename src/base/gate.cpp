@@ -57,13 +57,13 @@ fs::path folder_to_name(const fs::path& file, const fs::path& whole) {
 
 /// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
 void refuse_kind(const fs::path& file, const struct stat& info) {
-    if (S_ISDIR(info.st_mode)) return; // for its reader to tell
+    if (S_ISDIR(info.st_mode)) return; // its reader reports it
     if (!S_ISREG(info.st_mode)) refuse_other_kind(file);
     if (info.st_nlink > 1)
-        refuse("file-special",
-               fmt::format("'{}' has {} names (hard links), and the others may lie anywhere", file.string(),
-                           info.st_nlink),
-               fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
+        refuse(
+            "file-special",
+            fmt::format("'{}' has {} names (hard links), and the others may be anywhere", file.string(), info.st_nlink),
+            fmt::format("make a copy of it: cp {0} {0}.copy && mv {0}.copy {0}", quoted(file)));
 }
 
 /// "./a" is "a"; what ".." means depends on links.
@@ -149,14 +149,13 @@ std::vector<fs::path> Gate::folders_for(Use use) const {
 
 void Gate::refuse_outside(const fs::path& file, const fs::path& whole, const std::vector<fs::path>& folders) const {
     if (whole.empty())
-        refuse("file-outside", fmt::format("the links of '{}' lead round in circles", file.string()),
-               "name the file itself");
+        refuse("file-outside", fmt::format("the links of '{}' form a loop", file.string()), "name the file itself");
     for (const auto system : system_folders)
         if (lies_below(whole, system))
             refuse("file-special", fmt::format("'{}' belongs to the system, not to a deck", file.string()),
                    "name an ordinary file; --trust allows it");
     if (is_below(whole, folders)) return;
-    refuse("file-outside", fmt::format("'{}' lies outside of the folders that this run may use", file.string()),
+    refuse("file-outside", fmt::format("'{}' is outside of the folders that this run may use", file.string()),
            fmt::format("allow it once for all with: kaya allow {}", quoted(folder_to_name(file, whole))));
 }
 
@@ -181,7 +180,7 @@ void Gate::refuse_in_use(const fs::path& file, const fs::path& whole) const {
                fmt::format("this run takes its commands from '{}', and would overwrite it", file.string()),
                "give it another name");
     if (!policy_.permissions.empty() && whole == policy_.permissions)
-        refuse("file-in-use", fmt::format("'{}' says what runs may do, and no run writes it", file.string()),
+        refuse("file-in-use", fmt::format("'{}' holds the permissions of runs, and no run may write it", file.string()),
                "use the command 'kaya allow'");
 }
 
@@ -210,7 +209,7 @@ void Gate::may_write(const fs::path& file) {
         refuse("file-hidden", fmt::format("'{}' is a hidden file, where programs keep their settings", file.string()),
                "give it a name without a point in front; --trust allows it");
     if (is_library_name(whole) && !is_named(file))
-        refuse("file-hidden", fmt::format("'{}' has the name of a library of code", file.string()),
+        refuse("file-hidden", fmt::format("'{}' has the name of a shared library", file.string()),
                "give it another ending than .so; --trust allows it");
     written_.insert(whole);
 }
@@ -241,7 +240,7 @@ fs::path Gate::may_load(const fs::path& file) {
     }
     if (written_.contains(whole))
         refuse("library-not-allowed", fmt::format("joint model {} was written by this run", file.string()),
-               "load it in a run of its own");
+               "load it in a separate run");
     // By the name that is given, as the loader decides. A script of a joint model can do nothing but calculate.
     const bool in_folder = is_below(whole, policy_.libraries), is_script = file.extension() == ".lua";
     if (is_script && !in_folder) may_read(file);

@@ -1,5 +1,5 @@
-// Which files the program may use. Commands, scripts, restore, replay, logs and joint models ask here before they open
-// one, and the door (base/door.hpp) asks for every file again; docs/safety.md says the same in words.
+// Which files the program may use. Commands, scripts, restore, replay, logs and joint models query it before they open one, and the door
+// (base/door.hpp) queries it again for every file; docs/safety.md describes the rules.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -18,7 +18,7 @@ std::filesystem::path resolved(const std::filesystem::path& path);
 /// Whether a file has the name of a shared library: x.so, x.so.1.
 bool is_library_name(const std::filesystem::path& file);
 
-/// For what a file is opened.
+/// The purpose of opening a file.
 enum class Use {
     read,
     write, ///< under a name that a deck, a save file or the user has given
@@ -31,8 +31,8 @@ public:
         std::vector<std::filesystem::path> folders;   ///< files below may be read and written
         std::vector<std::filesystem::path> named;     ///< files that the user named at the start, of any kind
         std::vector<std::filesystem::path> libraries; ///< folders with joint models
-        std::vector<std::filesystem::path> own;       ///< folders of files that the program keeps for itself
-        std::set<std::string> digests;                ///< sha256 of joint models with a permission of their own
+        std::vector<std::filesystem::path> own;       ///< folders of the program's own files
+        std::set<std::string> digests;                ///< sha256 of joint models that are allowed separately
         std::filesystem::path permissions;            ///< the user's list of these: no run writes there
     };
 
@@ -50,7 +50,7 @@ public:
     /// that name leads to.
     std::filesystem::path may_load(const std::filesystem::path& file);
 
-    /// An allowed folder, open, and a path from there without links. Folder -1: the path is opened as it stands.
+    /// An allowed folder, open, and a path from there without links. Folder -1: the path is opened directly.
     struct Route {
         int folder = -1;
         std::filesystem::path below;
@@ -64,7 +64,7 @@ public:
 private:
     bool is_below(const std::filesystem::path& whole, const std::vector<std::filesystem::path>& folders) const;
     bool is_named(const std::filesystem::path& file) const;
-    /// The folders below which a file may lie for that use.
+    /// The folders below which a file may be for that use.
     std::vector<std::filesystem::path> folders_for(Use use) const;
     void refuse_outside(const std::filesystem::path& file, const std::filesystem::path& whole,
                         const std::vector<std::filesystem::path>& folders) const;

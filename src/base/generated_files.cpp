@@ -22,7 +22,7 @@ int write_generated(const std::map<fs::path, std::string>& files, bool check, co
             continue;
         }
         try {
-            door::make_folders(file.parent_path(), Use::own); // what is wrong there, the file will say
+            door::make_folders(file.parent_path(), Use::own); // a failure is reported by the file
             write_whole_file(file.string(), text, Use::own);
         } catch (const Diagnostic& problem) {
             std::cerr << problem.message << '\n';

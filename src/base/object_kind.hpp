@@ -6,7 +6,7 @@
 namespace kaya {
 
 enum class ObjectKind : std::int32_t {
-    // Kinds visible to scripts, under these numbers: handles of objects are in save files.
+    // Kinds that scripts see. The numbers must not change: save files hold handles of objects.
     block,
     gridpoint,
     zone,

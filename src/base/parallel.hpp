@@ -31,7 +31,7 @@ void set_threads(int count);
 int threads();
 
 /// Calls body(first, last) for consecutive chunks of [0, n). The chunks depend on n and grain only,
-/// never on the number of threads, and body must write only to rows of its own chunk.
+/// never on the number of threads, and body must write only to the rows of its chunk.
 /// An exception from body is rethrown here after the loop has ended (the one of the lowest chunk).
 void for_chunks(std::size_t n, std::size_t grain, ChunkBody body);
 

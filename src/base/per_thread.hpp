@@ -1,4 +1,4 @@
-// Memory of which each thread has its own.
+// Memory that each thread has separately.
 #pragma once
 
 #include <oneapi/tbb/enumerable_thread_specific.h>

@@ -24,9 +24,9 @@ namespace {
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
     std::string hint;
     if (error == ENOSPC || error == EDQUOT || error == EFBIG)
-        hint = "make room or write elsewhere; a file of that name from before is as it was";
+        hint = "make room or write elsewhere; an existing file of that name is unchanged";
     else if (error == ENOENT || error == ENOTDIR) hint = "make the folder first";
-    else if (error == EACCES || error == EPERM || error == EROFS) hint = "write to a folder that is yours";
+    else if (error == EACCES || error == EPERM || error == EROFS) hint = "write to a folder of yours";
     else if (error == EISDIR) hint = "give the name of a file";
     throw Diagnostic(fmt::format("cannot write '{}': {}", path, std::strerror(error)), hint, Fault::run);
 }
@@ -48,7 +48,7 @@ bool is_left_over(int descriptor, const std::string& name) {
            ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Removes what killed runs have left in a folder; once for each folder.
+/// Removes the left-overs of killed runs in a folder; once for each folder.
 void sweep(int folder, const std::filesystem::path& path) {
     static std::set<std::tuple<dev_t, ino_t, std::filesystem::path>> swept;
     struct stat info {};
@@ -78,7 +78,7 @@ public:
 
     int number() const { return file_.number(); }
 
-    /// Gives it the name of the target, whose file before is replaced. It is locked until then: see is_left_over.
+    /// Gives it the name of the target and replaces the earlier file. It is locked until then: see is_left_over.
     void take_place_of(const std::string& target) {
         if (name_.empty()) {
             const std::string name = unfinished_name(inode(number())), self = file_.name();

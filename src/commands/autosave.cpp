@@ -33,9 +33,9 @@ void Autosave::find_earlier() {
     const std::string name = file_name();
     std::error_code ignored;
     if (name != written_ && fs::exists(name, ignored))
-        note(session_, fmt::format("an earlier run was cut off and has left '{}'", name),
+        note(session_, fmt::format("an earlier run was cut off and left '{}'", name),
              fmt::format(
-                 "'kaya info {0}' says how far it was, 'restore {0}' goes on from there; this run will replace it",
+                 "'kaya info {0}' says how far it was, 'restore {0}' continues from there; this run will replace it",
                  name));
 }
 
@@ -87,7 +87,7 @@ bool Autosave::into_file(const std::function<void(const std::string&)>& save, st
     } catch (const Diagnostic& problem) {
         if (!std::exchange(complained_, true))
             note(session_, fmt::format("the model could not be kept in '{}': {}", name, problem.message),
-                 "the run goes on");
+                 "the run continues");
         return false;
     }
     written_ = name;
@@ -126,7 +126,7 @@ void Autosave::keep() {
                                    ? ", before the one that failed,"
                                    : fmt::format(", {} cycles before the one that failed,", failed_cycle_ - cycle_);
     note(session_, fmt::format("the model after cycle {}{} is kept in '{}'", cycle_, before, written_),
-         fmt::format("'restore {}' goes on from there", written_));
+         fmt::format("'restore {}' continues from there", written_));
 }
 
 void Autosave::keep_copy() {

@@ -33,7 +33,7 @@ public:
     void saved();
     /// Suspends saving while the model is in a temporary state, for example with raised joint strength.
     void hold(bool on) { held_ += on ? 1 : -1; }
-    /// A cycle has failed half way: the model is unusable, and the state before the cycle is kept instead.
+    /// A cycle has failed midway: the model is unusable, and the state before the cycle is kept instead.
     void step_failed(std::int64_t cycle, const std::string& why) {
         failed_cycle_ = cycle;
         why_ = why;

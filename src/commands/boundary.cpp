@@ -385,7 +385,7 @@ void run(Session& session, const lang::Apply& command) {
             if (model.blocks.deformable[b])
                 throw Diagnostic(
                     fmt::format("block {} is deformable and takes no load as a whole", model.blocks.number[b]),
-                    "load its gridpoints with bound, or take it out of the range")
+                    "load its gridpoints with bound, or exclude it from the range")
                     .at(command.place);
     if (command.at && !blocks.empty()) check_place_of_load(session, command, blocks);
     for (int k = 0; k < components; ++k)

@@ -35,7 +35,7 @@ public:
     std::string deck; ///< file name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
-    Place last_place; ///< of the last command, for errors without a place of their own
+    Place last_place; ///< of the last command, for errors without a place
 
 protected:
     /// Keeps the text of a command for save files.

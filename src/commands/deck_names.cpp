@@ -189,7 +189,7 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
             found.push_back(warning(fmt::format("'{}' is neither a function nor an array", use.name), hint,
                                     "unknown-fish-name", use.place));
         } else if (use.use == line) {
-            found.push_back(warning(fmt::format("'{}' is no function: this line does nothing", use.name), hint,
+            found.push_back(warning(fmt::format("'{}' is not a function: this line does nothing", use.name), hint,
                                     "never-set", use.place));
         } else {
             found.push_back(warning(fmt::format("nothing in this deck sets '{}': it is 0", use.name), hint, "never-set",

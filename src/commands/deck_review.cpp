@@ -119,7 +119,7 @@ void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& co
         const bool arithmetic = begins && word.text.find_first_of("+-*/^", 1) != std::string::npos;
         other_.push_back(doubt(
             fmt::format("'{}' is taken as a text", word.text),
-            arithmetic ? fmt::format("brackets make arithmetic of it: [{}]; quotes say that it is a text", word.text)
+            arithmetic ? fmt::format("brackets make it an expression: [{}]; quotes say that it is a text", word.text)
                        : fmt::format("@{} is the value of that name; quotes say that it is a text", word.text),
             word.place));
     }
@@ -157,7 +157,7 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     }
     if (may_be_written) return;
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
-                 "it is looked for next to the deck and in the current folder");
+                 "it is searched next to the deck and in the current folder");
     d.code = "no-file";
     lang::place_problem(d, lang::classic(), read.place);
     other_.push_back(std::move(d));

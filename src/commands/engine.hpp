@@ -24,7 +24,7 @@ public:
     explicit Engine(WorldHost& host) : world(model, joints, host) {}
     ~Engine();
 
-    /// Call before anything runs. The gate is asked before a library is loaded; `script_memory` in megabytes, 0: no limit of its own.
+    /// Call before anything runs. The gate is queried before a library is loaded; `script_memory` in megabytes, 0: no separate limit.
     void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
                std::size_t script_memory);
 

@@ -107,7 +107,7 @@ void run(Session& session, const lang::Import& command) {
 
 void run(Session& session, const lang::Export& command) {
     if (!is_grid(command.file))
-        throw Diagnostic(fmt::format("'{}' has not the suffix .3dgrid", command.file),
+        throw Diagnostic(fmt::format("'{}' does not have the suffix .3dgrid", command.file),
                          "blocks are written as .3dgrid; `vtk write` makes pictures")
             .at(command.place);
     const auto rows = session.pick(ObjectKind::block, command.range);

@@ -25,13 +25,13 @@ struct Bracket {
 Bracket given_bracket(StrengthTrials& trials, const lang::Solve& command) {
     const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
     if (!trials.stands(bracket.stands))
-        throw Diagnostic(
-            fmt::format("the model fails with its strength divided by {:.6g}, where it should stand", bracket.stands),
-            "give a smaller first number after bracket")
+        throw Diagnostic(fmt::format("the model fails with its strength divided by {:.6g}, where it should be stable",
+                                     bracket.stands),
+                         "give a smaller first number after bracket")
             .at(command.place);
     if (trials.stands(bracket.fails))
         throw Diagnostic(
-            fmt::format("the model stands with its strength divided by {:.6g}, where it should fail", bracket.fails),
+            fmt::format("the model is stable with its strength divided by {:.6g}, where it should fail", bracket.fails),
             "give a greater second number after bracket")
             .at(command.place);
     return bracket;
@@ -157,8 +157,8 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     } else {
         factor = 0.5 * (bracket.stands + bracket.fails);
         session.output.say(
-            fmt::format("factor of safety: {:.4g}, between {:.6g}, where it stands, and {:.6g}, where it fails", factor,
-                        bracket.stands, bracket.fails));
+            fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+                        factor, bracket.stands, bracket.fails));
     }
 }
 

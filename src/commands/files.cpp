@@ -91,7 +91,7 @@ void refuse_missing_functions(Session& session, const Model& model, const std::s
         if (session.scripts->knows(name)) return;
         throw Diagnostic(
             fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
-            "a script that restores a model goes on with its own functions: define it before, or restore on a line of the deck",
+            "a script that restores a model continues with its own functions: define it before, or restore on a line of the deck",
             Fault::run);
     };
     for (const History& history : model.histories.all)
@@ -101,7 +101,7 @@ void refuse_missing_functions(Session& session, const Model& model, const std::s
         if (function.kind == TimeFunction::Kind::script) find(function.script, "a boundary condition");
 }
 
-/// The scripts of a file with its model, which is given back when they cannot be had.
+/// Restores the scripts of a file with its model; the previous model is restored when that fails.
 void restore_scripts(Session& session, Model& model, const script::ScriptState& scripts) {
     const script::ScriptState scripts_before = session.scripts->state();
     std::swap(session.model, model);
@@ -181,7 +181,7 @@ void run(Session& session, const lang::Restore& command) {
     if (!extras.missing.empty())
         session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
                                       extras.program_version, fmt::join(extras.missing, ", ")),
-                          "they are as in a new model");
+                          "they have the values of a new model");
     session.property_places.clear();
     session.make_cycle();
     session.autosave.saved();
@@ -210,7 +210,7 @@ void run(Session& session, const lang::VtkWrite& command) {
 }
 
 void run(Session& session, const lang::Ignored& command) {
-    session.note_once(fmt::format("'{}' is read and left out", command.word), command.instead);
+    session.note_once(fmt::format("'{}' is read and ignored", command.word), command.instead);
 }
 
 void add_handlers(HandlerTable& table, lang::FileCommands list) { fill(table, list); }

@@ -15,7 +15,8 @@ void GivenProperties::give(const std::string& name, double value, const Place& p
     std::vector<std::string> words;
     for (std::string word; stream >> word;) words.push_back(word);
     const auto refuse = [&] {
-        throw Diagnostic(fmt::format("'{}' is no name of a property", name), "write 'prop 1 jfric' or 'jmodel jfric'")
+        throw Diagnostic(fmt::format("'{}' is not the name of a property", name),
+                         "write 'prop 1 jfric' or 'jmodel jfric'")
             .at(place);
     };
     std::int64_t number = of_jmodel;

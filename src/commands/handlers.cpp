@@ -9,7 +9,7 @@ namespace kaya {
 
 namespace {
 
-/// Commands that compute with shapes, or keep the model for later: not of a model of which a run has diverged.
+/// Commands that compute with shapes, or store the model: refused after a run has diverged.
 using NeedBoundedModel =
     lang::CommandList<lang::Save, lang::VtkWrite, lang::PolyTunnel, lang::JointSetCommand, lang::TunnelCommand,
                       lang::CutGround, lang::Densify, lang::Join, lang::JoinContact, lang::Import, lang::Export,
@@ -43,7 +43,7 @@ void run_command(Session& session, const lang::BoundCommand& command) {
 
 void put_off(Session& session, std::function<void()> change) {
     const auto carry_out = [&session, change = std::move(change)] {
-        require_bounded(session.model); // the cycle has gone on since
+        require_bounded(session.model); // the cycle has changed the model since
         change();
     };
     session.deferred.emplace_back(session.interpreter.current_place(), carry_out);

@@ -68,7 +68,7 @@ void warn_of_far_place(Session& session, const History& history, const Place& wo
     Diagnostic warning(fmt::format("{} is {} away from {}: history {} records what is at {}", object->name,
                                    number_text(object->distance), place_text(history.source.place), history.number,
                                    place_text(object->place)),
-                       "look at the place, or take the history out: hist delete");
+                       "check the place, or delete the history: hist delete");
     warning.code = "far-away";
     session.warn(warning.at(word));
 }
@@ -78,7 +78,7 @@ History& history_of(Session& session, std::int64_t number, const Place& place) {
     const auto found = std::ranges::find(all, number, &History::number);
     if (found != all.end()) return *found;
     throw Diagnostic(fmt::format("there is no history {}", number),
-                     all.empty() ? "none has been made" : fmt::format("the last one is {}", all.back().number))
+                     all.empty() ? "there are none" : fmt::format("the last one is {}", all.back().number))
         .at(place);
 }
 

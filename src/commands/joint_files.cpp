@@ -35,7 +35,7 @@ void compare(Session& session, const JointModel& model, const JointFile& saved) 
     Diagnostic warning(
         fmt::format("joint model '{}' in {} is not the one that the model was saved with", model.name,
                     model.file.string()),
-        fmt::format("what was saved had {}; look whether the file was built again, or is another one", saved.path));
+        fmt::format("the saved one had {}; check whether the file was built again, or is a different one", saved.path));
     warning.add(fmt::format("sha256 {} then, {} now", saved.digest.substr(0, shown),
                             now.empty() ? "none" : now.substr(0, shown)));
     warning.code = "joint-model-other-file";
@@ -72,8 +72,7 @@ std::vector<JointFile> joint_files_from_text(const std::string& text) {
         words.get();
         std::getline(words, file.path);
         if (!is_digest(file.digest) || file.path.empty() || file.path.front() != '/')
-            throw Diagnostic("the save file does not say well where its joint models were", "the file was changed",
-                             Fault::run);
+            throw Diagnostic("the save file has invalid paths of joint models", "the file was changed", Fault::run);
         files.push_back(std::move(file));
     }
     return files;
@@ -108,7 +107,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
             throw Diagnostic(
                 fmt::format("{} holds joint model '{}' now, and held '{}' when the model was saved", file.string(),
                             model.name, name),
-                fmt::format("bring the file back whose sha256 begins with {}", saved->digest.substr(0, shown)),
+                fmt::format("restore the file whose sha256 begins with {}", saved->digest.substr(0, shown)),
                 Fault::run);
         return model;
     }
@@ -119,12 +118,10 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
     } catch (const Diagnostic& unknown) {
         if (unknown.code != "joint-model-unknown") throw;
     }
-    Diagnostic error(
-        fmt::format("joint model '{}' of the save file is not there", name),
-        "bring the file back; one that was built again is taken when it is loaded before: jmodel load FILE",
-        Fault::run);
+    Diagnostic error(fmt::format("joint model '{}' of the save file is not there", name),
+                     "restore the file; a rebuilt one is used if it is loaded before: jmodel load FILE", Fault::run);
     for (const auto& line : tried) error.add(line);
-    error.add(fmt::format("looked for {}.so and {}.lua in the folders of joint models", name, name));
+    error.add(fmt::format("searched {}.so and {}.lua in the folders of joint models", name, name));
     error.add(fmt::format("the sha256 of its file began with {}", saved->digest.substr(0, shown)));
     error.code = "joint-model-unknown";
     throw error;

@@ -12,14 +12,14 @@ struct JointFile {
     std::string model, digest, path; ///< name of the joint model, sha256 of its file, absolute path
 };
 
-/// Of the joint models that joints of the model have now or had.
+/// The files of joint models that joints of the model use or have used.
 std::vector<JointFile> joint_files(Session& session);
 
 /// Written as a part of a save file, one line each, and read back. Throws Diagnostic for other text.
 std::string joint_files_text(const std::vector<JointFile>& files);
 std::vector<JointFile> joint_files_from_text(const std::string& text);
 
-/// The joint model of that name: the loaded one, else the file recorded in the save or beside it, if it is identical, else found by name.
+/// The joint model of that name: the loaded one, else the recorded file, or one next to the save, if it is identical, else found by name.
 /// Warns when the file differs. Throws Diagnostic that lists the places searched.
 const JointModel& find_saved_model(Session& session, const std::string& name, const std::vector<JointFile>& files,
                                    const std::string& save_file);

@@ -75,9 +75,9 @@ std::string recorded_name(Engine& engine, const std::string& name, const Vec3& p
         names.push_back(value.name);
     }
     const auto near = did_you_mean(name, {names.begin(), names.end()});
-    throw Diagnostic(fmt::format("a sub-contact of joint model '{}' has no '{}' of its own", joint->name, name),
+    throw Diagnostic(fmt::format("a sub-contact of joint model '{}' has no separate '{}'", joint->name, name),
                      !near.empty()   ? fmt::format("did you mean '{}'?", near)
-                     : names.empty() ? "its properties are those of the deck: it keeps nothing besides"
+                     : names.empty() ? "its properties are those of the deck: it has no separate values"
                                      : fmt::format("it has: {}", fmt::join(names, ", ")),
                      Fault::run);
 }

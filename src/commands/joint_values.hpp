@@ -26,7 +26,7 @@ std::string recorded_name(Engine& engine, const std::string& name, const Vec3& p
 /// The value requested by a history as "jmodel_ds of 5", 5 being a row; nullopt for any other text.
 std::optional<double> recorded_own_value(Engine& engine, const std::string& asked);
 
-/// All of them, in the order history, fields, properties. The joint model must outlive them.
+/// All values, in the order history, fields, properties. The joint model must outlive them.
 std::vector<JointValue> joint_values(const JointModel& joint);
 
 } // namespace kaya

@@ -65,7 +65,7 @@ struct Record {
 };
 
 [[noreturn]] void fail_damaged(const std::string& file, std::size_t line) {
-    throw Diagnostic(fmt::format("line {} of '{}' is no line of a journal", line, file),
+    throw Diagnostic(fmt::format("line {} of '{}' is not a line of a journal", line, file),
                      "the file was changed, or is not a journal");
 }
 
@@ -143,8 +143,7 @@ Record read_record(const std::string& file) {
 void compare(Session& session, const std::vector<FileNote>& notes, const char* what) {
     for (const auto& [digest, name] : notes) {
         if (digest_of(name) == digest) continue;
-        Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name),
-                           "the results may be others");
+        Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name), "the results may differ");
         warning.severity = Severity::warning;
         session.output.message(warning);
     }
@@ -167,10 +166,10 @@ Journal::~Journal() { session_.forget(*this); }
 
 void Journal::write(const std::string& text) {
     if (failed_) return;
-    // Not kept back: what was done is to be known after a crash as well.
+    // Written at once: after a crash the journal must hold the commands that ran.
     if (opened_ && write_all(opened_.number(), text)) return;
     failed_ = true;
-    Diagnostic note(fmt::format("the journal '{}' cannot be written", file_), "the run goes on without it");
+    Diagnostic note(fmt::format("the journal '{}' cannot be written", file_), "the run continues without it");
     note.severity = Severity::note;
     session_.output.message(note);
 }
@@ -205,8 +204,9 @@ namespace {
 /// Repeats a command that was cut off, up to the same point.
 void repeat_unfinished(Session& session, const Piece& piece) {
     if (piece.completion.how == Completion::How::cut_off) {
-        Diagnostic warning("a command that was stopped inside of a script is left out: nobody can stop it there again",
-                           "the results may be others");
+        Diagnostic warning(
+            "a command that was stopped inside of a script is left out: it cannot be stopped there again",
+            "the results may differ");
         warning.severity = Severity::warning;
         const auto source = lang::source_from_text(piece.source, piece.text, piece.line);
         return session.output.message(warning.at({source, piece.line, 1, 1}));
@@ -246,8 +246,8 @@ int replay_journal(Session& session, const std::string& file) {
         session.output.print(fmt::format("replayed: the same final state, hash {}", hash));
         return 0;
     }
-    throw Diagnostic(fmt::format("the final state is another one: hash {} and in the journal {}", hash, record.hash),
-                     {}, Fault::run);
+    throw Diagnostic(fmt::format("the final state differs: hash {} and in the journal {}", hash, record.hash), {},
+                     Fault::run);
 }
 
 } // namespace kaya

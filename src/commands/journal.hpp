@@ -18,7 +18,7 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Sets the next deck; files that it reads are searched beside it.
+    /// Sets the next deck; files that it reads are searched in its folder.
     void deck(const std::string& name);
     /// The end: joint models and files that were used with digests of their contents, and the final state.
     void finish();

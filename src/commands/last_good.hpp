@@ -12,7 +12,7 @@ namespace kaya {
 
 class Session;
 
-/// A cycle that fails half way leaves an unusable model. So the session is copied from time to time while it cycles, and after a failure
+/// A cycle that fails midway leaves an unusable model. So the session is copied from time to time while it cycles, and after a failure
 /// the copy runs up to the cycle before: with the same bits, since cycles depend on the model only. Copies take at most a hundredth of the
 /// time; the cycles in between are repeated once after a failure.
 class LastGood {

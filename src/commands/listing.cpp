@@ -244,15 +244,14 @@ std::string list_energy(Session& session, const lang::List&) {
                                                      {"work of the boundary", e.boundary},
                                                      {"damped", e.damped},
                                                      {"stored in joints", e.joint_stored()},
-                                                     {"lost in slip and breaking", e.joint_friction},
-                                                     {"lost where touches change", e.joint_lost},
-                                                     {"put into zones", e.zone_work},
-                                                     {"made by changes of the time step", e.step_made},
-                                                     {"not accounted for", e.error()}};
+                                                     {"lost in slip and failure", e.joint_friction},
+                                                     {"lost in contact updates", e.joint_lost},
+                                                     {"work on zones", e.zone_work},
+                                                     {"time-step changes", e.step_made},
+                                                     {"residual", e.error()}};
     if (session.model.structures.any())
-        rows.insert(
-            rows.end() - 2,
-            {session.model.structures.members.empty() ? "put into cables" : "put into structures", e.structure_work});
+        rows.insert(rows.end() - 2, {session.model.structures.members.empty() ? "work on cables" : "work on structures",
+                                     e.structure_work});
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
 }

@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-/// What `list blocks`, ..., shows. A long table ends after `longest_table` rows and says so.
+/// Output of `list blocks`, ... A long table ends after `longest_table` rows with a note.
 inline constexpr std::size_t longest_table = 100;
 
 std::string list_blocks(Session&, const lang::List&);

@@ -52,7 +52,7 @@ std::string none_text(const lang::List& command, ObjectKind kind) {
     return fmt::format("no {}{}", info_of(kind).plural, command.range.place ? " in range" : "");
 }
 
-/// Of all rows in range.
+/// The table of all rows in range.
 std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
                       const std::vector<ListColumn>& columns) {
     const std::vector<Row> rows = shown_rows(session, command, kind);

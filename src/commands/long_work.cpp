@@ -13,7 +13,7 @@ void LongWork::operator()(double done) {
     try {
         session_.stop_if_interrupted();
     } catch (Diagnostic& stop) {
-        stop.add("the model is as it was before this command");
+        stop.add("the model is in its state before this command");
         throw;
     }
     constexpr int stride = 16; // steps between two checks of the clock

@@ -19,7 +19,7 @@ std::string whole_property_word(std::string_view word);
 /// Zone models of blocks with zones, of that material or of any.
 std::set<std::string> zone_models_in_use(const Model& model, std::optional<std::int32_t> material = {});
 
-/// Rows of Model::joint_properties that joints use; others remain from earlier commands. Ties are no joints.
+/// Rows of Model::joint_properties that joints use; others remain from earlier commands. Ties are not joints.
 std::set<Row> property_sets_in_use(const Model& model);
 
 } // namespace kaya

@@ -140,7 +140,7 @@ SlopeSection section_of(Model& model, JointRegistry& laws, const SectionPlane& p
     }
     if (!any_strength && section.joints.empty() && !section.cells.empty())
         throw Diagnostic("nothing in the section has a strength",
-                         "give the rock one, e.g. `prop mat 1 bcoh 3e4 bfric 20`, and the joints theirs");
+                         "give the rock and the joints a strength, e.g. `prop mat 1 bcoh 3e4 bfric 20`");
     if (model.settings.water != Water::none)
         section.pore_pressure = [water = WaterPressure(model), plane](const SectionPoint& at) {
             return water.at(plane.place(at));

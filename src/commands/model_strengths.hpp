@@ -9,12 +9,12 @@
 
 namespace kaya {
 
-/// Of a block: Mohr-Coulomb by `cohesion` and `friction` of its zone model, Hoek-Brown by `constant-sci` and so on; for elastic zones and
-/// rigid blocks by cohesion and friction of the material. None without a strength.
+/// Strength of a block: Mohr-Coulomb by `cohesion` and `friction` of its zone model, Hoek-Brown by `constant-sci` and so on; for elastic
+/// zones and rigid blocks by cohesion and friction of the material. None without a strength.
 std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, Row block);
 
-/// Of a contact: Barton by `jrco` and `jcso`, scaled to the length of the joint; else Coulomb by `friction` and `cohesion` of its joint
-/// model. None when properties that it must have are missing, or its joint model has none of these.
+/// Strength of a contact: Barton by `jrco` and `jcso`, scaled to the length of the joint; else Coulomb by `friction` and `cohesion` of its
+/// joint model. None when required properties are missing, or its joint model has none of these.
 std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, Row contact);
 
 } // namespace kaya

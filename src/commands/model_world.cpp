@@ -26,7 +26,7 @@ FieldValue field_value(const Value& value, const Field& field) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* vector = std::get_if<Vec3>(&value)) return *vector;
-    throw Diagnostic(fmt::format("'{}' cannot take a value of this kind", field.name),
+    throw Diagnostic(fmt::format("'{}' does not accept a value of this kind", field.name),
                      "give a number, a vector or a text", Fault::run);
 }
 
@@ -239,7 +239,7 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
     if (how == "min" || how == "minimum") return low;
     if (how == "max" || how == "maximum") return high;
     if (how == "mean" || how == "average") return sum / rows;
-    throw Diagnostic(fmt::format("'{}' is not a way to reduce a field", how), "use sum, mean, minimum or maximum",
+    throw Diagnostic(fmt::format("'{}' is not a reduction of a field", how), "use sum, mean, minimum or maximum",
                      Fault::run);
 }
 

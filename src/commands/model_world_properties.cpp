@@ -27,14 +27,14 @@ bool ModelWorld::in_range(const std::string& name, const std::variant<script::Ha
     if (const auto* object = std::get_if<script::Handle>(&what)) {
         const auto kind = static_cast<ObjectKind>(object->table);
         if (kind == ObjectKind::corner)
-            throw Diagnostic("'in_range' needs an object, not a place in the list of a face", "use vl_gp", Fault::run);
+            throw Diagnostic("'in_range' needs an object, not an entry in the list of a face", "use vl_gp", Fault::run);
         const Row row = living_row(*object);
         return test_of(name, kind)(model_, kind, row);
     }
     // A place is tested as a gridpoint at that place.
     const RangeTest& test = test_of(name, ObjectKind::gridpoint);
     if (host_.asks_for_objects(*host_.range_phrase(name)))
-        throw Diagnostic(fmt::format("the range '{}' asks for more than a place", name), "give a pointer to an object",
+        throw Diagnostic(fmt::format("the range '{}' needs more than a place", name), "give a pointer to an object",
                          Fault::run);
     Model only;
     only.gridpoints.resize(1);
@@ -116,7 +116,7 @@ void ModelWorld::set_property(const Owner& owner, const std::string& name, doubl
     const auto& object = std::get<script::Handle>(owner);
     const Row row = living_row(object);
     if (object.table == script_table(ObjectKind::sub_contact) && set_own_value(row, name, value)) return;
-    throw Diagnostic(fmt::format("'{}' belongs to all that has this material", name),
+    throw Diagnostic(fmt::format("'{}' belongs to all objects with this material", name),
                      "set it by a command: jmodel, prop jmat or prop mat", Fault::run);
 }
 
@@ -156,11 +156,10 @@ script::Value ModelWorld::object_property(const script::Handle& object, const st
         host_.note(
             kind == ObjectKind::sub_contact
                 ? fmt::format(
-                      "'{}' of joint model '{}' is what the deck gave: the model keeps its own for each sub-contact, and does "
-                      "not show it",
+                      "'{}' of joint model '{}' is what the deck gave: the model has its own for each sub-contact, and does not return it",
                       name, joint.name)
                 : fmt::format(
-                      "'{}' of a contact is what the deck gave; joint model '{}' keeps its own for each sub-contact",
+                      "'{}' of a contact is what the deck gave; joint model '{}' has its own for each sub-contact",
                       name, joint.name));
     const double value = set.values[*found];
     return std::isnan(value) ? 0.0 : value;

@@ -36,7 +36,7 @@ MovieLine read_movie_line(const std::vector<lang::Plot::Item>& words) {
             std::int64_t number = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
             if (error != std::errc() || end != text.data() + text.size() || number < 1)
-                throw Diagnostic(fmt::format("'{}' is no number of cycles", text),
+                throw Diagnostic(fmt::format("'{}' is not a number of cycles", text),
                                  "write for example: movie on interval 200");
             line.interval = number;
         } else line.unknown.push_back(words[i].text);
@@ -71,7 +71,7 @@ void run(Session& session, const lang::Movie& command) {
     try {
         const MovieLine line = read_movie_line(words);
         if (!line.unknown.empty())
-            session.note_once(fmt::format("movie leaves '{}' out", fmt::join(line.unknown, " ")),
+            session.note_once(fmt::format("movie ignores '{}'", fmt::join(line.unknown, " ")),
                               "docs/commands/movie.md lists what it reads");
         auto& plots = session.plots;
         if (!line.on) return plots.movies.clear();

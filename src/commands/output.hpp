@@ -50,7 +50,7 @@ public:
     void stop_log();
     bool logging() const { return static_cast<bool>(log_); }
 
-    /// While it exists, printed text is captured. Text that is not taken is printed in the end.
+    /// While it exists, printed text is captured. Text that is not taken is printed at the end.
     class Caught {
     public:
         explicit Caught(Output& output) : output_(output), outer_(std::exchange(output.caught_, &text_)) {}

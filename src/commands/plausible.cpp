@@ -39,7 +39,7 @@ void doubt_angles(Session& session, const std::vector<lang::Property::Item>& ite
         if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word))
             continue;
         const double degrees = item.value * 180 / std::numbers::pi;
-        session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is next to nothing", item.word,
+        session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is nearly 0", item.word,
                                        number_text(item.value)),
                            fmt::format("as radians it would be {} degrees, as a coefficient {}",
                                        number_text(std::round(degrees * 10) / 10),
@@ -68,7 +68,7 @@ void doubt_densities(Session& session) {
     constexpr double most = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
     for (const auto& [number, material] : session.model.materials) {
         if (!(material.density > most)) continue;
-        const std::string message = fmt::format("material {} has a density of {}: nothing is that heavy", number,
+        const std::string message = fmt::format("material {} has a density of {}: no material is that heavy", number,
                                                 number_text(material.density));
         if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
     }
@@ -82,9 +82,9 @@ void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
 void doubt_damping(Session& session, const lang::Damp& command) {
     using enum lang::Damp::Kind;
     if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
-        session.warn(doubt(
-            fmt::format("a damping factor of {} takes all force away from what moves", number_text(*command.value)),
-            "0.8 is usual"));
+        session.warn(
+            doubt(fmt::format("a damping factor of {} takes all force from moving bodies", number_text(*command.value)),
+                  "0.8 is usual"));
 }
 
 void doubt_empty_model(Session& session, const Place& place) {

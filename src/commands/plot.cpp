@@ -172,7 +172,7 @@ Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
 Chart chart_of(Session& session, const PlotView& view) {
     if (const auto net = std::ranges::find(view.items, PlotItem::Kind::net, &PlotItem::kind); net != view.items.end()) {
         if (view.items.size() > 1)
-            throw Diagnostic("a net is a picture of its own", "write a second plot line for the rest");
+            throw Diagnostic("a net needs a separate picture", "write a second plot line for the rest");
         return net_of(session, view, *net);
     }
     Chart chart;
@@ -295,7 +295,7 @@ void run(Session& session, const lang::Plot& command) {
     auto& plots = session.plots;
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())
-        session.note_once(fmt::format("plot leaves '{}' out", fmt::join(line.unknown, " ")),
+        session.note_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
                           "docs/commands/plot.md lists what it draws");
     switch (line.task) {
     case PlotLine::Task::draw: {

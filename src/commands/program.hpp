@@ -26,7 +26,7 @@ struct Options {
     bool quiet = false;                               ///< results and messages only
     bool echo = false;                                ///< each command is shown before it runs
     bool trust = false;                               ///< scripts may use the whole of Lua: files, other programs
-    std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no limit of its own
+    std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no separate limit
     std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
 };
 
@@ -64,9 +64,9 @@ public:
     void tell_cycled() const;
     bool any_listener_reads() const;
 
-    /// Shows a warning that has its place; under `--strict` throws it as an error.
+    /// Shows a warning whose place is set; under `--strict` throws it as an error.
     void show_warning(Diagnostic warning);
-    /// Shows a note that has its place.
+    /// Shows a note whose place is set.
     void show_note(Diagnostic note);
 
     /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.

@@ -9,7 +9,7 @@ namespace {
 /// Each `{}` stands for the next value.
 struct Wording {
     std::string_view hint;
-    std::string_view message = {}; ///< empty: as it is
+    std::string_view message = {}; ///< empty: unchanged
 };
 
 Wording wording_of(Advice advice) {

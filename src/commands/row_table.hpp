@@ -30,7 +30,7 @@ std::string value_text(const Model& model, const FieldValue& value);
 
 class RowTable {
 public:
-    /// The model must live as long.
+    /// The model must outlive it.
     RowTable(const Model& model, ObjectKind kind, const std::vector<ListColumn>& columns);
 
     void add(Row row);

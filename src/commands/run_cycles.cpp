@@ -75,7 +75,7 @@ private:
     std::optional<Cycle::Unwatched> unwatched_;
 };
 
-/// Joined blocks are all zoned or all rigid; during construction they may be zoned one after the other.
+/// Joined blocks are all zoned or all rigid; during construction they may be zoned in turn.
 void refuse_half_zoned(const Model& model) {
     const auto& blocks = model.blocks;
     std::map<std::int32_t, Row> bodies;
@@ -97,7 +97,7 @@ void make_ready(Session& session) {
     check_time_functions(session);
     session.joints.tables().refresh();
     session.cycle->prepare();
-    if (settle_forces(session)) session.cycle->prepare(); // forces are gathered anew
+    if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
 }
 
 /// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.

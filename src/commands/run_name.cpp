@@ -41,11 +41,11 @@ Lock locked(const fs::path& file) {
         const bool same =
             ::fstat(lock.file.number(), &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
         if (same) return lock;
-        // Else the run before has taken it away in this moment.
+        // Otherwise the run before has just removed it.
     }
 }
 
-/// A lock is empty: a file that somebody has written into stays.
+/// A lock is empty: a file with content is kept.
 bool is_empty(const Descriptor& file) {
     struct stat info {};
     return ::fstat(file.number(), &info) == 0 && info.st_size == 0;

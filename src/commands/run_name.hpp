@@ -21,7 +21,7 @@ public:
     struct Taken {
         std::string name;
         bool is_new;   ///< it was not held before
-        bool by_other; ///< the plain name belongs to a run that is going on
+        bool by_other; ///< the plain name belongs to a run in progress
     };
     /// `stem`, or stem-2, stem-3, ... where another run has it. Where no lock can be made the plain name.
     Taken take(const std::string& stem);

@@ -198,7 +198,7 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
                        : hidden > 0 ? fmt::format("all {} are hidden", things)
                                     : fmt::format("there are no {}", things);
     std::string hint = "the command has no effect";
-    if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were not looked at", hidden, things);
+    if (tested > 0 && hidden > 0) hint += fmt::format("; {} hidden {} were ignored", hidden, things);
     warn(Diagnostic(std::move(text), std::move(hint)).at(range.place));
     return rows;
 }
@@ -236,7 +236,7 @@ std::string Session::run_name() {
     const std::string stem = stem_of_deck(deck);
     const auto taken = names_.take(stem);
     if (taken.is_new && taken.by_other) {
-        Diagnostic note(fmt::format("another run of '{}' is going on in this folder", stem),
+        Diagnostic note(fmt::format("another run of '{}' is running in this folder", stem),
                         fmt::format("the journal and the autosave of this one are called '{}'", taken.name));
         show_note(note);
     }

@@ -19,9 +19,9 @@ void warn_of_overlaps(Session& session, Row first, const Place& place) {
         if (other == no_row) continue;
         session.said_once.insert(once);
         return session.warn(
-            Diagnostic(fmt::format("block {} stands where block {} is already", model.blocks.number[row],
+            Diagnostic(fmt::format("block {} is in the place of block {}", model.blocks.number[row],
                                    model.blocks.number[other]),
-                       "what overlaps now carries no force; said once, `list blocks quality` shows all such pairs")
+                       "the overlap carries no force; reported once, `list blocks quality` shows all such pairs")
                 .at(place));
     }
 }
@@ -89,13 +89,13 @@ void run(Session& session, const lang::PolyFace& command) {
         constexpr const char* clockwise = "give the corners of all faces clockwise seen from outside";
         if (solid.turned_faces > 0)
             session.warn(
-                Diagnostic(fmt::format("{} of the {} faces {} the other way round than the first, and {} turned",
+                Diagnostic(fmt::format("{} of the {} faces {} in the opposite direction to the first, and {} reversed",
                                        solid.turned_faces, loops.size(), solid.turned_faces == 1 ? "runs" : "run",
                                        solid.turned_faces == 1 ? "was" : "were"),
                            clockwise)
                     .at(command.place));
         if (solid.anticlockwise)
-            session.note_once("the polyhedron is inside out, and was turned: its faces run anticlockwise seen from "
+            session.note_once("the polyhedron is inside out, and was reversed: its faces run anticlockwise seen from "
                               "outside",
                               clockwise);
         return solid;

@@ -36,11 +36,11 @@ void tell_rest(Session& session, const RestMonitor& monitor, bool still, const P
     const auto moving = monitor.moving();
     if (!moving) return;
     session.warn(
-        Diagnostic(fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
-                               body_text(session.model, *moving), number_text(moving->speed),
-                               number_text(moving->gained)),
-                   still ? "look at what holds it, or let the run go on: more cycles"
-                         : "a ratio does not see one body among many: with `still` the run goes on until nothing moves")
+        Diagnostic(
+            fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
+                        body_text(session.model, *moving), number_text(moving->speed), number_text(moving->gained)),
+            still ? "check its supports, or run more cycles"
+                  : "a ratio hardly shows one body among many: with `still` the run continues until no body moves")
             .at(place));
 }
 

@@ -109,7 +109,7 @@ void StrengthTrials::keep_end(const Outcome& outcome, double factor, const std::
                                     outcome.at_rest ? "stands" : "fails", counted(outcome.cycles, "cycle"),
                                     session_.model.clock.average_ratio,
                                     outcome.moving    ? "; " + body_text(session_.model, *outcome.moving) + " moves on"
-                                    : outcome.goes_on ? "; it moves on and does not slow down"
+                                    : outcome.goes_on ? "; it keeps moving and does not slow down"
                                                       : ""));
     if (!outcome.at_rest && !file_.empty()) save_as(session_, file_);
     if (outcome.at_rest) {
@@ -256,7 +256,7 @@ void StrengthTrials::check_strengths(const Place& place) {
         any = any || (can_be_reduced(zones) && asked_(Reduced::zones));
         if (asked_(Reduced::zones) && zones.flows() && !can_be_reduced(zones))
             session_.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
-                                     "its strength stays as it is in all trials")
+                                     "its strength is unchanged in all trials")
                               .at(place));
     }
     if (!any)
@@ -267,7 +267,7 @@ void StrengthTrials::check_strengths(const Place& place) {
             .at(place);
     if (!without.empty())
         session_.warn(Diagnostic(fmt::format("joint model '{}' has no friction, cohesion or tension", without),
-                                 "its strength stays as it is in all trials")
+                                 "its strength is unchanged in all trials")
                           .at(place));
 }
 

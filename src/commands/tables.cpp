@@ -21,7 +21,7 @@ public:
         const auto text = file_text(path);
         if (!text)
             throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
-                             "look at the name; it is looked for next to the deck and in the current folder");
+                             "check the name; it is searched next to the deck and in the current folder");
         std::istringstream in(*text);
         for (std::string line; std::getline(in, line);) {
             if (line.ends_with('\r')) line.pop_back();
@@ -73,21 +73,21 @@ private:
     }
 
     double number(const std::string& what) {
-        if (word_.empty()) fail(fmt::format("the file ends where {} must be", what));
+        if (word_.empty()) fail(fmt::format("the file ends before {}", what));
         std::string_view digits = word_;
         if (digits.starts_with('+')) digits.remove_prefix(1);
         double value = 0;
         last_line_ = word_line_;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-            fail(fmt::format("'{}' stands where {} must be", word_, what));
+            fail(fmt::format("expected {}, found '{}'", what, word_));
         next_word();
         return value;
     }
 
     [[noreturn]] void fail(const std::string& message) const {
         throw Diagnostic(fmt::format("{}, line {}: {}", name_, word_.empty() ? lines_.size() : last_line_, message),
-                         "the table is as it was");
+                         "the table is unchanged");
     }
 
     std::string name_;

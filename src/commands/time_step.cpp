@@ -112,7 +112,7 @@ void warn_of_long_step(Session& session) {
     session.said_once.insert("long step");
     Diagnostic d(
         fmt::format("the time step {:.6g} is longer than {:.6g}, up to which it is surely stable", given, stable),
-        "it is taken, since the highest frequency is estimated to be low enough; the run stops when the account of energy "
+        "it is used, since the highest frequency is estimated to be low enough; the run stops when the account of energy "
         "shows that it is not");
     d.add(session.cycle->time_step_report());
     session.warn(d);

@@ -20,13 +20,13 @@ const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& com
     }
 }
 
-/// Removed rock: `zone model null` takes its blocks out, as `excavate` does.
+/// Removed rock: `zone model null` removes its blocks, as `excavate` does.
 constexpr std::string_view no_rock = "null";
 
 void take_out(Session& session, const lang::ZoneModelCommand& command, const std::vector<Row>& blocks) {
     if (!command.items.empty())
         throw Diagnostic(fmt::format("zone model {} has no property '{}'", no_rock, command.items.front().word),
-                         "it means that nothing is there: leave the properties away")
+                         "it means that nothing is there: omit the properties")
             .at(command.items.front().place);
     if (blocks.empty()) return;
     excavate_blocks(session.model, blocks);

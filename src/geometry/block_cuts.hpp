@@ -1,4 +1,4 @@
-// Cutting many blocks by other means than a joint set: a tunnel outline, or into equal parts.
+// Cuts many blocks without a joint set: by a tunnel outline, or into equal parts.
 #pragma once
 
 #include "geometry/joint_set.hpp"

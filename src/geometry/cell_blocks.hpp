@@ -19,10 +19,10 @@ struct CellBlock {
 };
 
 /// Grids for the blocks with six faces of four corners; other entries of the result are empty. Opposite edges of a face of such a block
-/// have equal divisions and one direction, and so have the edges opposite to these in the next block, and so on, as long as the cells stay
-/// near the requested size: the mean of their parts gives the number, the lowest edge the direction, which continues through a face into
-/// the next block. Diagonals of faces run from the start of both directions to the end of both, so they are the same on both sides; since
-/// directions continue, gridpoints of a row have equal shares of the faces around them. `numbers` are those of the blocks' vertices,
+/// have equal divisions and one direction. So have the edges opposite to these in the next block, and so on, as long as the cells stay near
+/// the requested size. The mean of their parts gives the number of divisions. The lowest edge gives the direction, which continues through a
+/// face into the next block. Diagonals of faces run from the start of both directions to the end of both, so they are the same on both
+/// sides. Since directions continue, gridpoints of a row have equal shares of the faces around them. `numbers` are those of the blocks' vertices,
 /// `given` the divisions of edges that are divided already. The result does not depend on the order of the blocks.
 std::vector<std::optional<CellBlock>> cell_blocks(const std::vector<Polyhedron>& blocks,
                                                   const std::vector<std::vector<int>>& numbers,

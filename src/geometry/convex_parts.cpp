@@ -1,7 +1,7 @@
 // A concave solid as convex parts.
 //
 // The faces are sorted into a tree of half spaces (binary space partition: Fuchs, Kedem and Naylor 1980;
-// Thibault and Naylor 1987 for solids): the plane of one face splits both the space at hand, a convex
+// Thibault and Naylor 1987 for solids): the plane of one face splits both the present space, a convex
 // polyhedron, and the other faces; where no face is left, the space is inside or outside as the last
 // plane says. All pieces are convex all the way, so the cutting of convex polyhedra with its tolerance
 // does the whole work.
@@ -174,7 +174,7 @@ std::vector<Polyhedron> convex_parts(const Surface& surface) {
     constexpr std::size_t most_faces = 5000;
     if (surface.faces.size() > most_faces)
         throw Diagnostic(
-            fmt::format("the concave surface has {} faces, too many to split in convex parts", surface.faces.size()),
+            fmt::format("the concave surface has {} faces, too many to split into convex parts", surface.faces.size()),
             fmt::format("simplify it to at most {} faces", most_faces));
     const double size = size_of(surface.vertices), near = 1e-8 * size;
     Vec3 low = surface.vertices.front(), high = low;
@@ -197,7 +197,7 @@ std::vector<Polyhedron> convex_parts(const Surface& surface) {
         for (const auto& t : triangles_of(surface.vertices, face)) whole.faces.push_back({{t[0], t[1], t[2]}, 0});
     const double wanted = mass_properties(whole).volume;
     if (parts.empty() || std::abs(volume - wanted) > 1e-6 * wanted)
-        throw Diagnostic("the concave surface could not be split in convex parts",
+        throw Diagnostic("the concave surface could not be split into convex parts",
                          "give it as convex blocks and join them");
     restore_joint_sets(parts, surface, 10 * near);
     return parts;

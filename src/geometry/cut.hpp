@@ -1,4 +1,4 @@
-// Cutting a convex polyhedron by a plane.
+// Cuts a convex polyhedron by a plane.
 #pragma once
 
 #include "geometry/plane.hpp"

@@ -34,7 +34,7 @@ public:
     /// An edge that continues another has its direction, unless that leads to a contradiction. `turned`: they begin at the same place.
     void follow(const GridEdge& a, const GridEdge& b, bool turned);
 
-    /// Of an axis, by one of its edges, with everything admitted.
+    /// For the axis of an edge, with all edges admitted.
     bool is_turned(const GridEdge& edge); ///< the axis is against the direction of the class
     std::vector<double> division(const GridEdge& edge);
 

@@ -72,8 +72,8 @@ void EdgeField::check() const {
     if (std::abs(at_distance - at_center) > distance)
         throw Diagnostic(fmt::format("edges of zones cannot change from {} to {} over a distance of {}", at_center,
                                      at_distance, distance),
-                         "give a distance that is no shorter than the change of the edge length");
-    if (!center.allFinite()) throw Diagnostic("the center of the edges of zones is no place");
+                         "give a distance that is not shorter than the change of the edge length");
+    if (!center.allFinite()) throw Diagnostic("the center of the edges of zones is not a finite point");
 }
 
 EdgeParts::EdgeParts(const EdgeField& field, const Vec3& from, const Vec3& to) : edges_(1) {

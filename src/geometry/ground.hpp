@@ -28,7 +28,7 @@ public:
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     bool empty() const { return triangles_.empty(); }
 
-    /// Of several triangles above each other the highest; none outside of the plan.
+    /// The height of the highest triangle; none outside of the plan.
     std::optional<double> height(double x, double y) const;
     /// The same, and outside of the plan the height of the nearest place on its edge.
     double height_beyond(double x, double y) const;

@@ -1,4 +1,4 @@
-// Cutting blocks by a ground surface.
+// Cuts blocks by a ground surface.
 #pragma once
 
 #include "geometry/ground.hpp"

@@ -164,7 +164,7 @@ bool near(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double toleran
     return std::ranges::equal(a, b, [&](const Vec3& x, const Vec3& y) { return (x - y).norm() <= tolerance; });
 }
 
-/// Of two faces with equal outlines.
+/// Whether two faces with equal outlines have the same triangles.
 bool same_triangles(const FaceMesh& a, const FaceMesh& b, double tolerance) {
     if (a.points.size() != b.points.size() || a.triangles.size() != b.triangles.size()) return false;
     std::vector<int> in_a;
@@ -330,7 +330,7 @@ std::map<SharedEdge, std::vector<double>> MeshPlan::Parts::divisions_along() con
         std::vector<double>& division = along[ends];
         const std::size_t parts = points.size() + 1;
         for (std::size_t i = 0; i <= parts; ++i) {
-            // Of even parts to the last bit, as those of neighbours.
+            // Even parts are equal to those of neighbours to the last bit.
             const double even = static_cast<double>(i) / static_cast<double>(parts);
             const double place = i == 0 ? 0 : i == parts ? 1 : (points[i - 1] - a).norm() / length;
             division.push_back(std::abs(place - even) * length <= 4 * places.tolerance() ? even : place);

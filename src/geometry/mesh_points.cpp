@@ -75,7 +75,7 @@ void add_graded_points(const Polyhedron& polyhedron, const Spacing& spacing, dou
 }
 
 Spacing spacing_in(const Polyhedron& polyhedron, const BlockSurface& surface, const EdgeField& field, Shorter shorter) {
-    /// Edges that are shorter than that part of the field's are fine ones, which a neighbour has brought.
+    /// Edges shorter than that part of the field's length are fine ones, imposed by a neighbour.
     const double fine = shorter == Shorter::at_all ? 0.85 : 0.55;
     Spacing spacing{[field](const Vec3& x) { return field.at(x); }, field.change(), {}};
     const auto& points = surface.points.points;

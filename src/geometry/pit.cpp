@@ -63,7 +63,7 @@ Polygon outside_of(const Polygon& polygon, double distance) {
         throw Diagnostic(
             fmt::format("on the way from the toe to the crest, {:.6g} outward, an edge of the outline vanishes",
                         distance),
-            "take out corners that lie close together where the outline bends inward, or give the crest");
+            "remove corners that lie close together where the outline bends inward, or give the crest");
     Polygon outer = found.back();
     if (outer.is_clockwise_oriented()) outer.reverse_orientation();
     return outer;

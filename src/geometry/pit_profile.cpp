@@ -107,11 +107,10 @@ private:
         height_ = after;
         const double needed = profile_.last_at(height_) + ramp_.width;
         if (needed > edge.until)
-            throw Diagnostic(
-                fmt::format("the ramp finds no wall: an edge of {:.6g} ends {:.6g} inward from the crest, "
-                            "and the ramp reaches {:.6g} inward there",
-                            edge.length, edge.until, needed),
-                "take out corners of the outline that lie close together, or let the ramp go the other way");
+            throw Diagnostic(fmt::format("the ramp finds no wall: an edge of {:.6g} ends {:.6g} inward from the crest, "
+                                         "and the ramp reaches {:.6g} inward there",
+                                         edge.length, edge.until, needed),
+                             "remove corners of the outline that lie close together, or let the ramp go the other way");
     }
 
     void add(std::size_t e, const RampPart& part) {

@@ -7,15 +7,14 @@
 
 namespace kaya {
 
-/// The convex polygon that two have in common, anticlockwise; both are given in any sense. Points nearer than
-/// `tolerance` are one; nothing is left of a part that is thinner.
+/// The intersection of two convex polygons, anticlockwise; both may have any sense. Points nearer than `tolerance` are merged; a thinner
+/// part is dropped.
 void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
                     std::vector<Vec2>& common, OverlayScratch& scratch);
 
-/// Places and areas of a polygon: its corners, and the centre or more places inside. Sums of area, area x and
-/// area x x' are the integrals over the polygon to rounding, so that linear springs on the areas resist closing and
-/// tilting as the continuous joint does, whatever the polygon and the order of its corners. With `edge` above 0 places
-/// are about that far apart. Only place and area of the points are set.
+/// Places and areas of a polygon: its corners, and the centre or more places inside. Sums of area, area x and area x x' are the integrals
+/// over the polygon to rounding. So linear springs on the areas resist closing and tilting as the continuous joint does, for any polygon
+/// and any order of its corners. With `edge` above 0 the distance of places is about `edge`. Only place and area of the points are set.
 void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result,
                        OverlayScratch& scratch);
 

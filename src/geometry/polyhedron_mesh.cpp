@@ -203,7 +203,7 @@ TetMesh fill_surface(const Polyhedron& polyhedron, const BlockSurface& surface, 
         return improved(polyhedron, surface, std::move(points), mesh.tetrahedra, true, progress);
     };
     if (best && best_angle < fair_angle * part) consider(with_points(*best));
-    // Bad regions may still have short edges of their own, where points inside are crowded.
+    // Bad regions may still have short edges, where points inside are crowded.
     const Spacing crowded = spacing_in(polyhedron, surface, field, Shorter::at_all);
     for (const double clearance : {0.6, 0.5, 0.7}) {
         if (best_angle >= fair_angle * part || crowded.finer.empty()) break;

@@ -41,7 +41,7 @@ public:
         format();
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             if (!word.starts_with('$'))
-                words_.fail(fmt::format("'{}' stands where a section must begin", word.substr(0, 30)),
+                words_.fail(fmt::format("expected a section, found '{}'", word.substr(0, 30)),
                             "sections begin with $ and their name");
             const auto known = std::ranges::find(sections_, word.substr(1), &Section::name);
             if (known == sections_.end()) {

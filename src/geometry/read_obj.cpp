@@ -19,7 +19,7 @@ std::size_t vertex_number(const Words& words, std::string_view word, std::size_t
     }
     if (number < 0) number += static_cast<long long>(count) + 1;
     if (number < 1 || number > static_cast<long long>(count))
-        words.fail(fmt::format("vertex {} is asked for, and {} have been given so far", digits, count));
+        words.fail(fmt::format("vertex {} is used, and {} have been defined so far", digits, count));
     return static_cast<std::size_t>(number - 1);
 }
 

@@ -57,7 +57,7 @@ private:
     void add_number(const std::string& word, const std::vector<std::string_view>& words) {
         const bool known = word == "bench" || word == "benches" || word == "angle" || word == "berm";
         if (!known)
-            fail(fmt::format("'{}' is no word of a pit", words.front()),
+            fail(fmt::format("'{}' is not a word of a pit", words.front()),
                  "known: bench, benches, angle, berm, ramp, crest, toe");
         expect(words, 1, "one number");
         const bool may_be_zero = word == "berm" && kaya::number(words[1]) == 0.0;

@@ -64,7 +64,7 @@ std::vector<NamedSurface> read_vrml(std::string_view text, const std::string& fi
                 const long long index = words.integer("the number of a point");
                 if (index == -1) return finish();
                 if (index < 0 || index >= static_cast<long long>(points.size()))
-                    words.fail(fmt::format("point {} is asked for, and the points are 0 to {}", index,
+                    words.fail(fmt::format("point {} is used, and the points are 0 to {}", index,
                                            static_cast<long long>(points.size()) - 1));
                 loop.push_back(points[static_cast<std::size_t>(index)]);
             });

@@ -53,7 +53,7 @@ std::vector<NamedSurface> read_surfaces(const std::string& path) {
     const auto format =
         std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.suffix == suffix; });
     if (format == formats.end())
-        throw Diagnostic(fmt::format("{} has not the suffix of a surface file that can be read", path),
+        throw Diagnostic(fmt::format("{} does not have the suffix of a surface file", path),
                          "use .stl, .obj, .ply or .wrl");
     const auto bytes = file_text(path);
     if (!bytes) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");

@@ -219,7 +219,7 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
     surface.faces = std::move(faces);
 
     const std::vector<Vec3> before = surface.vertices;
-    // Few faces of which each hangs on the next may need many sweeps; in a fine net they never end.
+    // A chain of few faces, each dependent on the next, may need many sweeps; in a fine net the number is too large.
     constexpr int most_sweeps = 20000, sweeps_of_net = 200;
     const bool triangles_allowed = flatness.triangulate_rest || flatness.triangulated > 0;
     const int patience = flatness.triangulate_rest && surface.faces.size() > fine_net ? sweeps_of_net : most_sweeps;

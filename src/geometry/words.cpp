@@ -95,7 +95,7 @@ double Words::to_number(std::string_view word, std::string_view what) const {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-        fail(fmt::format("'{}' is not a number, where {} should stand", shown(word), what));
+        fail(fmt::format("'{}' is not a number: expected {}", shown(word), what));
     return value;
 }
 
@@ -105,7 +105,7 @@ long long Words::to_integer(std::string_view word, std::string_view what) const 
     long long value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size())
-        fail(fmt::format("'{}' is not a whole number, where {} should stand", shown(word), what));
+        fail(fmt::format("'{}' is not a whole number: expected {}", shown(word), what));
     return value;
 }
 
@@ -122,8 +122,8 @@ Vec3 Words::point(std::string_view what) {
 void Words::expect(std::string_view word) {
     const std::string_view found = next();
     if (same_word(found, word)) return;
-    if (found.empty()) fail(fmt::format("the file ends where '{}' should stand", word));
-    fail(fmt::format("'{}' stands where '{}' should", shown(found), word));
+    if (found.empty()) fail(fmt::format("the file ends before '{}'", word));
+    fail(fmt::format("expected '{}', found '{}'", word, shown(found)));
 }
 
 } // namespace kaya

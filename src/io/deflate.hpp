@@ -1,4 +1,4 @@
-// Compression by zlib, whose header only deflate.cpp sees.
+// Compression by zlib; only deflate.cpp includes its header.
 #pragma once
 
 #include <string>

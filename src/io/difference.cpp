@@ -76,7 +76,7 @@ std::string about_numbers(const std::vector<double>& a, const std::vector<double
                        b[worst], worst);
 }
 
-/// Calls about(name, of a, of b) for each name of either map; null where one of them lacks it.
+/// Calls about(name, of a, of b) for each name of either map; null where one map lacks it.
 template <class Value, class About>
 void both(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b, About about) {
     const Value* const none = nullptr;

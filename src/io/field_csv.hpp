@@ -8,11 +8,11 @@
 
 namespace kaya {
 
-/// The kinds of objects that have tables, whose files are named by KindInfo::file.
+/// The kinds of objects that are exported as tables; KindInfo::file is the name of the file.
 std::span<const ObjectKind> exported_kinds();
 
 /// One row for each object, one column for each field; the header has the names of the fields. Vectors are given by their components, objects
-/// by their numbers, an empty cell where there is none. Numbers have the fewest digits that give back the same bits.
+/// by their numbers, an empty cell where there is none. Numbers have the fewest digits that preserve the bits.
 std::string field_csv(const Model& model, ObjectKind kind);
 
 /// The description of the columns: table, field, kind of quantity, help.

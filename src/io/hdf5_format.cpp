@@ -62,7 +62,7 @@ void refuse_other_kinds(std::uint16_t kind) {
     }
 }
 
-/// The header of an object, which may go on elsewhere.
+/// The header of an object, which may continue in another block.
 std::vector<Message> messages_of(Image& image, Address header) {
     constexpr std::size_t prefix_size = 16;
     Bytes prefix(image.at(header, prefix_size));
@@ -124,7 +124,7 @@ template <class Leaf> void walk_tree(Image& image, Address root, int kind, std::
 struct KnownType {
     Scalar number;
     std::size_t size;
-    std::string_view description; ///< without the size, which stands after the first four bytes
+    std::string_view description; ///< without the size, which follows the first four bytes
 };
 constexpr KnownType known_types[] = {{Scalar::uint8, 1, "\x10\0\0\0\0\0\x08\0"sv},
                                      {Scalar::int32, 4, "\x10\x08\0\0\0\0\x20\0"sv},
@@ -180,7 +180,7 @@ void read_attribute(Bytes message, Group& group) {
     require(is_new, "has two attributes of one name");
 }
 
-/// Names of links stand in a heap, and links in tables of up to a few, at the leaves of a tree.
+/// Names of links are stored in a heap, and links in small tables at the leaves of a tree.
 void read_links(Image& image, Bytes message, Group& group) {
     const auto tree = message.number<Address>(), heap_at = message.number<Address>();
     constexpr std::size_t heap_size = 32, head_size = 8, entry_size = 40;
@@ -188,7 +188,7 @@ void read_links(Image& image, Bytes message, Group& group) {
     require(heap.take(4) == "HEAP" && heap.byte() == 0, "has no names");
     heap.skip(3);
     const auto names_size = heap.number<std::uint64_t>();
-    heap.skip(8); // free parts
+    heap.skip(8); // free space
     const auto names = image.at(heap.number<Address>(), names_size);
     walk_tree(image, tree, 0, sizeof(Address), [&](Bytes, Address table) {
         Bytes head(image.at(table, head_size));
@@ -231,15 +231,15 @@ void read_filters(Bytes message, Data& data) {
             "is packed by a filter other than shuffle and deflate");
 }
 
-/// A chunk is whole rows; all are there, each once.
+/// A chunk is a number of whole rows; every chunk occurs exactly once.
 void read_chunks(Image& image, Bytes layout, Data& data) {
-    require(data.extent.size() == 2, "is cut into parts that are no rows");
+    require(data.extent.size() == 2, "is cut into parts that are not rows");
     require(layout.byte() == 3, "is cut into parts of other dimensions than its own");
     const auto tree = layout.number<Address>();
     data.chunk_rows = layout.number<std::uint32_t>();
     const bool whole_rows = layout.number<std::uint32_t>() == data.extent[1];
     const std::uint64_t rows = data.extent[0];
-    require(whole_rows && data.chunk_rows > 0 && data.chunk_rows <= rows, "is cut into parts that are no rows");
+    require(whole_rows && data.chunk_rows > 0 && data.chunk_rows <= rows, "is cut into parts that are not rows");
     constexpr std::size_t key_size = 32; // of the index, where each chunk has one
     const std::uint64_t count = (rows - 1) / data.chunk_rows + 1;
     require(count <= image.size() / key_size, "claims to be larger than its file can hold");
@@ -267,11 +267,11 @@ void read_layout(Image& image, Bytes layout, Data& data) {
     require(kind == contiguous, "is laid out in a way that saves do not have");
     const auto at = layout.number<Address>();
     const auto size = layout.number<std::uint64_t>();
-    require(size == data.bytes, "has not as many bytes as it claims");
+    require(size == data.bytes, "does not have as many bytes as it claims");
     if (size > 0) data.stored = image.at(at, size);
 }
 
-/// Undoes what shuffle did: the first bytes of all numbers, then the second ones, and so on.
+/// The inverse of shuffle: the bytes are sorted as the first bytes of all numbers, then the second ones, and so on.
 std::string unshuffled(std::string_view bytes, std::size_t size) {
     std::string numbers(bytes.size(), '\0');
     const std::size_t count = bytes.size() / size;
@@ -300,9 +300,9 @@ std::uint64_t bytes_of(const ElementType& type, const Extent& extent) {
 
 Address root_group(Image& image) {
     constexpr std::size_t superblock_size = 96;
-    if (image.size() < superblock_size) refuse("it is no HDF5 file");
+    if (image.size() < superblock_size) refuse("it is not an HDF5 file");
     Bytes block(image.at(0, superblock_size));
-    if (block.take(8) != "\x89HDF\r\n\x1a\n"sv) refuse("it is no HDF5 file");
+    if (block.take(8) != "\x89HDF\r\n\x1a\n"sv) refuse("it is not an HDF5 file");
     const bool known = block.take(8) == "\0\0\0\0\0\x08\x08\0"sv;
     block.skip(8); // how full the indexes are
     if (!known || block.number<Address>() != 0) refuse("it is a kind of HDF5 file that saves are not");
@@ -320,7 +320,7 @@ Group read_group(Image& image, Address header) {
         has_links = true;
         read_links(image, Bytes(body), group);
     }
-    require(has_links, "is no group");
+    require(has_links, "is not a group");
     return group;
 }
 
@@ -337,7 +337,7 @@ Data read_data(Image& image, Address header) {
     };
     const auto type = only(data_type), extent = only(data_space), layout = only(data_layout),
                filters = only(filter_pipeline);
-    require(type && extent && layout, "is no data");
+    require(type && extent && layout, "is not a data set");
     Data data;
     data.type = type_of(Bytes(*type));
     data.extent = extent_of(Bytes(*extent));
@@ -363,7 +363,7 @@ void unpack(const Data& data, char* to) {
             bytes = data.filters[k] == deflate_filter ? inflated(rows, chunk_bytes) : unshuffled(rows, data.type.size);
             rows = bytes;
         }
-        require(rows.size() == chunk_bytes, "has not as many bytes as it claims");
+        require(rows.size() == chunk_bytes, "does not have as many bytes as it claims");
         const std::uint64_t first = c * chunk_bytes;
         std::memcpy(to + first, rows.data(), std::min(chunk_bytes, data.bytes - first));
     }

@@ -14,7 +14,7 @@ namespace kaya::hdf5 {
 
 using Address = std::uint64_t;
 
-/// Numbers out of bytes, one after the other; TreeError beyond the last.
+/// Numbers read consecutively from bytes; TreeError beyond the last.
 class Bytes {
 public:
     explicit Bytes(std::string_view bytes) : left_(bytes) {}
@@ -27,7 +27,7 @@ public:
         return taken;
     }
     void skip(std::uint64_t count) { take(count); }
-    /// Numbers stand as on a little-endian machine.
+    /// Numbers are little-endian.
     template <class T> T number() {
         T value;
         std::memcpy(&value, take(sizeof value).data(), sizeof value);
@@ -39,8 +39,8 @@ private:
     std::string_view left_;
 };
 
-/// A whole file. No two parts of it share bytes, so all that is read of it is not more than there is: a small file cannot stand
-/// for a large one.
+/// A whole file. No two parts of it share bytes, so the data read from it are never larger than the file: a small file cannot expand to a
+/// large one.
 class Image {
 public:
     explicit Image(std::string_view bytes) : bytes_(bytes), unread_(bytes.size()) {}
@@ -52,7 +52,7 @@ public:
         unread_ -= count;
         return bytes_.substr(first, count);
     }
-    /// The same file, of which nothing has been read.
+    /// The same file, unread.
     Image again() const { return Image(bytes_); }
 
 private:
@@ -81,7 +81,7 @@ struct Group {
     std::map<std::string, Attribute, std::less<>> attributes;
 };
 
-/// Where a part of the rows of a table stands.
+/// Where part of the rows of a table is stored.
 struct Chunk {
     std::string_view stored;
     std::uint32_t filters_left_out = 0; ///< bit k: the filter k

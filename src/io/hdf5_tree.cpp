@@ -55,9 +55,8 @@ std::size_t size_of(Scalar type) {
     return 8;
 }
 
-/// HDF5 prints its own stack of errors on the terminal unless it is told not to.
-/// Nor does it tidy up when the program ends: files are in memory and closed by us, and after a failure for want of memory it crashes there.
-/// And it loads no plugins, whatever the environment says.
+/// Turns off three things that HDF5 does by default. It prints its stack of errors on the terminal. It cleans up when the program ends:
+/// files are in memory and closed by kaya, and after an allocation failure the clean-up crashes. It loads plugins named in the environment.
 void silence() {
     H5dont_atexit(); // the first time before all else, later without effect
     H5PLset_loading_state(0);

@@ -1,6 +1,6 @@
-// A tree of named values as an HDF5 file in memory. The HDF5 library writes it, and never touches the disk: writing and
-// checking the file is ours (base/whole_file.hpp), so that a full disk is our error and not HDF5's. Reading is ours as well
-// (io/hdf5_format.hpp): the library follows links to other files, and trusts what it reads.
+// A tree of named values as an HDF5 file in memory. The HDF5 library writes it, and never accesses the disk: base/whole_file.hpp writes and
+// checks the file, so that a full disk is reported by kaya and not by HDF5. kaya also reads the file itself (io/hdf5_format.hpp): the
+// library follows links to other files, and trusts what it reads.
 #pragma once
 
 #include <cstddef>
@@ -60,8 +60,8 @@ private:
 
 class TreeReader {
 public:
-    /// Throws TreeError when the bytes are no HDF5 file, as do all functions below for what is not there, is of another type or
-    /// size, or is nothing that a TreeWriter writes. The bytes must outlive the reader.
+    /// Throws TreeError when the bytes are not an HDF5 file. All functions below throw it for a value that is missing, has another type or
+    /// size, or is of a form that TreeWriter does not write. The bytes must outlive the reader.
     explicit TreeReader(std::string_view image);
     ~TreeReader();
 

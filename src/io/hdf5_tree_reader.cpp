@@ -4,7 +4,7 @@ namespace kaya {
 
 namespace {
 
-/// What all data of a file may take unpacked: more than saves shrink to, and far from what deflate could hide in it.
+/// Limit of the unpacked data of a file: above the compression ratio of saves, and far below what deflate could expand to.
 constexpr std::uint64_t always_allowed = std::uint64_t{64} << 20, most_per_byte = 512;
 
 } // namespace
@@ -12,7 +12,7 @@ constexpr std::uint64_t always_allowed = std::uint64_t{64} << 20, most_per_byte 
 struct TreeReader::State {
     hdf5::Image image;
     std::vector<std::pair<std::string, hdf5::Group>> open; ///< groups and their names, the root first
-    std::map<hdf5::Address, std::string> places{};         ///< of all objects that were looked at
+    std::map<hdf5::Address, std::string> places{};         ///< of all objects visited
     std::uint64_t unpacked = 0;                            ///< bytes of all data among them
 
     const hdf5::Group& top() const { return open.back().second; }
@@ -27,21 +27,21 @@ struct TreeReader::State {
         throw TreeError(path_of(name) + " " + why);
     }
 
-    /// Does what may find a mistake in the object of that name.
+    /// Runs `work`; an error in it gets the name of the object.
     template <class Work> auto named(const std::string& name, Work work) const {
         try {
             return work();
         } catch (const TreeError& error) { refuse(name, error.what()); }
     }
 
-    /// The object of that name in the open group; `is_new`: it has not been looked at before.
+    /// The object of that name in the open group; `is_new`: it is visited for the first time.
     hdf5::Address find(const std::string& name, bool& is_new) {
         const auto link = top().links.find(name);
         if (link == top().links.end()) refuse(name, "is missing");
         const std::string path = path_of(name);
         const auto place = places.try_emplace(link->second, path);
         is_new = place.second;
-        // Otherwise a small file could hold more than any memory, and groups could lie in themselves.
+        // Otherwise a small file could expand beyond any memory, and groups could contain themselves.
         if (!is_new && place.first->second != path) refuse(name, "is the same object as " + place.first->second);
         return link->second;
     }
@@ -111,7 +111,7 @@ void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, 
 
 std::string TreeReader::text(const std::string& name) {
     const auto data = state_->data(name);
-    if (!data.type.text || data.bytes != data.type.size) state_->refuse(name, "is no text");
+    if (!data.type.text || data.bytes != data.type.size) state_->refuse(name, "is not a text");
     std::string text(data.bytes, '\0');
     state_->named(name, [&] { hdf5::unpack(data, text.data()); });
     text.resize(std::strlen(text.c_str()));

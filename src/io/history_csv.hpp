@@ -11,7 +11,7 @@
 namespace kaya {
 
 /// The text: one header row that names each column, then a row per sample. Numbers are written with
-/// the fewest digits that give back the same bits. The first columns are cycle and time, or the
+/// the fewest digits that preserve the bits. The first columns are cycle and time, or the
 /// history `versus` when it is given. A sample that a history does not have is an empty cell.
 /// No numbers: all histories. Throws Diagnostic for a number that is not there.
 std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,
@@ -21,8 +21,8 @@ std::string history_csv(const Histories& histories, const std::vector<std::int64
 void write_history_csv(const Histories& histories, const std::string& path, const std::vector<std::int64_t>& numbers,
                        std::optional<std::int64_t> versus);
 
-/// The header of a history's column: number, label and where it is taken:
-/// "3:Normal Stress [script nstav]", "6:shear_displacement [length, sub-contact nearest to -1 -1 0]".
+/// The header of a history's column: number, label and place: "3:Normal Stress [script nstav]", "6:shear_displacement [length, sub-contact
+/// nearest to -1 -1 0]".
 std::string column_title(const History& history);
 
 } // namespace kaya

@@ -19,7 +19,7 @@ void add_line(std::string& text, const char* name, const std::string& value) {
     text += fmt::format("{:<16}{}\n", name, value);
 }
 
-/// Deformable and rigid blocks, and their parts.
+/// Deformable and rigid blocks, with their numbers of zones and gridpoints.
 std::string describe_blocks(const Model& model) {
     const auto& deformable = model.blocks.deformable;
     const auto zoned =

@@ -19,7 +19,7 @@ namespace kaya {
 
 namespace {
 
-/// Looks whether the columns of a table that are in the file have that many rows, before the table grows.
+/// Checks that the columns of a table in the file have that many rows, before the table grows.
 struct RowCheck {
     TreeReader& tree;
     const std::set<std::string>& names;
@@ -36,15 +36,15 @@ struct RowCheck {
         if (tree.rows<S>(name, Plain<T>::count) != rows) throw TreeError("column " + name + " has other rows");
     }
 
-    /// Otherwise a small file could ask for more than any memory.
+    /// Otherwise a small file could request more than any memory.
     bool fills() const {
-        constexpr std::size_t most_missing = 8; // times what is there
+        constexpr std::size_t most_missing = 8; // times the size that is present
         return rows == 0 || missing <= most_missing * there;
     }
 };
 
-/// Leads the walk of model/state.hpp out of a tree. What the tree does not have stays as it is in a new model: the file is
-/// older than that column, value or table.
+/// Fills the walk of model/state.hpp from a tree. A value that the tree lacks keeps its initial value: the file is older than that column,
+/// value or table.
 class RestoreArchive {
 public:
     explicit RestoreArchive(TreeReader& tree) : tree_(tree), left_(tree.names()) {}
@@ -109,7 +109,7 @@ public:
         tree_.close_group();
     }
 
-    /// Names that the walk knows and the file does not have, and those of the file that the walk does not know.
+    /// Names that the walk has and the file lacks, and names of the file that the walk lacks.
     const std::vector<std::string>& missing() const { return missing_; }
     const std::vector<std::string>& unknown() const { return unknown_; }
 
@@ -135,14 +135,14 @@ private:
     }
 
     TreeReader& tree_;
-    std::set<std::string> left_; ///< names of the open group that the walk has not come to
+    std::set<std::string> left_; ///< names of the open group that the walk has not reached
     std::string path_;
     std::vector<std::string> missing_, unknown_;
 };
 
 Diagnostic unusable(const std::string& name, const std::string& why) {
     return Diagnostic(fmt::format("'{}' cannot be restored: {}", name, why),
-                      "the model is as it was; restore another save file", Fault::run);
+                      "the model is unchanged; restore another save file", Fault::run);
 }
 
 /// The name is at this place in every format so far.
@@ -152,7 +152,7 @@ std::string writer_of(TreeReader& tree) {
     } catch (const TreeError&) { return {}; }
 }
 
-/// What was read is no model, or not the one that was saved.
+/// The data are not a model, or not the one that was saved.
 Diagnostic other_state(const std::string& name, std::string why, const RestoreArchive& archive) {
     if (!archive.missing().empty()) why += fmt::format("; it lacks {}", fmt::join(archive.missing(), ", "));
     return unusable(name, why);
@@ -164,7 +164,7 @@ Diagnostic unknown_state(const std::string& name, const RestoreArchive& archive,
         name, fmt::format("it holds {}, which this program does not know", fmt::join(archive.unknown(), ", ")),
         archive);
     refusal.hint =
-        fmt::format("the model is as it was; restore it with kaya {}, which wrote it, or a later one", writer);
+        fmt::format("the model is unchanged; restore it with kaya {}, which wrote it, or a later one", writer);
     return refusal;
 }
 
@@ -174,10 +174,10 @@ Diagnostic other_format(const std::string& name, std::int32_t version, const std
                                                     version, writer, first_kept_format, save_format_version));
     refusal.hint =
         version > save_format_version
-            ? "the model is as it was; restore it with the program that wrote it, or a later one"
+            ? "the model is unchanged; restore it with the program that wrote it, or a later one"
             : fmt::format(
-                  "the model is as it was; formats before {} are older than the first release: run the deck again, "
-                  "or go on with the program that wrote the file",
+                  "the model is unchanged; formats before {} are older than the first release: run the deck again, "
+                  "or continue with the program that wrote the file",
                   first_kept_format);
     return refusal;
 }

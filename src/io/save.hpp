@@ -10,15 +10,15 @@
 
 namespace kaya {
 
-/// Raised when what is stored gets another meaning. What is added to the state needs no number: a save that does not have it is
-/// restored with what a new model holds.
+/// Raised when stored data change their meaning. A column or value that is added needs no new number: a save without it is restored with
+/// the initial value of a new model.
 inline constexpr std::int32_t save_format_version = 14;
-/// The first format that stays readable: earlier ones belong to unreleased programs.
+/// The first format that is still read: earlier ones belong to unreleased programs.
 inline constexpr std::int32_t first_kept_format = 10;
 /// The state hash of formats before was another function of the state.
 inline constexpr std::int32_t first_comparable_format = 14;
 
-/// Name of an item of SaveExtras::scripts that is no state but a sentence about the file.
+/// Name of an item of SaveExtras::scripts that is a sentence about the file and not part of the state.
 inline constexpr std::string_view remark_item = "remark";
 
 /// Parts of a save file beyond the model; the model does not depend on them.
@@ -33,7 +33,7 @@ struct SaveExtras {
     std::vector<Item> scripts; ///< state of the script languages, by part
     std::vector<Item> decks;   ///< texts of the files that made this model, in order of reading
 
-    /// State that the file does not have: it is older than these columns, values and tables, which are as in a new model.
+    /// State that the file lacks: it is older than these columns, values and tables, which have their initial values.
     std::vector<std::string> missing;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 constexpr std::string_view trailer_mark = "KAYASAVE";
 
-/// Numbers are kept as the machine has them; the file is made on little-endian machines only.
+/// Numbers are stored in the byte order of the machine; files are written on little-endian machines only.
 struct Trailer {
     std::array<char, 8> mark;
     std::uint64_t length;
@@ -31,7 +31,7 @@ std::uint64_t digest_of(std::string_view bytes) {
 }
 
 Diagnostic unusable_file(std::string message) {
-    return Diagnostic(std::move(message), "the model is as it was; restore another save file", Fault::run);
+    return Diagnostic(std::move(message), "the model is unchanged; restore another save file", Fault::run);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// The last bytes of a save file: its length and a digest of all bytes before. HDF5 readers ignore them;
-// we look at them first, so that a file that was cut short or changed never reaches HDF5.
+// The last bytes of a save file: its length and a digest of all bytes before. HDF5 readers ignore them; kaya checks them first, so that a
+// file that was cut short or changed never reaches HDF5.
 #pragma once
 
 #include <string>

@@ -71,7 +71,7 @@ template <class Table> std::vector<Vec3> places(const Table& table) {
     return {table.position.begin(), table.position.end()};
 }
 
-/// `stem` is the name of the files before _N.vtu, without a folder: they stand next to the series, from number `first` on.
+/// `stem` is the name of the files before _N.vtu, without a folder: they are in the folder of the series, from number `first` on.
 std::string series_text(const std::string& stem, const std::vector<double>& times, std::size_t first) {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
@@ -282,7 +282,7 @@ std::vector<std::string> VtkSeries::write(const Model& model, const std::string&
     add_grid("subcontacts", [&] { return vtk_sub_contacts(model, own); });
     add_series(".pvd", "blocks");
     for (const char* kind : {"faces", "joints", "subcontacts"}) add_series(fmt::format("_{}.pvd", kind), kind);
-    // Once there were structures of a kind, each number has its file of them.
+    // From the first write with structures of a kind on, each number has a file of them.
     auto first_with = first_with_[name];
     const auto add_structures = [&](const char* kind, bool any, std::string (*grid)(const Model&)) {
         auto first = first_with.find(kind);

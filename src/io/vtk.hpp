@@ -1,5 +1,4 @@
-// Pictures of the model for ParaView and its like: VTK's XML files of unstructured grids, and series of
-// them with the model time.
+// Files of the model for ParaView and similar programs: VTK's XML files of unstructured grids, and series of them with the model time.
 #pragma once
 
 #include "model/model.hpp"
@@ -11,7 +10,7 @@
 
 namespace kaya {
 
-/// What sub-contacts have for themselves, by the name of their joint model and of the value; NaN: this one has none.
+/// Values of joint models at sub-contacts, by the name of the joint model and of the value; NaN where the model does not have it.
 using OwnValues = std::map<std::string, std::map<std::string, std::function<double(const Model&, Row)>>>;
 
 /// Files of unstructured grids as bytes. Arrays are the fields of model/field.hpp by their names, each with its kind of quantity where
@@ -23,11 +22,11 @@ std::string vtk_blocks(const Model& model);
 /// NAME_faces_N.vtu: the triangles of all faces. Point data: gridpoints. Cell data: faces, and block_NAME of the block.
 std::string vtk_faces(const Model& model);
 
-/// NAME_joints_N.vtu: polygons where two faces lie on each other. Point data and cell data: the nearest sub-contact, with jmodel_NAME for
-/// what its joint model remembers. Cell data also contact_NAME of the contact.
+/// NAME_joints_N.vtu: polygons where two faces are in contact. Point data and cell data: the nearest sub-contact, with jmodel_NAME for the
+/// history of its joint model. Cell data also contact_NAME of the contact.
 std::string vtk_joints(const Model& model, const OwnValues& own = {});
 
-/// NAME_subcontacts_N.vtu: a vertex for each sub-contact, of corners and edges too. Cell data as those of joints.
+/// NAME_subcontacts_N.vtu: a vertex for each sub-contact, including those of corners and edges. Cell data as in NAME_joints_N.vtu.
 std::string vtk_sub_contacts(const Model& model, const OwnValues& own = {});
 /// The bars of cables as lines.
 std::string vtk_cables(const Model& model);
@@ -35,16 +34,16 @@ std::string vtk_cables(const Model& model);
 std::string vtk_beams(const Model& model);
 std::string vtk_liners(const Model& model);
 
-/// The series of one run: each name counts its writes from 0.
+/// The series of one run: the writes of each name are numbered from 0.
 class VtkSeries {
 public:
-    /// Writes the files of the next number, then the series NAME.pvd (blocks), NAME_faces.pvd, NAME_joints.pvd and
-    /// NAME_subcontacts.pvd (and NAME_cables.pvd, NAME_beams.pvd, NAME_liners.pvd where there are such), and NAME_paraview.py, which opens them in ParaView. An ending .vtu or .pvd in the name is left out. A name that an
-    /// earlier run used is begun anew: its files are replaced one after the other and its series list those of this run.
-    /// Throws Diagnostic (Fault::run); files that were complete before stay so. Returns the paths.
+    /// Writes the files of the next number, then the series NAME.pvd (blocks), NAME_faces.pvd, NAME_joints.pvd and NAME_subcontacts.pvd
+    /// (and NAME_cables.pvd, NAME_beams.pvd, NAME_liners.pvd if there are any), and NAME_paraview.py, which opens them in ParaView. An
+    /// ending .vtu or .pvd in the name is left out. A name that an earlier run used starts again: its files are replaced in order, and its
+    /// series list those of this run. Throws Diagnostic (Fault::run); files that were complete before remain complete. Returns the paths.
     std::vector<std::string> write(const Model& model, const std::string& name, const OwnValues& own = {});
 
-    std::function<void(const std::string&)> before_writing; ///< may refuse a file; asked before the first is written
+    std::function<void(const std::string&)> before_writing; ///< may refuse a file; called before the first is written
 
 private:
     std::map<std::string, std::vector<double>> times_; ///< model time of each write, by name

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// x_velocity next to velocity, x next to position, xx_stress next to stress.
+/// x_velocity of velocity, x of position, xx_stress of stress.
 bool is_component(const Field& field) {
     const std::string_view name = field.name;
     const auto has = [&](const std::string& whole) {
@@ -41,7 +41,7 @@ double real_of(const FieldValue& value) {
     return none;
 }
 
-/// The value of each row, or `missing` where there is no row.
+/// The value of each row, or `missing` where the row is `no_row`.
 template <class Value, class Get>
 std::vector<Value> column(std::span<const Row> rows, const Value& missing, Get&& get) {
     std::vector<Value> values;
@@ -86,7 +86,7 @@ void add_field(VtuArrays& target, VtuLists& lists, const Model& model, const std
 void add_fields(VtuArrays& target, VtuLists& lists, const Model& model, ObjectKind table, std::span<const Row> rows,
                 std::string_view prefix) {
     const auto first = std::ranges::find_if(rows, [](Row row) { return row != no_row; });
-    if (first == rows.end()) return; // nothing tells what its values would be
+    if (first == rows.end()) return; // without a row the type of the values is unknown
     for (const Field& field : fields()) {
         if (field.kind != table || is_component(field)) continue;
         const std::string name = fmt::format("{}{}", prefix, field.name);

@@ -1,4 +1,4 @@
-// Arrays of .vtu files from the table of fields. Seen by the .cpp files of this folder only.
+// Arrays of .vtu files from the table of fields. Internal to this folder.
 #pragma once
 
 #include "io/vtk.hpp"
@@ -12,8 +12,8 @@
 namespace kaya {
 
 /// An array for each field of a table, with the prefix and the name of the field, one tuple for each row. Components of vectors and of
-/// stress have no arrays of their own. Objects are given by their number, texts by their place in the list NAME_names.
-/// Of a row that is `no_row`: NaN, or -1 in arrays of whole numbers. A name that the target has is left as it is.
+/// stress have no separate arrays. Objects are written by their number, texts by their index in the list NAME_names. A row that is `no_row`
+/// gives NaN, or -1 in arrays of whole numbers. A name that the target already has is skipped.
 void add_fields(VtuArrays& target, VtuLists& lists, const Model& model, ObjectKind table, std::span<const Row> rows,
                 std::string_view prefix = "");
 

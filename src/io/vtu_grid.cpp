@@ -47,14 +47,14 @@ template <> constexpr const char* type_name<std::int64_t> = "Int64";
 template <> constexpr const char* type_name<std::int32_t> = "Int32";
 template <> constexpr const char* type_name<std::uint8_t> = "UInt8";
 
-/// The XML elements of a file, and behind them its data.
+/// The XML elements of a file, followed by its data.
 struct Document {
     std::string text, data;
 
     void add(const VtuArray& array, bool counted) {
         const char* element = array.attributes.starts_with("type=\"String\"") ? "Array" : "DataArray";
         text += fmt::format("<{} {} Name=\"{}\"", element, array.attributes, markup_text(array.name));
-        // Of points and cells the piece gives the number.
+        // The piece has the numbers of points and cells.
         if (counted) text += fmt::format(" NumberOfTuples=\"{}\"", array.tuples);
         text += fmt::format(" format=\"appended\" offset=\"{}\">{}</{}>\n", data.size(), array.content, element);
         data += array.data;

@@ -70,7 +70,7 @@ public:
     std::string bytes() const;
 
 private:
-    std::vector<std::int64_t> corners_, ends_; ///< of all cells, and where those of each cell end
+    std::vector<std::int64_t> corners_, ends_; ///< of all cells, and the end of those of each cell
     std::vector<std::uint8_t> shapes_;
     std::vector<std::int64_t>
         faces_; ///< of polyhedra: number of faces, and for each its number of points and its points

@@ -57,7 +57,7 @@ double number_of(std::string cell, const Style& style, const std::filesystem::pa
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
         throw Diagnostic(fmt::format("{}, line {}: expected a number, found '{}'", file.string(), line, cell),
-                         "columns are parted by commas, semicolons or tabs, and the first line has their names");
+                         "columns are separated by commas, semicolons or tabs, and the first line has their names");
     return value;
 }
 

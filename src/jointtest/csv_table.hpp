@@ -19,12 +19,12 @@ struct CsvTable {
     void add(std::string name, std::vector<double> values);
 };
 
-/// Commas, semicolons or tabs part the columns, as in the line of names; next to the last two a number may have a decimal
-/// comma. Names come out in lower case, with underscores for blanks. Throws Diagnostic with file and line when a cell is no
-/// number or a row has another length.
+/// Columns are separated by commas, semicolons or tabs, as in the line of names; with semicolons or tabs a number may have a decimal comma.
+/// Names are converted to lower case, with underscores for blanks. Throws Diagnostic with file and line when a cell is not a number or a
+/// row has another length.
 CsvTable read_csv(const std::filesystem::path& file);
 
-/// With 17 digits, so that nothing is lost. Throws Diagnostic (Fault::run) when the file cannot be written.
+/// With 17 digits, which preserve the bits. Throws Diagnostic (Fault::run) when the file cannot be written.
 void write_csv(const CsvTable& table, const std::filesystem::path& file);
 
 } // namespace kaya

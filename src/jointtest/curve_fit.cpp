@@ -165,7 +165,7 @@ void fill_properties(CurveFit& fit, const Residuals& residuals, const Minimum& m
     }
 }
 
-/// Whether values keep their sign longer than noise does: the runs test, at three and a third deviations.
+/// Whether values keep their sign longer than noise does: the runs test, at 3 1/3 deviations.
 bool in_waves(const std::vector<double>& values, double negligible) {
     double above = 0, runs = 1, largest = 0;
     for (std::size_t k = 0; k < values.size(); ++k) {

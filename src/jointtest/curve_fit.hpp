@@ -24,7 +24,7 @@ struct FittedColumn {
     double noise;                 ///< standard deviation of the residual; weight of the column
     double largest;               ///< largest measured value, counted from the middle where the offset is free
     std::optional<double> offset; ///< of the measured zero, where it was free
-    bool waves;                   ///< the residual is not noise: it keeps its sign for long
+    bool waves;                   ///< the residual is not noise: it keeps its sign over many points
 };
 
 /// How far the search can be trusted.
@@ -54,11 +54,10 @@ struct FitSettings {
     std::size_t starts = 8;                         ///< at most
 };
 
-/// Fits the named properties, from the values given and from others, within the limits of the model's table.
-/// The path has, besides its own columns, one or more that were measured: shear_stress, shear_stress_y;
-/// opening for a path of normal_stress; measured_normal_stress for one that does not give it. Each is weighed
-/// by its noise. Throws Diagnostic when nothing was measured, a name is unknown, or there are more properties
-/// than points.
+/// Fits the named properties, from the values given and from other starts, within the limits of the model's table. Besides its own columns
+/// the path has one or more measured ones: shear_stress, shear_stress_y; opening for a path of normal_stress; measured_normal_stress for a
+/// path without normal_stress. Each is weighted by its noise. Throws Diagnostic when no column was measured, a name is unknown, or there
+/// are more properties than points.
 CurveFit fit_curve(const JointModel& model, const std::vector<double>& values, const std::vector<std::string>& names,
                    const LoadPath& path, const FitSettings& settings);
 

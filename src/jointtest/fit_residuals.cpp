@@ -122,7 +122,7 @@ bool Residuals::evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& residuals) c
         Eigen::Index row = 0;
         for (const auto& m : measured)
             for (const double v : left_of(m, curve).values) residuals[row++] = v / m.scale;
-    } catch (const Diagnostic&) { // with these values the model cannot carry what the path gives
+    } catch (const Diagnostic&) { // with these values the model cannot carry the prescribed stress
         return false;
     }
     return residuals.allFinite();
@@ -140,7 +140,7 @@ int Residuals::df(const Eigen::VectorXd& t, Eigen::MatrixXd& jacobian) const {
             there[k] = at;
             ++calls;
             if (evaluate(there, result)) return;
-            width -= h; // refused on this side: use the other one
+            width -= h; // refused on this side: use the other side
             if (here.size() == 0) here.resize(values()), (*this)(t, here), ++calls;
             result = here;
         };

@@ -10,8 +10,7 @@
 
 namespace kaya {
 
-/// A property between its limits as a free number, after MINUIT: a sine between two limits, a hyperbola
-/// next to one.
+/// A property between its limits as a free number, after MINUIT: a sine between two limits, a hyperbola at a single limit.
 class FreeNumber {
 public:
     FreeNumber(const JointModel::Property& p, double start);
@@ -20,7 +19,7 @@ public:
     double slope(double t) const { return (value(t + 1e-6) - value(t - 1e-6)) / 2e-6; }
     /// A value for `part` from 0 to 1: between the limits, or from a quarter of the start to four times it.
     double spread(double part) const;
-    /// In the thousandth of the range, or of the start, next to a limit.
+    /// Within a thousandth of the range, or of the start, of a limit.
     bool at_limit(double value) const;
 
 private:
@@ -41,7 +40,7 @@ struct Measured {
     std::vector<double> correction; ///< effect of many steps along the path on the answer with few; empty: none
 };
 
-/// Throws Diagnostic when nothing was measured, or an offset is wanted of what was not.
+/// Throws Diagnostic when no column was measured, or an offset is requested of a column that was not.
 std::vector<Measured> measured_of(const LoadPath& path, const std::vector<std::string>& offsets);
 
 /// Residuals over free numbers, in the form of Eigen's minimiser.

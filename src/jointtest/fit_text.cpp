@@ -11,7 +11,7 @@ std::string line(std::string_view what, const std::string& value) { return fmt::
 
 std::string value_text(const FittedProperty& p) {
     const std::string limit = p.at_limit ? ", at a limit of the model's table" : "";
-    if (std::isnan(p.deviation)) return fmt::format("{:.6g}, which the curve does not tell{}", p.value, limit);
+    if (std::isnan(p.deviation)) return fmt::format("{:.6g}, which the curve does not determine{}", p.value, limit);
     return fmt::format("{:.6g} ± {:.2g} (95 %: {:.4g} to {:.4g}){}", p.value, p.deviation, p.value - p.margin,
                        p.value + p.margin, limit);
 }
@@ -29,7 +29,7 @@ std::string correlation_text(const CurveFit& fit) {
         if (!row.empty()) text += line("correlation", fmt::format("{} {}", fit.properties[a].name, row));
         for (std::size_t b = 0; b < a; ++b)
             if (std::abs(fit.correlation[a][b]) > 0.95)
-                text += line("", fmt::format("{} and {} can hardly be told apart: fix one of them, or "
+                text += line("", fmt::format("{} and {} can hardly be distinguished: fix one of them, or "
                                              "measure at another normal stress",
                                              fit.properties[a].name, fit.properties[b].name));
     }

@@ -24,7 +24,7 @@ PathPoint between(const PathPoint& a, const PathPoint& b, double t) {
     return p;
 }
 
-/// Drives the joint to points of the path, and stores what the boundary needs.
+/// Drives the joint to points of the path, and stores the state of the boundary.
 class Bench {
 public:
     Bench(SingleJoint joint, const CurveSettings& settings) : joint_(std::move(joint)), settings_(settings) {}
@@ -166,7 +166,7 @@ public:
         // A step across a kink is off by its share of the whole.
         if (now.put_in < -1e-3 * highest_)
             say(3, step,
-                fmt::format("the joint has given back {:.3g} more than was put in: it makes energy", -now.put_in));
+                fmt::format("the joint has returned {:.3g} more than was put in: it creates energy", -now.put_in));
         if (now.taken_up > now.put_in + 1e-3 * highest_)
             say(4, step,
                 fmt::format("frictional_work is {:.4g}, but only {:.4g} was put in", now.taken_up, now.put_in));
@@ -199,7 +199,7 @@ JointCurve follow_path(const JointModel& model, const std::vector<double>& value
         const std::size_t n = curve.points.size();
         if (n > 1) checks.compare(n - 1, curve.points[n - 2], curve.points[n - 1]);
     };
-    // To the first point in a straight line from nothing: that is not part of the test.
+    // To the first point in a straight line from zero, which is not part of the test.
     PathPoint nothing = path.points.front();
     nothing.shear = {};
     if (nothing.opening) nothing.opening = 0.0;

@@ -29,7 +29,7 @@ struct CurvePoint {
 };
 
 struct Finding {
-    std::size_t step; ///< first row where it was seen
+    std::size_t step; ///< first row where it was found
     std::string text;
 };
 
@@ -40,14 +40,14 @@ struct JointCurve {
     std::vector<Finding> findings;            ///< stiffer than reported, jumps, energy created
 };
 
-/// Throws Diagnostic when the model fails or a stress cannot be had.
+/// Throws Diagnostic when the model fails or a stress cannot be reached.
 JointCurve follow_path(const JointModel& model, const std::vector<double>& values, const LoadPath& path,
                        const CurveSettings& settings);
 
 /// All columns of a curve, with names.
 CsvTable curve_table(const JointCurve& curve, const JointModel& model);
 
-/// A gnuplot script with its data: shear resistance over shear displacement, normal stress and opening beside it.
+/// A gnuplot script with its data: shear resistance, normal stress and opening against shear displacement.
 std::string curve_figure(const JointCurve& curve, const std::string& title);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// The path that a joint is led along on the bench.
+// The path of a joint on the bench.
 #pragma once
 
 #include "jointtest/csv_table.hpp"
@@ -20,9 +20,9 @@ struct PathPoint {
     double boundary_stiffness = 0; ///< which rises by this per opening since the first point
 };
 
-/// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, the latter with
-/// boundary_stiffness if wanted; time if wanted (otherwise each segment takes a unit of time). The first point is the state of the joint
-/// before the test begins.
+/// Columns of the file: shear_displacement and/or shear_displacement_y; normal_displacement or normal_stress, the latter optionally with
+/// boundary_stiffness; optionally time (otherwise each segment takes a unit of time). The first point is the state of the joint before the
+/// test.
 struct LoadPath {
     std::vector<PathPoint> points;
     CsvTable table; ///< the whole file, other columns included

@@ -17,7 +17,7 @@ namespace kaya {
 struct JointStep {
     double opening = 0;
     std::array<double, 2> shear{};
-    double time = 0; ///< that the step takes
+    double time = 0; ///< duration of the step
 };
 
 /// A sub-contact with its joint model. The normal is z, shear is x and y.
@@ -52,7 +52,7 @@ private:
     void call(const JointStep& step, bool initialise);
 };
 
-/// Why the model fails on a sub-contact without area, as a corner that just touches; empty when it does not.
+/// Why the model fails on a sub-contact without area, such as a corner in contact; empty when it does not fail.
 std::string fault_without_area(const JointModel& model, const std::vector<double>& values);
 
 /// The zero of `over`, which decreases with the opening, or its nearest point at a jump; `start` is a guess and `unit` a length of the

@@ -55,8 +55,8 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
         0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
 }
 
-/// Checksums of read-only inputs of a model. In a cycle those are the properties, shared by all batches; the columns are checked when the
-/// model is tried and when it initialises.
+/// Checksums of read-only inputs of a model. In a cycle only the properties are checked, which all batches share; the columns are checked
+/// when the model is tried and when it initialises.
 class ReadOnly {
 public:
     ReadOnly(const JointModel& model, const kaya_jbatch& batch, Guard guard) : columns_(guard == Guard::all) {
@@ -105,7 +105,8 @@ std::optional<BatchFailure> call(const JointModel& model, const std::function<pt
                                  kaya_jbatch& batch, const std::int32_t* numbers, const char* what, Guard guard) {
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
-        return BatchFailure{0, fmt::format("joint model {} keeps objects, and here is no room for them", model.name)};
+        return BatchFailure{
+            0, fmt::format("joint model {} stores objects, and this batch has no column for them", model.name)};
     batch.row = batch.n; // a model that works row by row reports its row
     ptrdiff_t row = -1;
     const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});

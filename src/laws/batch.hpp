@@ -18,12 +18,11 @@ struct BatchFailure {
 /// Which outputs of a joint model are validated.
 enum class Guard { all, in_cycle };
 
-/// Runs one step. Catches what the model throws, and looks for forces, stiffnesses and history values
-/// that are not finite and for stiffnesses below 0; nullopt when all is well. Allocates nothing unless
-/// it fails. The columns of a failed batch hold what the model left there. `numbers` are those of the rows that
-/// users see, for the report of a crash; NULL: it gives rows.
-/// `guard`: the cycle sums forces and work, sees by the sums whether all are numbers, and asks unusable_output() then;
-/// stiffnesses it looks at when the model says that it wrote some.
+/// Runs one step. Catches exceptions of the model, and checks for forces, stiffnesses and history values that are not finite and for
+/// stiffnesses below 0; nullopt when none is found. Allocates memory only on failure. The columns of a failed batch hold what the model
+/// wrote. `numbers` are those of the rows that users see, for the report of a crash; NULL: the report has rows. `guard`: the cycle sums
+/// forces and work, detects invalid numbers by the sums, and then calls unusable_output(); it checks stiffnesses only when the model
+/// reports that it wrote some.
 std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch,
                                       const std::int32_t* numbers = nullptr, Guard guard = Guard::all);
 

@@ -92,7 +92,7 @@ void keep_spare_stack() {
     static_cast<void>(spare);
 }
 
-/// Whether a library lies where the program's own do, next to it or where it is installed.
+/// Whether a library is in one of the program's folders: next to the program or where it is installed.
 bool ships(const std::string& file) {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -158,7 +158,7 @@ const char* deed_of(int signal, int code) {
     }
 }
 
-/// The place in the batch: reported by models that work row by row; for others only the ends are known.
+/// The row in the batch: reported by models that work row by row; for others only the first and last row are known.
 void add_place(Sentence& sentence, const AtRows& at) {
     if (at.rows == 0) return;
     const auto number = [&at](std::size_t row) {
@@ -190,7 +190,7 @@ void report(int signal, siginfo_t* info, void*) {
                  << "', in " << last_work.load() << "\n  its library: " << last->file.c_str();
         add_command(sentence);
         sentence
-            << "\n  a model that writes past its columns, or goes on in a thread of its own, does harm after its call; 'kaya jtest' looks for that";
+            << "\n  a model that writes past its columns, or continues in another thread, does harm after its call; 'kaya jtest' looks for that";
     } else {
         sentence << "\nerror: the program" << deed;
         add_command(sentence);
@@ -331,8 +331,8 @@ void end_by_exit(const void* caller, int status) {
 
 } // namespace kaya
 
-// The program's own come before those of the C library for all that is loaded: a joint model that leaves by them would end
-// a run half way, without a word and with the status of success. Nothing runs at such an exit, so nothing else is missed.
+// These functions of the program take precedence over those of the C library for all loaded libraries. Otherwise a joint model that calls
+// them would end a run without a message and with status 0. Exit handlers do not run at such an exit, so nothing else is lost.
 extern "C" {
 [[noreturn]] void _exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
 [[noreturn]] void _Exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }

@@ -1,4 +1,4 @@
-// Says which command, and which joint model or zone model, was at work when the program crashes, ends or does not come back.
+// Reports the running command, and the running joint model or zone model, when the program crashes, ends unexpectedly or hangs.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,13 @@ struct Called {
 /// The same one for the same three texts. Not for signal handlers.
 const Called* called(const std::string& name, const std::string& file, const char* noun);
 
-/// From now on a crash (a bad address, a division by zero, abort(), a stack that is full) is reported on the
-/// standard error before it ends the program: the command; the model that is at work in the thread that crashed, with its file,
-/// what it was doing and the sub-contact; or else the foreign model that was called last, if there was one: it may have spoilt
-/// memory that is used later. A model that calls exit(), or _exit(), ends the program with status 2 and a message. Ctrl-C names
-/// the models that are at work.
+/// Installs the reports. A crash (a bad address, a division by zero, abort(), a stack overflow) is reported on the standard error before it
+/// ends the program: the command, and the model that runs in the crashed thread with its file, its function and the sub-contact. If none
+/// runs there, the foreign model that was called last is named: it may have damaged memory that is used later. A model that calls exit(),
+/// or _exit(), ends the program with status 2 and a message. Ctrl-C names the running models.
 void report_crashes();
 
-/// What _exit() and _Exit() do here: `caller` is where they were called from.
+/// The program's version of _exit() and _Exit(): `caller` is the address of the call.
 [[noreturn]] void end_by_exit(const void* caller, int status);
 
 /// For a signal handler: ends the program by the signal, after naming the models that are at work.
@@ -39,16 +38,16 @@ void last_act();
 /// For a signal handler: says that the program waits for the models that are at work, if there are any.
 void tell_whom_it_waits_for();
 
-/// Where in a batch a law is. It says so itself by writing to `row`; until then it is anywhere.
+/// Rows of a batch that a law works on. The law writes its position to `row`; until then the position is unknown.
 struct AtRows {
     std::size_t rows = 0;
     const std::size_t* row = nullptr;      ///< of the batch
     const std::int32_t* numbers = nullptr; ///< of the rows that users see; NULL: they follow `first`
     std::int32_t first = 0;                ///< number of the first row; 0: the report gives rows
-    const char* noun = "sub-contact";      ///< of what has a number
+    const char* noun = "sub-contact";      ///< of a numbered row
 };
 
-/// While it lives, the program carries out a command; one inside of it is told in its place. Not for other threads than the first.
+/// While it lives, the program runs a command; of nested commands the inner one is reported. For the main thread only.
 class AtCommand {
 public:
     /// The text is copied as far as there is room, without control characters.

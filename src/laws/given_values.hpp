@@ -9,8 +9,8 @@
 
 namespace kaya {
 
-/// The values of all properties in the order of the law's table: those that are given, else the initial ones. `noun` says what
-/// the law is, "joint model". Throws Diagnostic for a word that the law does not know and a value outside its limits.
+/// The values of all properties in the order of the law's table: the given ones, else the initial ones. `noun` is the kind of law, "joint
+/// model". Throws Diagnostic for a word that the law does not know and a value outside its limits.
 std::vector<double> values_of(const LawTable& law, const char* noun,
                               const std::vector<std::pair<std::string, double>>& given);
 

@@ -1,4 +1,4 @@
-// The table of a joint model: checked once when it is loaded, then asked by name.
+// The table of a joint model: checked once when it is loaded, then queried by name.
 #include "laws/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
@@ -87,7 +87,7 @@ void JointModel::read_fields() {
     }
 }
 
-/// The field of that name, or of the property that the word stands for.
+/// The field of that name, or of the property with that name.
 std::optional<std::size_t> JointModel::find_field(std::string_view word) const {
     const auto property = find_property(word);
     for (std::size_t k = 0; k < fields.size(); ++k)
@@ -138,7 +138,7 @@ JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) 
 
 namespace {
 
-/// Calls a function of the model and turns what it throws into a Diagnostic.
+/// Calls a function of the model and turns exceptions into a Diagnostic.
 template <class Call> auto asked(const JointModel& model, const char* what, Call call) {
     std::string reason = "not a std::exception";
     try {

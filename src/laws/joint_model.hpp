@@ -1,4 +1,4 @@
-// Joint models that are known to the program: loaded libraries, by keyword.
+// Joint models that the program has loaded, by keyword.
 #pragma once
 
 #include "laws/joint_object.hpp"
@@ -22,8 +22,8 @@ struct JointStiffness {
     double normal, shear;
 };
 
-/// Functions of a joint model. For a library they are those of its descriptor; a model from elsewhere (a script) brings its own. They mean
-/// what the members of kaya_jmodel mean.
+/// Functions of a joint model. For a library they are those of its descriptor; a model from another source (a script) has its own. They
+/// correspond to the members of kaya_jmodel.
 struct JointFunctions {
     std::function<ptrdiff_t(kaya_jbatch*)> initialise, run;
     std::function<std::string(const double*)> check; ///< may be empty
@@ -33,11 +33,11 @@ struct JointFunctions {
 /// A joint model after loading: the descriptor, checked once, with its texts copied.
 class JointModel : public LawTable {
 public:
-    /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic that names the wrong entry of the
+    /// The table of a loaded library, checked and copied; `library` keeps it loaded. Throws Diagnostic that names the invalid entry of the
     /// table.
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> library);
 
-    /// A model whose functions are not in the descriptor; `owner` keeps the descriptor and them.
+    /// A model whose functions are not in the descriptor; `owner` owns the descriptor and the functions.
     JointModel(const kaya_jmodel* descriptor, std::filesystem::path file, std::shared_ptr<void> owner,
                JointFunctions functions);
 
@@ -45,7 +45,7 @@ public:
     struct Field {
         std::string name, unit, help;
         double initial;
-        std::optional<std::size_t> property; ///< whose value it has until it is set
+        std::optional<std::size_t> property; ///< whose value is used until it is set
     };
     std::vector<Field> fields;
     std::optional<std::size_t> find_field(std::string_view word) const;
@@ -53,23 +53,22 @@ public:
 
     std::vector<std::size_t> vectors; ///< first of three history variables that are a vector in the plane
 
-    /// A sentence about what is wrong with the values, or empty.
+    /// The reason why the values are invalid, or empty.
     std::string check(const std::vector<double>& values) const;
 
-    /// Throws Diagnostic (Fault::run) when the model throws, or gives a number that is not finite, a
-    /// negative one, a normal stiffness of 0, or one that is
-    /// less than half of that with which it resists closing and shear up to a moderate load.
+    /// Throws Diagnostic (Fault::run) when the model throws, or returns a stiffness that is not finite or negative, or a normal
+    /// stiffness of 0. Also when it returns less than half of the stiffness measured in closing and shear up to a moderate load.
     JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
-    /// Whether it keeps an object per sub-contact: then a batch needs the column of objects.
+    /// Whether it stores an object per sub-contact: then a batch needs the column of objects.
     bool keeps_objects() const { return descriptor_.restore != nullptr; }
 
     /// An object's value of a property; nullopt when the model has none. Throws Diagnostic when the model throws.
     std::optional<double> object_value(const JointObject& object, std::size_t property) const;
-    /// Gives an object a value; false when it does not take it.
+    /// Sets a property of an object; false when the object does not accept it.
     bool set_object_value(JointObject& object, std::size_t property, double value) const;
 
-    /// Whether it says what its objects hold of its properties.
+    /// Whether it reports the properties that its objects hold.
     bool shows_objects() const { return keeps_objects() && descriptor_.object_value != nullptr; }
 
     /// The object that gave these bytes. Throws Diagnostic (Fault::run) when the model cannot make it.
@@ -90,10 +89,10 @@ private:
     JointFunctions functions_;
 };
 
-/// Finds, loads and keeps joint models. An explicit list: nothing registers itself.
+/// Finds, loads and stores joint models. An explicit list: nothing registers itself.
 class JointRegistry {
 public:
-    /// Folders in which `NAME.so` is looked for, first match wins.
+    /// Folders that are searched for `NAME.so`; the first match is used.
     void set_path(std::vector<std::filesystem::path> folders) {
         path_ = std::move(folders);
         zones.set_path(path_);
@@ -103,7 +102,7 @@ public:
     /// Zone models, from the same folders and those next to them.
     ZoneModels zones;
 
-    /// Makes the model of a file that is no library. Throws Diagnostic.
+    /// Makes the model of a file that is not a library. Throws Diagnostic.
     using Maker = std::function<std::unique_ptr<JointModel>(const std::filesystem::path&)>;
 
     /// Files with that ending (".lua") are made into models by `maker`.
@@ -112,9 +111,10 @@ public:
     /// Is asked with each file before anything of it runs, and gives the name by which the file is to be opened. Throws Diagnostic to refuse it.
     std::function<std::filesystem::path(const std::filesystem::path&)> before_loading;
 
-    /// The model with that keyword, loaded when it is not yet; libraries named as those of 3DEC are, libjmodelslip009.so, are
-    /// opened to see what they hold. A name with a slash or with the ending .so, or one that is understood, is a file. Throws Diagnostic: not found (with the names that are there and did-you-mean),
-    /// not a joint model, other interface version (both numbers), bad table, name taken.
+    /// The model with that keyword; loads it if necessary. Libraries named as in 3DEC, libjmodelslip009.so, are opened to read their
+    /// keyword. A name with a slash or with the ending .so, or with the ending of another known kind of file, is a file. Throws Diagnostic:
+    /// not found (with the available names and a suggestion), not a joint model, other interface version (both numbers), invalid table,
+    /// name taken.
     const JointModel& get(std::string_view name);
 
     /// The keyword of a model that 3DEC calls otherwise (cyjm), in lower case; else the word itself.
@@ -124,10 +124,10 @@ public:
     std::vector<std::string> available() const;          ///< loaded or in the folders, sorted
     const std::vector<std::unique_ptr<JointModel>>& loaded() const { return models_; }
 
-    /// Whether a loaded model came by the path of its file, which a name alone does not find again.
+    /// Whether a loaded model was given by the path of its file, and cannot be found by its name alone.
     bool is_by_path(const JointModel& model) const;
 
-    /// What loaded models see of the deck's tables.
+    /// The tables of the deck for loaded models.
     JointTables& tables() { return *tables_; }
 
 private:

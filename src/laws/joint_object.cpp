@@ -10,7 +10,7 @@ namespace kaya {
 
 namespace {
 
-/// An object that only remembers what another one saved.
+/// An object that only holds the saved bytes of another one.
 struct Asleep {
     kaya_jobject head;
     std::string bytes;
@@ -45,7 +45,7 @@ JointObject::JointObject(const JointObject& other) {
     try {
         object_ = other.object_->functions->clone(other.object_);
     } catch (const std::exception& thrown) { fail("copy", thrown.what()); } catch (...) {
-        fail("copy", "it threw what is not a std::exception");
+        fail("copy", "it threw something other than a std::exception");
     }
     if (object_ == nullptr) fail("copy", "it gives no copy");
 }
@@ -67,7 +67,7 @@ std::string JointObject::bytes() const {
     try {
         object_->functions->save(object_, write, &all);
     } catch (const std::exception& thrown) { fail("save", thrown.what()); } catch (...) {
-        fail("save", "it threw what is not a std::exception");
+        fail("save", "it threw something other than a std::exception");
     }
     return all;
 }

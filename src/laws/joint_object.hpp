@@ -1,4 +1,4 @@
-// What a joint model keeps of one sub-contact as an object of its own.
+// The object that a joint model may store for each sub-contact.
 #pragma once
 
 #include "kaya/jmodel.h"
@@ -9,8 +9,8 @@
 
 namespace kaya {
 
-/// Owns one object, or none. A copy is a clone. As large as a pointer, so that a column of them is the
-/// column of pointers that a batch has.
+/// Owns one object, or none. A copy is a clone. It has the size of a pointer, so that a column of them is the column of pointers that a
+/// batch has.
 class JointObject {
 public:
     JointObject() = default;
@@ -26,10 +26,10 @@ public:
     explicit operator bool() const { return object_ != nullptr; }
     void reset() { *this = JointObject(); }
 
-    /// What the object saves, "" when there is none. Throws Diagnostic when the model throws.
+    /// The bytes that the object saves, "" when there is no object. Throws Diagnostic when the model throws.
     std::string bytes() const;
 
-    /// Bytes of an object whose joint model is not loaded yet; they are kept as they are.
+    /// Bytes of an object whose joint model is not loaded yet; they are stored unchanged.
     static JointObject asleep(std::string_view bytes);
     bool is_asleep() const;
 

@@ -58,7 +58,7 @@ void JointTables::refresh() {
     for (auto& [name, points] : taken_) {
         auto now = source_ ? source_(name) : std::nullopt;
         if (!now)
-            throw Diagnostic(fmt::format("table {} is gone, and a joint model works with it", name),
+            throw Diagnostic(fmt::format("table {} was deleted, and a joint model uses it", name),
                              "define the table again before the model cycles", Fault::run);
         *points = std::move(*now);
     }

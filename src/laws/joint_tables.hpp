@@ -13,12 +13,12 @@
 
 namespace kaya {
 
-/// Copies of the tables that joint models have asked for. A copy is taken when a table is first asked
-/// for and again by refresh(), so that a table cannot change under a model that runs in many threads.
+/// Copies of the tables that joint models have requested. A copy is made at the first request and again by refresh(), so that a table
+/// cannot change under a model that runs in many threads.
 class JointTables {
 public:
     struct Points {
-        std::vector<double> x, y; ///< x does not go back
+        std::vector<double> x, y; ///< x does not decrease
     };
     /// Gives the points of a table by name or number, nullopt when there is none. Called under a lock.
     using Source = std::function<std::optional<Points>(const std::string& name)>;
@@ -29,7 +29,7 @@ public:
 
     void set_source(Source source) { source_ = std::move(source); }
 
-    /// Takes the points anew. Throws Diagnostic (Fault::run) for a table that is gone.
+    /// Copies the points again. Throws Diagnostic (Fault::run) for a deleted table.
     void refresh();
 
     const kaya_jtables* interface() const { return &interface_.functions; }

@@ -40,7 +40,7 @@ bool is_keyword(std::string_view word) {
            std::all_of(word.begin(), word.end(), allowed);
 }
 
-/// Bytes of a descriptor of its interface version: members are only ever added at the end.
+/// Size of a descriptor of its interface version: new members are only added at the end.
 std::size_t size_of_version(const kaya_jmodel& d) {
     return d.interface_version == 2 ? offsetof(kaya_jmodel, fields) : sizeof d;
 }
@@ -49,7 +49,7 @@ std::size_t size_of_version(const kaya_zmodel& d) { return sizeof d; }
 std::uint32_t reduction_of(const kaya_jproperty&) { return KAYA_ZREDUCE_NONE; }
 std::uint32_t reduction_of(const kaya_zproperty& p) { return p.reduction; }
 
-/// The words of a table: which property each stands for, and why it cannot.
+/// The words of a table with their properties, and conflicts between them.
 struct Words {
     std::map<std::string, std::string> owner; ///< word -> property
 
@@ -86,7 +86,7 @@ template <class Descriptor> Descriptor LawTable::understood(const LawKind& kind,
         const bool newer = d->interface_version > kind.interface_version;
         Diagnostic error(fmt::format("{} {} was built for interface version {}, this program has version {}", kind.noun,
                                      file.string(), d->interface_version, kind.interface_version),
-                         newer ? "take a newer program, or build the model with the header of this one"
+                         newer ? "use a newer program, or build the model with the header of this one"
                                : fmt::format("build the model again with the {} of this program", kind.header));
         error.code = fmt::format("{}-version", kind.code);
         throw error;

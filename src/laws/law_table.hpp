@@ -1,5 +1,5 @@
-// What a law says of itself, be it a joint model or a zone model: its table, checked once when it is loaded, with its texts
-// copied, and then asked by name.
+// The description of a law, a joint model or a zone model: its table, checked once when it is loaded, with its texts copied, and then
+// queried by name.
 #pragma once
 
 #include "kaya/zmodel.h"
@@ -37,11 +37,11 @@ public:
         bool optional;                    ///< with an initial NaN: the law gets NaN
         std::uint32_t reduction = 0;      ///< kaya_zreduction
 
-        /// Whether a law can do without being given one.
+        /// Whether the property is optional.
         bool has_default() const { return optional || initial == initial; }
-        /// Whether a value lies within the limits; NaN does not.
+        /// Whether a value is within the limits; NaN is not.
         bool holds(double value) const { return value >= minimum && value <= maximum; }
-        /// "at least 0", "from 0 to 90": what follows "must be".
+        /// "at least 0", "from 0 to 90": the text after "must be".
         std::string limits_in_words() const;
     };
     struct HistoryVariable {
@@ -66,7 +66,7 @@ public:
     /// Its name for reports of crashes.
     const Called* who() const { return who_; }
 
-    /// Notes what it has changed of the processor's arithmetic (ArithmeticChange), in any thread, and gives what was noted.
+    /// Records how it has changed the processor's arithmetic (ArithmeticChange), in any thread, and returns the record.
     void note_arithmetic(unsigned changes) const {
         if (changes != 0) *arithmetic_ |= changes;
     }
@@ -75,11 +75,11 @@ public:
 protected:
     explicit LawTable(std::filesystem::path from) : file(std::move(from)) {}
 
-    /// A copy of the descriptor; what came after its interface version is 0. Throws Diagnostic when it was made for a
-    /// version that this program does not understand, or has not the size of its version: the rest lies elsewhere then.
+    /// A copy of the descriptor; members added after its interface version are 0. Throws Diagnostic when it was made for a version that
+    /// this program does not know, or has not the size of its version: its members would be at other positions.
     template <class Descriptor> Descriptor understood(const LawKind& kind, const Descriptor* descriptor) const;
 
-    /// Checks and copies the table. Throws Diagnostic that says which entry is wrong.
+    /// Checks and copies the table. Throws Diagnostic that names the invalid entry.
     template <class Descriptor> void read_table(const LawKind& kind, const Descriptor& descriptor);
 
     [[noreturn]] void refuse(const LawKind& kind, const std::string& what) const;

@@ -43,12 +43,12 @@ std::string fault_of_library_file(const std::filesystem::path& file) {
 
 namespace {
 
-constexpr unsigned patience = 30; ///< seconds that a library may take to be loaded
+constexpr unsigned patience = 30; ///< seconds until the loading of a library is stopped
 
 [[noreturn]] void load_and_leave(const std::filesystem::path& name, const char* entry, int answer) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
     alarm(patience);
-    // What it prints is printed when it is loaded in earnest.
+    // Its output appears when it is loaded into the program.
     if (const Descriptor nowhere = door::null_device()) {
         dup2(nowhere.number(), STDOUT_FILENO);
         dup2(nowhere.number(), STDERR_FILENO);
@@ -56,7 +56,7 @@ constexpr unsigned patience = 30; ///< seconds that a library may take to be loa
     if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
         try {
             if (void* function = dlsym(library, entry)) reinterpret_cast<const void* (*)()>(function)();
-        } catch (...) { // what is thrown is caught there, too
+        } catch (...) { // the program catches exceptions, too
         }
     }
     const char well = 'k';

@@ -1,4 +1,4 @@
-// A look at the file of a shared library before the system loads it.
+// Checks the file of a shared library before the system loads it.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace kaya {
 
-/// Why the file cannot be a shared library for this machine, or empty. The system's loader does not
-/// look at the length of a file: it dies of one that was cut off, as by a full disk.
+/// Why the file cannot be a shared library for this machine, or empty. The system's loader does not check the length of a file: it crashes
+/// on one that was cut off, as by a full disk.
 std::string fault_of_library_file(const std::filesystem::path& file);
 
 /// Loads the library of that name, an absolute path, and calls its function `entry` in a process of its own. Says what became of that process when it

@@ -50,14 +50,14 @@ kaya_jbatch LoneRow::batch(const JointModel& model, const std::vector<double>& v
 
 namespace {
 
-/// The columns of one row, each between two fences. It is kept for its memory.
+/// The columns of one row, each between two fences. Reused to save allocations.
 class FencedRow {
 public:
-    /// Points the batch at the fenced columns, which get what its own hold.
+    /// Points the batch at the fenced columns, which receive copies of its columns.
     void take(const JointModel& model, kaya_jbatch& batch) {
         fences_.clear();
         own_ = batch;
-        // What is read is copied, too: a model may write to that.
+        // Inputs are copied, too: a model may write to them.
         add("area", batch.area);
         add("normal_disp", batch.normal_disp);
         add("normal_disp_inc", batch.normal_disp_inc);
@@ -78,7 +78,7 @@ public:
         if (batch.object != nullptr) add("object", batch.object);
     }
 
-    /// Gives the columns of the batch what the fenced ones hold, and the batch its columns.
+    /// Copies the fenced columns to the columns of the batch, and points the batch at its columns again.
     void give(const JointModel& model, kaya_jbatch& batch) {
         const auto back = [](auto* to, const auto* from) { std::memcpy(to, from, sizeof *to); };
         back(own_.normal_force, batch.normal_force);
@@ -106,7 +106,7 @@ private:
 };
 
 template <class Call> std::optional<BatchFailure> call_fenced(const JointModel& model, kaya_jbatch& batch, Call call) {
-    static thread_local FencedRow row; // threads call laws at the same time, each between fences of its own
+    static thread_local FencedRow row; // threads call laws at the same time, each between its own fences
     row.take(model, batch);
     auto failure = call(model, batch);
     const auto breach = row.breach();
@@ -114,7 +114,7 @@ template <class Call> std::optional<BatchFailure> call_fenced(const JointModel& 
     if (breach)
         return BatchFailure{
             0,
-            fmt::format("joint model {} wrote {}, where nothing of its own is: it takes more rows or more history "
+            fmt::format("joint model {} wrote {}, outside of its data: it takes more rows or more history "
                         "variables than there are",
                         model.name, *breach),
             true};

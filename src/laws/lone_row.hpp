@@ -11,8 +11,8 @@
 
 namespace kaya {
 
-/// The columns of a batch of one row that come from a model elsewhere: fields as nobody has set them, a place in the
-/// origin with its normal in z, between blocks 1 and 2.
+/// The columns of a batch of one row that the rest of the model provides: unset fields, a position at the origin with its normal along z,
+/// between blocks 1 and 2.
 struct LoneColumns {
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> history{};
     std::array<double, KAYA_JMODEL_MAX_FIELDS> field{};
@@ -20,26 +20,26 @@ struct LoneColumns {
     std::array<double, 3> position{}, normal{0, 0, 1};
     std::array<std::int32_t, 2> block{1, 2};
 
-    /// Points the batch at them; they must live as long as it is used.
+    /// Points the batch at them; they must outlive the batch.
     void add_to(kaya_jbatch& batch, const JointModel& model);
 };
 
-/// All that one sub-contact is, in values: a copy is another one in the same state. The increments are those of the next step.
+/// The state of one sub-contact as values: a copy is another one in the same state. The increments are those of the next step.
 struct LoneRow {
     double area = 1, normal_disp = 0, normal_disp_inc = 0, normal_force = 0, pore_pressure = 0;
     std::array<double, 3> shear_disp{}, shear_disp_inc{}, shear_force{};
     double normal_stiffness = 0, shear_stiffness = 0, frictional_work = 0;
     std::uint32_t state = 0;
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
-    JointObject object; ///< of a model that keeps one; a copy is a clone
+    JointObject object; ///< of a model that has one; a copy is a clone
 
-    /// Points at the row, the values and `others`; they must live as long as it is used.
+    /// Points at the row, the values and `others`; they must outlive the batch.
     kaya_jbatch batch(const JointModel& model, const std::vector<double>& values, double time_step,
                       LoneColumns& others);
 };
 
-/// Runs one step of a batch of one row, in columns of its own between fences: a failure also names the column after or
-/// before which the model has written. The columns of the batch get what it has left.
+/// Runs one step of a batch of one row, in separate columns between fences: a failure also names the column after or before which the model
+/// wrote. The results are copied to the columns of the batch.
 std::optional<BatchFailure> run_fenced(const JointModel& model, kaya_jbatch& batch);
 
 /// The same for `initialise`.

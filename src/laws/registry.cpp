@@ -34,8 +34,8 @@ constexpr const char* entry_point = "kaya_joint_model";
 /// Words of 3DEC for models that have another name here.
 constexpr std::pair<std::string_view, std::string_view> synonyms[] = {{"cyjm", "continuously-yielding"}};
 
-/// The part of a file's name between `jmodel` and three digits, as libraries of 3DEC are called: libjmodelslip009.so holds
-/// `slip`, as a rule; only the model itself knows its keyword.
+/// The part of a file name between `jmodel` and three digits, as in the names of 3DEC's libraries: libjmodelslip009.so usually holds
+/// `slip`; only the model itself knows its keyword.
 std::optional<std::string> stem_of_3dec(const fs::path& file) {
     if (file.extension() != library_ending) return std::nullopt;
     std::string name = lower_case(file.stem().string());
@@ -85,7 +85,7 @@ const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
     try {
         return entry();
     } catch (const std::exception& thrown) { refuse_thrown(thrown.what()); } catch (...) {
-        refuse_thrown("it threw what is not a std::exception");
+        refuse_thrown("it threw something other than a std::exception");
     }
     return nullptr;
 }
@@ -98,14 +98,14 @@ bool JointRegistry::is_file_name(std::string_view name) const {
     return std::any_of(known.begin(), known.end(), [&](const auto& e) { return name.ends_with(e); });
 }
 
-/// A library comes before a script of the same name.
+/// A library takes precedence over a script of the same name.
 std::vector<std::string> JointRegistry::endings() const {
     std::vector<std::string> all{library_ending};
     for (const auto& [ending, maker] : makers_) all.push_back(ending);
     return all;
 }
 
-/// The file as it stands, else in one of the folders.
+/// The file of that path, else the file in one of the folders.
 fs::path JointRegistry::file_named(const fs::path& name) const {
     if (fs::exists(name) || name.is_absolute()) return name;
     for (const auto& folder : path_)
@@ -115,7 +115,7 @@ fs::path JointRegistry::file_named(const fs::path& name) const {
 
 std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     const auto maker = makers_.find(file.extension().string());
-    // A file that is no library is harmless, and that is what its user wants to hear; unless it cannot even be read.
+    // A file that is not a library is harmless, and its user needs that message; unless the file cannot even be read.
     if (maker == makers_.end() && door::peek(file)) refuse_other_files(file);
     // An absolute path keeps the system from looking elsewhere.
     const fs::path name = before_loading ? before_loading(file) : fs::absolute(file);
@@ -216,7 +216,7 @@ std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const
 }
 
 const JointModel* JointRegistry::find_among_3dec(const std::string& keyword) {
-    // Those first whose file name promises it. File names do lie, so then all of them.
+    // First the files whose name suggests the keyword. The name may be misleading, so then all others.
     std::vector<fs::path> promising, others;
     for (const auto& folder : path_) {
         std::error_code unreadable;
@@ -232,7 +232,7 @@ const JointModel* JointRegistry::find_among_3dec(const std::string& keyword) {
                 const auto model = open(file);
                 if (model->name != keyword) continue;
             } catch (const Diagnostic&) {
-                if (files == &promising) throw; // what was asked for is broken
+                if (files == &promising) throw; // the requested model is broken
                 continue;
             }
             return &load(file);
@@ -243,7 +243,7 @@ const JointModel* JointRegistry::find_among_3dec(const std::string& keyword) {
 std::vector<std::string> JointRegistry::available() const {
     std::set<std::string> names;
     for (const auto& model : models_) names.insert(model->name);
-    // Most .lua files next to a deck are no joint models: those are found when they are named.
+    // Most .lua files next to a deck are not joint models: those are found when they are named.
     for (const auto& folder : path_) {
         std::error_code unreadable; // a folder of the list need not be there
         for (const auto& entry : fs::directory_iterator(folder, unreadable))

@@ -24,7 +24,7 @@ void refuse_trespass(const JointModel& model, const BatchFailure& failure) {
 } // namespace
 
 std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::vector<double>& values) {
-    // Of the deck's length: from stresses that are small for any joint up to those of a hard one under load.
+    // In the deck's unit of length: from stresses that are small for any joint up to those of a stiff one under load.
     constexpr double shifts[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
     LoneRow row;
     LoneColumns others;

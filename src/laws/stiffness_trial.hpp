@@ -1,4 +1,4 @@
-// A look at whether a joint model is as soft as it says.
+// Tests whether a joint model is as soft as it reports.
 #pragma once
 
 #include "laws/joint_model.hpp"
@@ -11,12 +11,13 @@ namespace kaya {
 /// How one sub-contact of area 1 answers a small step.
 struct StiffnessTrial {
     const char* resists; ///< "closing" or "shear"
-    double found;        ///< growth of the force per way
-    double reported;     ///< the largest of the stiffnesses before and after it: the time step knows no more
+    double found;        ///< increase of the force per displacement
+    double reported;     ///< the largest of the reported stiffnesses before and after it, which the time step uses
 };
 
-/// Closes and shears a sub-contact in turn by ever larger steps and gives the worst of them; nullopt when the model fails
-/// at once. Throws Diagnostic (Fault::run) when it writes where it must not. A later failure ends the trial: it is found again, with its place, when the model runs.
+/// Closes and shears a sub-contact in turn by increasing steps and returns the worst of them; nullopt when the model fails in the first.
+/// Throws Diagnostic (Fault::run) when it writes outside of its columns. A later failure ends the trial: the run reports it, with its
+/// place.
 std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::vector<double>& values);
 
 } // namespace kaya

@@ -138,7 +138,8 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first
             0, fmt::format("zone model {} threw an exception in a batch that begins here: {}", name, thrown.what())};
     } catch (...) {
         return ZoneFailure{
-            0, fmt::format("zone model {} threw what is no std::exception in a batch that begins here", name)};
+            0,
+            fmt::format("zone model {} threw something other than a std::exception in a batch that begins here", name)};
     }
     note_arithmetic(arithmetic.put_back());
     if (sum_of_bits(batch.properties, properties.size()) != values)
@@ -220,7 +221,7 @@ const ZoneModel* ZoneModels::find(std::string_view name) const {
 }
 
 std::optional<fs::path> ZoneModels::file_of(const std::string& keyword) const {
-    // A joint model may have the same name and lie in the same folder: folders of zone models come first.
+    // A joint model may have the same name and be in the same folder: folders of zone models are searched first.
     const auto find = [&](bool of_zones) -> std::optional<fs::path> {
         for (const auto& folder : path_) {
             const fs::path file = folder / (keyword + library_ending);

@@ -9,10 +9,10 @@ namespace kaya {
 
 namespace {
 
-/// The columns of one zone, each between two fences. It is kept for its memory.
+/// The columns of one zone, each between two fences. Reused to save allocations.
 class FencedZone {
 public:
-    /// Points the batch at the fenced columns, which get what its own hold.
+    /// Points the batch at the fenced columns, which receive copies of its columns.
     void take(const ZoneModel& model, kaya_zbatch& batch) {
         fences_.clear();
         own_ = batch;
@@ -30,7 +30,7 @@ public:
         batch.history = history_.data();
     }
 
-    /// Gives the columns of the batch what the fenced ones hold, and the batch its columns.
+    /// Copies the fenced columns to the columns of the batch, and points the batch at its columns again.
     void give(const ZoneModel& model, kaya_zbatch& batch) {
         for (int k = 0; k < 6; ++k) *own_.stress[k] = *batch.stress[k];
         *own_.dissipation = *batch.dissipation;
@@ -41,16 +41,15 @@ public:
         batch = own_;
     }
 
-    /// What the model has done that it must not; nullopt when nothing.
+    /// The forbidden write of the model; nullopt when there is none.
     std::optional<std::string> trespass() {
         for (std::size_t k = 0; k < read_count_; ++k)
             if (sum_of_bits(read_[k].column, 1) != read_[k].sum)
                 return fmt::format("wrote to '{}', which it may only read", read_[k].name);
         if (const auto breach = fences_.breach())
-            return fmt::format(
-                "wrote {}, where nothing of its own is: it takes more rows or more history variables than "
-                "there are",
-                *breach);
+            return fmt::format("wrote {}, outside of its data: it takes more rows or more history variables than "
+                               "there are",
+                               *breach);
         return std::nullopt;
     }
 
@@ -103,7 +102,7 @@ struct LoneZone {
 } // namespace
 
 std::optional<ZoneFailure> run_fenced(const ZoneModel& model, kaya_zbatch& batch) {
-    static thread_local FencedZone zone; // threads call laws at the same time, each between fences of its own
+    static thread_local FencedZone zone; // threads call laws at the same time, each between its own fences
     zone.take(model, batch);
     auto failure = model.run(batch);
     const auto trespass = zone.trespass();
@@ -113,11 +112,11 @@ std::optional<ZoneFailure> run_fenced(const ZoneModel& model, kaya_zbatch& batch
 }
 
 void try_zone(const ZoneModel& model, const std::vector<double>& values) {
-    // From strains at which no rock yields to those at which all does, with pressure first: there the way is the longest.
+    // From strains at which no rock yields to those at which all does, compression first: there the stress is farthest from yielding.
     constexpr double strains[] = {1e-6, 1e-4, 1e-2};
     constexpr std::array<std::array<double, 6>, 4> directions{
         {{-1, -1, -1, 0, 0, 0}, {0, 0, -1, 0, 0, 0}, {0.3, -0.2, 0.1, 1, -0.5, 0.2}, {1, 1, 1, 0, 0, 0}}};
-    const std::vector<double> own = values; // the trial's, which may be spoilt
+    const std::vector<double> own = values; // the trial's, which may be damaged
     for (const auto& direction : directions) {
         LoneZone zone;
         auto batch = zone.batch(own);

@@ -241,7 +241,7 @@ void initialize_velocity(Model& model, const Bodies& bodies, int component, doub
         for (const Row b : bodies.blocks)
             if (blocks.body[b] != 0)
                 throw Advised(
-                    fmt::format("block {} is joined to others and has no rotation of its own", blocks.number[b]),
+                    fmt::format("block {} is joined to others and cannot rotate separately", blocks.number[b]),
                     Advice::rotate_before_joining);
     each_body(
         model, bodies, component,

@@ -21,8 +21,8 @@ struct CableChain {
     struct Grout {
         double stiffness = 0;  ///< force/length of slip; 0: the node slides freely
         double strength = 0;   ///< force
-        double lost = 0;       ///< slip at which it bears nothing
-        bool anchored = false; ///< slip stays as it is
+        double lost = 0;       ///< slip at which the grout carries no force
+        bool anchored = false; ///< slip is fixed
     };
     std::vector<Bar> bars; ///< one less than nodes
     std::vector<Grout> grout;

@@ -1,5 +1,5 @@
 // Stresses that the six zones of each cell of a group have in common. Consecutive cycles keep them here once instead of six times; they are
-// written back to the zones when someone reads them.
+// written back to the zones when they are read.
 #pragma once
 
 #include "mechanics/tetrahedra.hpp"

@@ -335,7 +335,7 @@ struct LayerModuli {
     return f;
 }
 
-/// Forces of a stress with a gradient, as in CellShape, of its own.
+/// Forces of a stress with a separate gradient, as in CellShape.
 [[gnu::always_inline]] inline void add_forces(const CellField& gradient, const SixEights& stress, CellForces& forces) {
     const Eight3 s0{stress[0], stress[3], stress[4]}, s1{stress[3], stress[1], stress[5]},
         s2{stress[4], stress[5], stress[2]};

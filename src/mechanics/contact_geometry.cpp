@@ -320,7 +320,7 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
     return area;
 }
 
-/// A block on a face of the other that is parallel to none of its own: its vertices over the face, and its edges where they cross the face
+/// A block on a face of the other block, without a face parallel to it: its vertices over the face, and its edges where they cross the face
 /// outline.
 bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
                      double margin, double tolerance) {

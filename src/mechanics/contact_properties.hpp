@@ -1,4 +1,4 @@
-// Giving contacts their joint model and its values.
+// Assigns joint models and their values to contacts.
 #pragma once
 
 #include "laws/joint_model.hpp"

@@ -27,7 +27,7 @@ struct FoundContacts {
 /// Keeps data between searches that speeds up the next one; results do not depend on it.
 class ContactSearch {
 public:
-    /// Checks all pairs of near blocks of which one has moved since its last check. `moving`: see replace_contacts.
+    /// Checks all pairs of near blocks where one has moved since its last check. `moving`: see replace_contacts.
     ContactChange search(Model& model, JointRegistry& joints, bool moving);
 
     /// Whether a block has moved so far that it may be about to meet another.

@@ -59,7 +59,7 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
     }
 }
 
-/// Sub-contacts that joint models have not been told about yet.
+/// Changed sub-contacts that joint models do not know of yet.
 struct Changes {
     std::vector<char> fresh; ///< that were not there before
     std::vector<char> moved; ///< with a normal displacement increment that they have not seen
@@ -207,7 +207,7 @@ std::vector<char> kept_contacts(const Model& model, const std::vector<ContactDra
     return kept;
 }
 
-/// Whether the contact keeps its number of points and each point is nearest to the sub-contact of its own row.
+/// Whether the contact keeps its number of points and each point is nearest to the sub-contact of its row.
 bool keeps_places(const Model& model, const ContactDraft& draft) {
     if (draft.kind == DraftKind::as_it_was) return true;
     if (draft.kind == DraftKind::overlap) return draft.old != no_row;
@@ -287,7 +287,7 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
             for (Row row = old.first; row < old.end(); ++row) from.subs.push_back(row);
         } else {
             for (const auto& point : draft.points) {
-                // Of an overlap, only loaded sub-contacts are a source.
+                // In an overlap, only loaded sub-contacts are a source.
                 const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
                 const Row row = overlap ? old.first : nearest(subs, old, point.position);
                 from.subs.push_back(row == no_row ? from.blank_sub : row);

@@ -15,7 +15,7 @@ namespace kaya {
 namespace {
 
 constexpr std::size_t zone_grain = 1024;
-constexpr double least_volume = 0.2; ///< of what it was
+constexpr double least_volume = 0.2; ///< of the initial volume
 const double least_sine = std::sin(2 * std::numbers::pi / 180);
 
 using Corners = std::array<Vec3, 4>;

@@ -17,7 +17,7 @@ using Pair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32
 /// The same for both orders of two blocks.
 Pair pair_of(const BlockId& a, const BlockId& b) {
     const std::pair one(a.slot, a.generation), other(b.slot, b.generation);
-    const auto& [low, high] = std::minmax(one, other); // of names: it gives references to what it is given
+    const auto& [low, high] = std::minmax(one, other); // of variables: it returns references to its arguments
     return {low.first, low.second, high.first, high.second};
 }
 

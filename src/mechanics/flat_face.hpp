@@ -42,7 +42,7 @@ struct FlatFace {
     }
     const PlaneMesh& found() const { return is_radial ? radial : mesh; }
 
-    /// Of a rigid block's face: the corner at a place, or -1.
+    /// The corner of a rigid block's face at a place, or -1.
     int corner_at(const Vec2& place, double tolerance) const {
         for (std::size_t i = 0; i < mesh.points.size(); ++i)
             if ((mesh.points[i] - place).squaredNorm() <= tolerance * tolerance) return static_cast<int>(i);

@@ -175,7 +175,7 @@ void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     }
 }
 
-/// Pairs of near joined blocks of which one has no ties yet.
+/// Pairs of near joined blocks where one has no ties yet.
 std::vector<std::array<Row, 2>> pairs_to_tie(const Model& model) {
     const auto& blocks = model.blocks;
     std::vector<Row> rows;

@@ -37,7 +37,7 @@ ShellSection section_of_liner(const StructureProperties& properties);
 /// Masses of nodes from the densities of their members, and bounds of their stiffnesses. Requires complete properties.
 void compute_member_masses(Model& model);
 
-/// Of the springs that hold a node to the rock.
+/// Stiffness of the springs between a node and the rock.
 struct LinkStiffness {
     double normal = 0, shear = 0;
 };

@@ -323,7 +323,7 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.area[s] = point.area;
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);
-        // The history is that of a loaded place: its joint model is told how far the others have opened.
+        // The history is that of a loaded place: its joint model receives the opening of the others.
         moved[static_cast<std::size_t>(s)] = closed < 0;
         subs.normal_displacement[s] = std::min(0.0, -closed);
         subs.normal_displacement_increment[s] = std::max(0.0, -closed);

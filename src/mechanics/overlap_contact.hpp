@@ -48,7 +48,7 @@ double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
 
 /// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
 /// distributed in the same proportion. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`:
-/// their joint models must be told their displacement increments. `first` is the row of the first place; history comes from the overlap's
+/// their joint models must receive their displacement increments. `first` is the row of the first place; history comes from the overlap's
 /// first sub-contact.
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
                  const ClosureOffset& offset, std::vector<char>& moved);

@@ -191,7 +191,7 @@ void take_corners(const Model& model, const Side& side, Row face, const Vec3& or
     taken.outward = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// What two parallel faces tell without the rest of the blocks.
+/// Result for two parallel faces, without the rest of the blocks.
 enum class Flat { apart, found, not_known };
 
 /// Nearly all joints that are open in part are flat enough for the wedge between their faces to define the overlap.

@@ -42,7 +42,7 @@ struct HistorySums {
 struct JointSums {
     double work = 0;     ///< put into them
     double friction = 0; ///< of it, lost
-    double returned = 0; ///< of what changes of touches had taken from the contacts
+    double returned = 0; ///< of the energy that contact updates had taken from the contacts
     double lost = 0;     ///< returned by contact updates from what they had taken
     double fluid = 0;    ///< lost from springs where contacts changed their area or separated
     double damped = 0;   ///< done on the blocks by pore pressure
@@ -66,7 +66,7 @@ struct StepSums {
     MotionSums motion;
     JointSums joints;
     ZoneSums zones;
-    double structure_work = 0; ///< put into cables, beams and liners
+    double structure_work = 0; ///< work on cables, beams and liners
     double inner_power = 0;    ///< of the forces of joints and zones after the step
 };
 

@@ -22,7 +22,7 @@ Impedance impedance_of(const Model& model, const std::vector<ElasticConstants>& 
     return {std::sqrt(density * (lambda + two_shear)), std::sqrt(density * 0.5 * two_shear)};
 }
 
-/// Of a unit area with unit normal n: the parts of the full dashpot that the bits ask for.
+/// Dashpot of a unit area with unit normal n: the parts of the full dashpot that the bits select.
 Mat3 dashpot_of(const Impedance& impedance, const Vec3& n, std::uint8_t bits) {
     const Mat3 normal = impedance.normal * n * n.transpose();
     const Mat3 shear = impedance.shear * (Mat3::Identity() - n * n.transpose());

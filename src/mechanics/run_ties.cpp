@@ -66,7 +66,7 @@ ZoneSums run_ties(Model& model, const TieLists& lists) {
                 Vec3 shift = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
                 Vec3& force = ties.force[spring.tie];
                 if (model.settings.large_strain) {
-                    // A rigid rotation is no relative displacement, even for ends that do not quite coincide.
+                    // A rigid rotation is not a relative displacement, even for ends that do not quite coincide.
                     const Turn turn(model, spring, step);
                     shift -= turn.spin * turn.between;
                     force = turn.rotation() * force;

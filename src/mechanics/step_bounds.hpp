@@ -71,7 +71,7 @@ public:
     /// (9).
     StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
 
-    /// Of the bodies of the last update, with the dashpots for the inertial masses; 0 for others.
+    /// Stiffness of the bodies of the last update, with the dashpots for the inertial masses; 0 for others.
     const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency);
 
     /// Estimate of the largest eigenvalue of the stiffness matrix over masses, with dashpots 2/step times as stiff: 1/time^2. The bound may
@@ -97,7 +97,7 @@ private:
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
-    /// Multiples of its own part of a spring, and of the dashpot beside it, that a body bears: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q =
+    /// Multiples of its own part of a spring, and of the parallel dashpot, that a body bears: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q =
     /// 1.
     struct Share {
         double elastic, viscous;

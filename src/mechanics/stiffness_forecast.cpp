@@ -20,7 +20,7 @@ namespace {
 constexpr double steps_ahead = 2;
 /// A normal force that grows by at most this part changes the stiffness of any joint law only a little.
 constexpr double small_growth = 0.25;
-/// A way that a law refuses is as good as one at the end of which it is so many times as stiff.
+/// A displacement that a law refuses counts as one that makes it so many times as stiff.
 constexpr double refused = 1e6;
 /// The part of the stable step that is taken leaves room for a stiffness that grows so many times.
 constexpr double harmless = 1.25;
@@ -84,7 +84,7 @@ bool varies(const JointModel& joint, const std::vector<double>& values) {
     const auto changed = [&] {
         return differs(copy.normal_stiffness, apart.normal) || differs(copy.shear_stiffness, apart.shear);
     };
-    // Of the deck's length, whatever its unit is.
+    // In the deck's length, for any unit.
     for (double closure = 1e-15; closure < 1e3; closure *= 10) {
         if (changed()) return true;
         copy.normal_disp_inc = -closure;

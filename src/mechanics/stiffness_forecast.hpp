@@ -1,4 +1,4 @@
-// What the next step will do to the stiffness of joints: docs/theory/time-step.md.
+// Forecast of the stiffness of joints in the next step: docs/theory/time-step.md.
 #pragma once
 
 #include "mechanics/adjacency.hpp"
@@ -11,10 +11,10 @@
 
 namespace kaya {
 
-/// Asks joint models on copies of sub-contacts; nothing in the model changes.
+/// Runs joint models on copies of sub-contacts; nothing in the model changes.
 class StiffnessForecast {
 public:
-    /// Takes the batches. Of property sets it remembers what it has found until it is told to forget.
+    /// Takes the batches. Of property sets it caches its results until they are discarded.
     void take(const Model& model, const std::vector<Batch>& batches);
     void forget() { varies_.clear(); }
 

@@ -22,7 +22,7 @@ std::size_t number_groups(const Column<Span>& spans, std::vector<std::size_t>& f
     return first.back() = next;
 }
 
-/// By places that do not change as it moves, not in their last bits either: of a rigid block those in its own axes.
+/// By positions that are constant under motion to the last bit: those of a rigid block in its own axes.
 double mean_face_area_of(const Model& model, Row block) {
     const Span faces = model.blocks.faces[block], triangles = model.blocks.triangles[block];
     const auto& x = model.gridpoints.reference;

@@ -1,4 +1,4 @@
-// Planes of the faces of blocks and their vertices as they are now, and their edges.
+// Present planes of the faces of blocks, their vertices and their edges.
 #pragma once
 
 #include "mechanics/edges.hpp"
@@ -24,7 +24,7 @@ inline double lowest(std::span<const Lanes3> vertices, const Vec3& direction) {
     return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
 }
 
-/// Planes of four faces of a block. Where there are fewer, the others have no normal and reach without end.
+/// Planes of four faces of a block. If there are fewer, the others have no normal and an infinite reach.
 struct FourPlanes {
     Lanes3 normal;
     Lanes reach;
@@ -32,7 +32,7 @@ struct FourPlanes {
 
 class Surfaces {
 public:
-    /// Looks at the faces of the blocks listed; those of others stay what they were. No block twice.
+    /// Updates the faces of the listed blocks; those of others are unchanged. No block twice.
     void update(const Model& model, const std::vector<Row>& blocks);
 
     const Vec3& normal(Row face) const { return planes_[face].normal; }
@@ -57,7 +57,7 @@ public:
     std::span<const std::array<int, 3>> triangles(Row face) const { return planes_[face].triangles; }
 
 private:
-    /// What of a block's surface stays when it moves, and by what is known that it is still this.
+    /// The part of a block's surface that is constant under motion, and its key.
     struct Shape {
         BlockId block;
         Span gridpoints, faces, triangles;
@@ -84,7 +84,7 @@ private:
     std::vector<Lanes3> vertices_;
     std::vector<FourPlanes> four_planes_;
     std::vector<Vec3> middles_;
-    std::vector<std::size_t> first_vertices_, first_planes_; ///< of each block in those, and their numbers
+    std::vector<std::size_t> first_vertices_, first_planes_; ///< of each block in the lists above, and their numbers
 };
 
 } // namespace kaya

@@ -15,7 +15,7 @@ namespace kaya {
 
 namespace {
 
-/// In parts of the force: a change that is rounding.
+/// Rounding, in parts of the force.
 constexpr double force_rounding = 1e-6;
 
 struct Force {
@@ -24,7 +24,7 @@ struct Force {
     double size() const { return std::hypot(normal, shear.norm()); }
 };
 
-/// What a joint model may write to of some rows, to put it back.
+/// A copy of the data of some rows that a joint model may change, to restore them.
 class RowsBefore {
 public:
     RowsBefore(SubContacts& subs, Row first, Row count) : subs_(subs), first_(first) {
@@ -68,7 +68,7 @@ private:
     std::vector<JointObject> objects_;
 };
 
-/// What one joint model did not carry.
+/// Forces that one joint model did not carry.
 struct Reduction {
     std::size_t rows = 0;
     Row worst = no_row;
@@ -119,7 +119,7 @@ Diagnostic warning_of(const Model& model, const std::string& name, const Reducti
     Diagnostic d(
         fmt::format("joint model '{}' cannot carry the forces that {} sub-contact{} {}: they are cut to its strength",
                     name, r.rows, r.rows == 1 ? "" : "s", r.rows == 1 ? "has" : "have"),
-        "what held them before is gone; look at the strength, or bring the model to rest before the change");
+        "the rest is lost; check the strength, or bring the model to rest before the change");
     d.add(fmt::format(
         "most of all sub-contact {} of contact {} between blocks {} and {}, at ({:.6g}, {:.6g}, {:.6g}): normal force "
         "{:.6g} becomes {:.6g}, shear force {:.6g} becomes {:.6g}",
@@ -182,7 +182,7 @@ std::vector<Diagnostic> take_over_forces(Model& model, JointRegistry& joints) {
     for (const auto& [name, reduction] : reductions) {
         if (reduction.rows == 0) continue;
         warnings.push_back(warning_of(model, name, reduction));
-        ModelEdit(model, Change::properties); // forces are gathered anew
+        ModelEdit(model, Change::properties); // forces are gathered again
     }
     return warnings;
 }

@@ -14,12 +14,12 @@ namespace kaya {
 /// Notes sub-contacts whose joint model or forces were set by a command.
 void note_taken_over(Model& model, const std::vector<char>& marked);
 
-/// Lets the joint models know of forces that scripts have set since the last call.
+/// Passes forces that scripts have set since the last call to the joint models.
 void tell_of_forces(Model& model, JointRegistry& joints);
 
-/// Asks the joint models of what was noted for a step without motion. Forces that they do not carry become what they make of
-/// them, and there is a warning for each joint model that says which and how much; all others stay as they are to the last bit.
-/// Sub-contacts whose property set is not complete yet stay noted. Throws Diagnostic when a joint model fails.
+/// Runs the joint models of the noted sub-contacts for a step without motion. Forces that they do not carry are replaced by theirs, with a
+/// warning for each joint model about the place and the size; all other forces are unchanged to the last bit. Sub-contacts with an
+/// incomplete property set remain noted. Throws Diagnostic when a joint model fails.
 std::vector<Diagnostic> take_over_forces(Model& model, JointRegistry& joints);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// Linear tetrahedra, eight at a time: shape, what a step does to it, and the forces of a stress on the corners.
+// Linear tetrahedra, eight at a time: shape, deformation in a step, and the forces of a stress on the corners.
 #pragma once
 
 #include "mechanics/eight.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// Zones go eight at a time, one in each lane.
+/// Zones are processed eight at a time, one in each lane.
 using ZoneGroup = const ZoneCorners*; ///< the corners of eight zones that follow each other
 
 struct EightRow {
@@ -44,7 +44,7 @@ inline EightRow load_corner(const PointRow* rows, ZoneGroup zones, std::size_t a
     if (count > 4) add(4, high_half);
 }
 
-/// The mean over the corners of what goes with the points.
+/// The mean over the corners of the fourth number of the points.
 inline Eight mean_of_fourth(const PointRow* rows, ZoneGroup zones) {
     Eight sum = load_corner(rows, zones, 0).fourth;
     for (std::size_t a = 1; a < 4; ++a) sum += load_corner(rows, zones, a).fourth;
@@ -74,14 +74,14 @@ struct FaceAreas {
 /// Components xx, yy, zz, xy, xz, yz.
 using SixEights = std::array<Eight, 6>;
 
-/// What a step does to tetrahedra: gradient of the motion with respect to the configuration in its middle, where a rigid turn
-/// gives no strain (Hughes and Winget 1980, Int. J. Numer. Meth. Eng. 15).
+/// Deformation of tetrahedra in a step: gradient of the motion with respect to the configuration at mid-step, where a rigid rotation gives
+/// no strain (Hughes and Winget 1980, Int. J. Numer. Meth. Eng. 15).
 struct Deformation {
     Eight volume, volume_strain;
     SixEights strain;
     Eight3 half_spin; ///< axial vector of half the skew part
 
-    /// `edges` at the end of the step, `way`: by how much they have changed; with `large` they were shorter by that before.
+    /// `edges` at the end of the step, `shift`: their change in it; with `large` they were shorter by that change before.
     [[gnu::always_inline]] Deformation(const Edges& edges, const Edges& shift, bool large) {
         Edges middle = edges;
         if (large)

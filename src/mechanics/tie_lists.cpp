@@ -10,8 +10,8 @@ namespace kaya {
 
 namespace {
 
-/// How many times stiffer a spring is than the stiffer one of the zones on which it acts: it gives way by a
-/// fiftieth of what they do. Equation (5) of docs/theory/ties.md.
+/// Ratio of the stiffness of a spring to that of the stiffer zone on which it acts: it deforms by a fiftieth of their deformation. Equation
+/// (5) of docs/theory/ties.md.
 constexpr double stiffer = 50;
 
 Row root_of(std::vector<Row>& parent, Row i) {
@@ -19,7 +19,7 @@ Row root_of(std::vector<Row>& parent, Row i) {
     return i;
 }
 
-/// Confined modulus over height of the zone behind a triangle, when the zones were made: stress/length.
+/// Confined modulus over height of the zone behind a triangle, at its creation: stress/length.
 double zone_stiffness(const Model& model, const ElasticConstants& elastic, Row zone,
                       const std::array<Row, 3>& triangle) {
     const auto& x = model.gridpoints.reference;

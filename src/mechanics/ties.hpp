@@ -14,17 +14,15 @@
 
 namespace kaya {
 
-/// Brings the ties up to date with bodies and meshes: void ones go, and bodies whose ties have not been made
-/// get them where faces of their blocks lie on each other. Where all corners of the two meshes are the same,
-/// gridpoints are tied exactly; elsewhere springs at the corners of the common refinement hold the faces, at
-/// first with the forces that the stresses of the zones behind them ask for.
+/// Updates the ties for the present bodies and meshes: invalid ones are removed, and bodies without ties get them where faces of their
+/// blocks are in contact. Where all corners of the two meshes coincide, gridpoints are tied exactly; elsewhere springs at the corners of
+/// the common refinement hold the faces, initially with the forces of the stresses in the zones behind them.
 void make_ties(Model& model);
 
-/// Gives springs between zones that are both in the list (ascending rows) the forces that go with the
-/// stresses there.
+/// Gives springs between zones that are both in the list (ascending rows) the forces of the stresses there.
 void set_tie_tractions(Model& model, const std::vector<Row>& zones);
 
-/// What is derived from the ties: rows, sums and stiffnesses.
+/// Data derived from the ties: rows, sums and stiffnesses.
 class TieLists {
 public:
     TieLists() = default;
@@ -37,7 +35,7 @@ public:
         return {members_.data() + start_[group], start_[group + 1] - start_[group]};
     }
     bool in_group(Row gridpoint) const { return !grouped_.empty() && grouped_[gridpoint]; }
-    /// What holds a group: the rollers of all its members.
+    /// The constraints of a group: the rollers of all its members.
     const Roller& roller(std::size_t group) const { return rollers_[group]; }
 
     /// A spring: rows of the gridpoints of its two triangles, and its stiffness, force/length.
@@ -71,19 +69,17 @@ private:
     Lists<Share> shares_;
 };
 
-/// What springs hold a gridpoint with, as a bound of its part of the squared frequency with the true mass:
-/// adds to Gridpoints::zone_frequency.
+/// Adds the springs at a gridpoint, as a bound of their part of the squared frequency with the true mass, to Gridpoints::zone_frequency.
 void add_tie_frequencies(Model& model, const TieLists& ties);
 
 /// Reads gridpoint motion; writes the forces of the springs.
 ZoneSums run_ties(Model& model, const TieLists& ties);
 
-/// Members of a group that others of it hold and drive get their velocity, as apply_velocity_histories does for
-/// those.
+/// Members of a group with a prescribed member get its velocity, as apply_velocity_histories does for that member.
 HistorySums follow_prescribed(Model& model, const TieLists& ties);
 
-/// Shares the forces of a group's members: by mass where it is free, so that all are accelerated alike; in
-/// directions in which some of them are held these bear all. Sums over the group stay.
+/// Distributes the forces of a group to its members: by mass where it is free, so that all have equal accelerations; in held directions
+/// the held members carry all. Sums over the group are unchanged.
 void share_forces(Model& model, std::span<const Row> members);
 
 } // namespace kaya

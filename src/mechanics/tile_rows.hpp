@@ -1,4 +1,4 @@
-// What the work on the zones of a tile reads and writes: its gridpoints in rows, forces on them, and stresses.
+// Data for the work on the zones of a tile: its gridpoints in rows, forces on them, and stresses.
 #pragma once
 
 #include "mechanics/crushed_zones.hpp"
@@ -18,10 +18,10 @@ using CellGroupCorners = const CellCorners*; ///< of eight cells
 /// Forces on the corners of eight cells.
 using CellForces = std::array<Eight3, 8>;
 
-/// The points of a tile in rows, which stay near the processor while its zones are worked on.
+/// The points of a tile in rows, which stay in the processor's cache while its zones are processed.
 class TileRows {
 public:
-    /// `pressure` of the pores, by gridpoint; of who does not ask for it empty.
+    /// `pressure`: pore pressure by gridpoint; empty for laws without it.
     TileRows(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const std::vector<double>& pressure = {})
         : tiles_(tiles), tile_(tile) {
         const bool wet = !pressure.empty();
@@ -73,7 +73,7 @@ private:
     return {{columns[0], columns[1], columns[2]}, columns[3]};
 }
 
-/// Throws where one of so many zones has no volume left; from one of them to the next it is `each` rows.
+/// Throws if one of `count` zones has no volume; their rows are `each` apart.
 inline void check_volumes(const Model& model, Row zone, Row each, Row count, const Eight& volume) {
     if (all_above_zero(volume)) return;
     for (Row l = 0; l < count; ++l)
@@ -107,8 +107,7 @@ private:
     PointRow* rows_;
 };
 
-/// Six numbers of each of eight rows, or of as many as there are, which begin `stride` numbers after each other. What is stored may stand in
-/// each row several times.
+/// Six numbers of each of eight rows, or of fewer at the end, `stride` numbers apart. A row may store several copies.
 [[gnu::always_inline]] inline SixEights load_six(const double* rows, std::size_t stride, Row count) {
     if (count >= eight) return six_columns(rows, stride);
     std::array<double, 6 * eight> few{};

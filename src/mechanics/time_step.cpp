@@ -30,7 +30,7 @@ double step_of_falling(const Model& model) {
     return 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
 }
 
-/// What nodes of beams and liners allow: all where their masses follow the step, unless there is nothing else to follow.
+/// Limit by the nodes of beams and liners: none where their masses follow the step, unless no other body limits it.
 MemberLimit limit_of_members(const Model& model, double of_rock) {
     const bool none = model.structures.members.empty();
     return none || (member_masses_follow(model.settings) && !std::isinf(of_rock)) ? MemberLimit{} : member_limit(model);
@@ -38,8 +38,8 @@ MemberLimit limit_of_members(const Model& model, double of_rock) {
 
 } // namespace
 
-/// Density scaling. `anew`: masses may also become smaller and the step another; otherwise the step stays, and
-/// bodies that have become too stiff for it get more mass.
+/// Density scaling. `anew`: masses may also decrease and the step may change; otherwise the step is kept, and bodies that are too stiff for
+/// it get more mass.
 void TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew) {
     const Settings& settings = model.settings;
     const double fraction = time_step_fraction(settings);
@@ -73,7 +73,7 @@ void TimeStep::take_given(Model& model, const Adjacency& adjacency, double stabl
         if (all) beyond_bound_ = false;
         return;
     }
-    // The bound is on the safe side; what the bodies do together may allow more.
+    // The bound is conservative; the coupled motion of the bodies may allow more.
     const double needed = std::max(0.25 * given * given * bounds_.estimate(model, adjacency, given),
                                    (given / of_members) * (given / of_members));
     if (needed > 1) {
@@ -102,7 +102,7 @@ void TimeStep::audit(const Model& model) const {
     throw d;
 }
 
-/// The longest step, not above `step`, at the end of which no joint will be so stiff that it is too long.
+/// The longest step, not above `step`, that is still short enough for the stiffness of the joints at its end.
 double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, double step) {
     const double fraction = time_step_fraction(model.settings);
     for (int i = 0; i < 200 && ahead_.update(model, adjacency, step); ++i) {
@@ -135,7 +135,7 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
                               scaled ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
         std::fill(changed.begin(), changed.end(), 0);
         if (scaled) {
-            // The step stays and masses follow, also for the stiffness that is to come.
+            // The step is kept and masses follow, also for the stiffness at the end of the step.
             if (ahead_.needed() && clock.time_step > 0 && ahead_.update(model, adjacency, clock.time_step)) {
                 bounds_.foreseen = &ahead_.springs();
                 bounds_.update(model, adjacency);

@@ -1,4 +1,4 @@
-// How long the next step may be: docs/theory/time-step.md.
+// Length of the next step: docs/theory/time-step.md.
 // reads: sub_contacts.normal_stiffness, sub_contacts.shear_stiffness, gridpoints.zone_frequency, blocks.inertial_mass, gridpoints.inertial_mass, settings.given_time_step
 // writes: clock.time_step, settings.energy, and where density is scaled what density_scaling.hpp does
 #pragma once
@@ -11,12 +11,11 @@
 
 namespace kaya {
 
-/// Writes Clock::time_step and, where density is scaled, inertial masses. The step is a function of the state at the
-/// cycles in which it is asked for, whatever was asked before.
+/// Writes Clock::time_step and, where density is scaled, inertial masses. The step depends only on the state in the
+/// cycles in which it is computed.
 class TimeStep {
 public:
-    /// Which bodies are looked at: those on the marked contacts and their neighbours, or all; and whether the step may
-    /// become longer too.
+    /// The bodies to be checked: those on the marked contacts and their neighbours, or all; and whether the step may increase.
     enum class Bodies { marked, all, all_and_grow };
 
     /// Clears the marks. Throws Diagnostic when the step that the deck gives is too long.

@@ -12,8 +12,8 @@ namespace kaya {
 
 namespace {
 
-/// True when the edge is crossed by the horizontal line from the place towards higher x. Both triangles on an edge
-/// come to the same answer, so that a place on the edge between two triangles is below exactly one of them.
+/// True when the edge is crossed by the horizontal line from the place towards higher x. Both triangles on an edge get the same answer, so
+/// that a place on the edge between two triangles is below exactly one of them.
 bool crosses(const Vec3& place, const Vec3& one, const Vec3& other) {
     const bool ordered = one.y() < other.y() || (one.y() == other.y() && one.x() < other.x());
     const Vec3 &a = ordered ? one : other, &b = ordered ? other : one;

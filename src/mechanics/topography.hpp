@@ -1,4 +1,4 @@
-// The weight of what lies above a place: stress below a surface that is not flat.
+// The weight above a place: stress below a surface that is not flat.
 #pragma once
 
 #include "model/model.hpp"
@@ -13,8 +13,8 @@ public:
     /// Throws Diagnostic when gravity does not point down along z, or a block has no density.
     explicit Overburden(const Model& model);
 
-    /// Weight per horizontal area of what blocks hold above the place: the sum over blocks of density times gravity
-    /// times the height of the block that a vertical line from the place up goes through. Holes weigh nothing.
+    /// Weight per horizontal area of the blocks above the place: the sum over blocks of density times gravity times the height of the block
+    /// on a vertical line through the place. Holes weigh nothing.
     double at(const Vec3& place) const;
 
 private:

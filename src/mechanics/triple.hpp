@@ -1,5 +1,5 @@
-// Vectors and rotations of one body as plain numbers. The compiler keeps them in registers, where it would put an Eigen
-// vector on the stack by parts and wait for it to be read back whole.
+// Vectors and rotations of one body as plain numbers. The compiler keeps them in registers; it would store an Eigen vector on the stack by
+// parts and stall when it is read as a whole.
 #pragma once
 
 #include "base/vector.hpp"
@@ -68,7 +68,7 @@ using Rotor = RotorOf<double>;
 /// The inverse of a symmetric matrix that is positive definite.
 template <class T> class SymmetricInverseOf {
 public:
-    /// Of `scale` times the matrix with the diagonal a, b, c and beside it d (yz), e (xz), f (xy).
+    /// Of `scale` times the matrix with the diagonal a, b, c and off it d (yz), e (xz), f (xy).
     SymmetricInverseOf(const T& a, const T& b, const T& c, const T& d, const T& e, const T& f, const T& scale) {
         xx_ = b * c - d * d;
         xy_ = d * e - f * c;

@@ -1,21 +1,19 @@
-// How a rigid block, or eight of them, turn in a step.
+// Rotation of one rigid block, or of eight, in a step.
 #pragma once
 
 #include "mechanics/triple.hpp"
 
 namespace kaya {
 
-/// A unit vector after a small turn, of length 1 again: it is almost that, and takes one step of Newton's method for 1/sqrt.
+/// A unit vector after a small rotation, normalised by one step of Newton's method for 1/sqrt, since its length is almost 1.
 template <class T> TripleOf<T> turned_a_little(const TripleOf<T>& unit, const TripleOf<T>& turn) {
     const TripleOf<T> turned = unit + turn.cross(unit);
     return (1.5 - 0.5 * turned.dot(turned)) * turned;
 }
 
-/// Turns a block with angular momentum `momentum` for one step by the implicit midpoint rule: the
-/// velocity of the middle of the step, found by fixed-point iteration, carries it from end to end.
-/// Momentum is kept to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth.
-/// Eng. 31). The inertia is in the block's own axes. Returns the velocity. Of eight blocks each stops where it
-/// would stop by itself.
+/// Rotates a block with angular momentum `momentum` for one step by the implicit midpoint rule, with the velocity at mid-step found by
+/// fixed-point iteration. Momentum is conserved to the last bit and energy has no drift (Simo and Wong 1991, Int. J. Numer. Meth. Eng. 31).
+/// The inertia is in the block's own axes. Returns the velocity. Each of eight blocks stops iterating independently.
 template <class T> TripleOf<T> turn(RotorOf<T>& orientation, const SymmetricInverseOf<T>& inverse_inertia,
                                     const TripleOf<T>& momentum, double step) {
     const RotorOf<T> start = orientation;
@@ -23,7 +21,7 @@ template <class T> TripleOf<T> turn(RotorOf<T>& orientation, const SymmetricInve
     TripleOf<T> velocity = inverse_inertia * own;
     auto settled = T{} != T{};
     for (int i = 0; i < 8 && !all(settled); ++i) {
-        // In axes that have turned with the block, the momentum turns the other way.
+        // In axes that rotate with the block, the momentum rotates in the opposite direction.
         const RotorOf<T> half = RotorOf<T>::by(0.5 * step * velocity);
         const TripleOf<T> next = half.turned(inverse_inertia * half.conjugate().turned(own)), change = next - velocity;
         velocity = {settled ? velocity.x : next.x, settled ? velocity.y : next.y, settled ? velocity.z : next.z};

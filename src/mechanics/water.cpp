@@ -9,7 +9,7 @@ namespace kaya {
 
 namespace {
 
-/// Of one side of a joint, from the gridpoints around.
+/// Pressure at one side of a joint, from the adjacent gridpoints.
 double pressure_next_to(const Model& model, const Attachment& side) {
     double sum = 0;
     if (side.attached())

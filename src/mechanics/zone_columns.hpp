@@ -10,9 +10,9 @@ namespace kaya {
 
 constexpr std::size_t most_zones_in_batch = 128; ///< zones in a batch
 constexpr std::size_t zone_column_length =
-    most_zones_in_batch + 8; ///< of a column: with powers of two they would all fall in the same lines of the cache
+    most_zones_in_batch + 8; ///< of a column: with powers of two all columns would share the same lines of the cache
 
-/// What a zone model sees of a batch, and what comes after it needs besides.
+/// Columns of a batch for a zone model, and additional ones for the work after it.
 struct ZoneColumns {
     alignas(64) double strain[6][zone_column_length], before[6][zone_column_length], stress[6][zone_column_length],
         edge[9][zone_column_length];

@@ -1,4 +1,4 @@
-// What zones do to the time step: docs/theory/time-step.md.
+// Effect of zones on the time step: docs/theory/time-step.md.
 // reads: gridpoints.position, gridpoints.mass, zones.gridpoints
 // writes: gridpoints.zone_frequency
 #pragma once

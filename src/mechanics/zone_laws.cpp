@@ -97,7 +97,7 @@ void check_values(const Model& model, Row block, const ZoneModel& zone_model, co
                given);
 }
 
-/// Whether a strength is not to be reduced. Its name says what it is.
+/// Whether a strength is excluded from reduction. Its name identifies its kind.
 bool keeps(std::uint8_t unreduced, const LawTable::Property& property) {
     constexpr std::pair<std::uint8_t, std::string_view> names[] = {
         {keep_friction, "friction"}, {keep_cohesion, "cohesion"}, {keep_tension, "tension"}};

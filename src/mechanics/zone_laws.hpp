@@ -11,12 +11,12 @@
 
 namespace kaya {
 
-/// What zones have of their neighbours: docs/theory/zones.md.
+/// Coupling of zones with their neighbours: docs/theory/zones.md.
 enum class Together {
     nothing, ///< each is on its own
-    at_points, ///< what flows averages volume strain and the plastic change of the mean stress over the zones at each gridpoint
+    at_points, ///< yielding zones average volume strain and the plastic change of the mean stress over the zones at each gridpoint
     flow_in_cells, ///< the same over the six zones of a cell
-    cells          ///< what is elastic strains cell by cell, and bends and twists as hexahedra do
+    cells          ///< elastic zones strain cell by cell, and bend and twist as hexahedra do
 };
 
 /// A zone model with values.
@@ -26,14 +26,14 @@ struct ZoneLaw {
     ElasticConstants elastic;
     Together together;
     std::size_t
-        cell_history; ///< the first of the two columns of Zones::history that keep how cells resist warping; another: cell_motion.hpp
+        cell_history; ///< the first of the two columns of Zones::history for the warp stresses of cells; another: cell_motion.hpp
 };
 
 class ZoneLaws {
 public:
     ZoneLaws() = default;
-    /// Makes room for what the laws keep. Throws Diagnostic where a block's zone model is not there, its values are missing,
-    /// beyond their limits, or do not go together.
+    /// Allocates the columns of the laws. Throws Diagnostic where a block's zone model is missing, or its values are missing, outside their
+    /// limits, or inconsistent.
     ZoneLaws(Model& model, ZoneModels& models);
 
     const ZoneLaw& of_block(Row block) const { return laws[static_cast<std::size_t>(law_of_[block])]; }
@@ -47,18 +47,18 @@ private:
     std::vector<Row> law_of_; ///< by block, no_row for rigid ones
 };
 
-/// The column of Zones::history where what cells keep begins: after those of the model, and after the first two, which fields of plastic
-/// strain read whatever the model.
+/// The first column of Zones::history for cells: after those of the model, and after the first two, which fields of plastic strain read for
+/// any model.
 std::size_t first_cell_history(const ZoneModel& zone_model);
 
 /// The zone model of a block: that of `zone model`, else that of its constitutive number. Throws Diagnostic for a number
 /// that means none.
 std::string zone_model_of(const Model& model, Row block);
 
-/// The values of a zone model for a block with its material, whether it has zones or not; NaN for one that nobody gave.
+/// The values of a zone model for a block with its material, whether it has zones or not; NaN for one that was not given.
 std::vector<double> zone_model_values(const Model& model, Row block, const ZoneModel& zone_model);
 
-/// What a property of a zone model is for a material: as `prop mat` gave it, else its initial value.
+/// A property of a zone model for a material: given by `prop mat`, else its initial value.
 double value_for_material(const LawTable::Property& property, const Material& material);
 
 /// Points a batch at columns of the same names; rows, history and state are the caller's.
@@ -75,13 +75,13 @@ template <class Columns> void point_to(kaya_zbatch& batch, const ZoneLaw& law, d
     }
 }
 
-/// What to say of a zone whose model failed.
+/// The message about a zone whose model failed.
 Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const ZoneFailure& failure);
 
 /// Whether Settings::strength_factor changes anything about it.
 bool can_be_reduced(const ZoneModel& model);
 
-/// A block's zones have another model: what the old one has kept goes.
+/// Removes the history of the old model when a block's zones get another one.
 void forget_zones(Model& model, Row block);
 
 } // namespace kaya

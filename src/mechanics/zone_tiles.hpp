@@ -1,4 +1,4 @@
-// The zones in tiles of one law each, and who shares the gridpoints of a tile; derived.
+// The zones in tiles of one law each, and the tiles that share gridpoints; derived data.
 #pragma once
 
 #include "mechanics/adjacency.hpp"
@@ -12,11 +12,11 @@
 
 namespace kaya {
 
-/// What a tile has at most: its gridpoints and what a law sees of it stay near the processor. The zones are whole groups of eight, and of
-/// eight cells.
+/// Largest numbers in a tile: its gridpoints and the columns of a law stay in the processor's cache. The zones are whole groups of eight,
+/// and of eight cells.
 constexpr Row most_zones_in_tile = 1008, most_points_in_tile = 1024;
 
-/// A vector at a point of a tile, and what goes with it.
+/// A vector at a point of a tile, and a fourth number.
 struct alignas(32) PointRow {
     std::array<double, 4> value;
 };
@@ -25,7 +25,7 @@ struct alignas(32) PointRow {
 using TilePoint = std::uint16_t;
 static_assert(most_points_in_tile <= std::numeric_limits<TilePoint>::max());
 
-/// The corners of a zone, and of a cell: corner i + 2 j + 4 k stands at the ends i, j, k of the three axes of its cell.
+/// The corners of a zone, and of a cell: corner i + 2 j + 4 k is at the ends i, j, k of the three axes of its cell.
 using ZoneCorners = std::array<TilePoint, 4>;
 using CellCorners = std::array<TilePoint, 8>;
 
@@ -52,12 +52,12 @@ template <class Point> std::array<Point, 8> corners_of_cell(const std::array<Poi
     return {zones[0][0], zones[0][1], zones[1][1], zones[0][2], zones[2][1], zones[2][2], zones[1][2], zones[0][3]};
 }
 
-/// A point of a tile is a gridpoint as that tile sees it: one task writes to it. A gridpoint between tiles of its block is
-/// a point of each of them.
+/// A point of a tile is the gridpoint in that tile: only one task writes to it. A gridpoint between tiles of its block is a point of each
+/// of them.
 class ZoneTiles {
 public:
     ZoneTiles() = default;
-    /// `law_of` gives the law of a zone; as many zones as `together` gives for a law stay in one tile.
+    /// `law_of` returns the law of a zone; groups of as many zones as `together` returns for a law stay in one tile.
     ZoneTiles(
         const Model& model, const std::function<std::size_t(Row zone)>& law_of,
         const std::function<Row(std::size_t law)>& together = [](std::size_t) { return 1; });
@@ -67,7 +67,7 @@ public:
     std::vector<ZoneCorners> corners; ///< of each zone
     Lists<Row> points_of;             ///< of each gridpoint, in the order of the tiles
 
-    // Of cells, group after group; where a tile ends its last group is filled up with the last cell.
+    // Corners of cells, group after group; the last group of a tile is filled up with its last cell.
     std::vector<CellCorners> cells;
     std::vector<std::uint8_t> ruled; ///< bits of faces, see RuledFaces
     Row groups() const { return static_cast<Row>(cells.size()) / cells_of_group; }

@@ -35,20 +35,20 @@ std::string number_or_numbers(std::span<const double> values) {
     return values.size() == 1 ? fmt::format("{:g}", values[0]) : fmt::format("({:g})", fmt::join(values, ", "));
 }
 
-/// Of what has no number, the block.
+/// Objects without a number are named by their block.
 template <class Rows>
 std::string object_at(const Model& model, std::string_view table, const Rows& rows, std::size_t row) {
     const std::string noun = in_words(table, true);
     if constexpr (requires { rows.number[row]; }) return fmt::format("{} {}", noun, rows.number[row]);
     else if constexpr (requires { static_cast<std::size_t>(rows.block[row]); }) {
         const auto& blocks = table.starts_with("excavated") ? model.excavated.blocks : model.blocks;
-        const auto block = static_cast<std::size_t>(rows.block[row]); // what is none is beyond all
+        const auto block = static_cast<std::size_t>(rows.block[row]); // an invalid block is beyond all
         if (block < blocks.size()) return fmt::format("a {} of block {}", noun, blocks.number[block]);
     }
     return fmt::format("{} {}", noun, row + 1);
 }
 
-/// What is wrong with the first row of a column that is not as it must be; empty: nothing.
+/// The fault of the first invalid row of a column; empty: none.
 template <class Rows, class T> std::string wrong_row(const Model& model, std::string_view table, const Rows& rows,
                                                      std::string_view name, Column<T>& column) {
     constexpr std::size_t count = Plain<T>::count;
@@ -66,7 +66,7 @@ template <class Rows, class T> std::string wrong_row(const Model& model, std::st
                        number_or_numbers(all.subspan(row * count, count)), limit);
 }
 
-/// The same for what the cycle keeps.
+/// The same for the clock and settings of the cycle.
 std::string wrong_of_time(const Model& model) {
     struct Number {
         const char* name;

@@ -194,7 +194,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     const MassProperties mass = mass_properties(polyhedron);
     const bool bounded = std::ranges::all_of(polyhedron.vertices, [](const Vec3& x) { return is_bounded(x); });
     if (!bounded || !std::isfinite(mass.volume))
-        throw Diagnostic(fmt::format("a coordinate of the block is beyond {:g}, or no number", largest_coordinate),
+        throw Diagnostic(fmt::format("a coordinate of the block is beyond {:g}, or not a number", largest_coordinate),
                          "look at the exponents of its coordinates");
     if (!(mass.volume > 0))
         throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),

@@ -1,4 +1,4 @@
-// Making and removing rows of the model: blocks and the zones in them.
+// Adds and removes rows of the model: blocks and the zones in them.
 #pragma once
 
 #include "base/progress_callback.hpp"

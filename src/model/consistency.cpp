@@ -54,16 +54,16 @@ void check_spans(Findings& findings, const char* table, const char* target, cons
 template <class Tag>
 void check_ids(Findings& findings, const char* table, const IdMap<Tag>& ids, const Column<Id<Tag>>& column) {
     for (std::size_t i = 0; i < column.size() && findings.clean(); ++i)
-        findings.require(ids.row(column[i]) == static_cast<Row>(i), table, i, "its id stands for another row");
+        findings.require(ids.row(column[i]) == static_cast<Row>(i), table, i, "its id belongs to another row");
     std::size_t used = 0;
     for (const auto& slot : ids.slots()) {
         if (slot.row == no_row) continue;
-        findings.require(inside(slot.row, column.size()), fmt::format("an id of {} stands for no row", table));
+        findings.require(inside(slot.row, column.size()), fmt::format("an id of {} has no row", table));
         ++used;
     }
-    findings.require(used == column.size(), fmt::format("{} ids stand for {} rows of {}", used, column.size(), table));
+    findings.require(used == column.size(), fmt::format("{} ids for {} rows of {}", used, column.size(), table));
     findings.require(ids.free_slots().size() + used == ids.slots().size(),
-                     fmt::format("the free ids of {} are not counted right", table));
+                     fmt::format("the number of free ids of {} is wrong", table));
     std::vector<bool> seen(ids.slots().size());
     for (const auto slot : ids.free_slots()) {
         const bool right = slot < seen.size() && !seen[slot] && ids.slots()[slot].row == no_row;
@@ -158,10 +158,10 @@ void check_rows_of_blocks(Findings& findings, const Model& model) {
     const auto& blocks = model.blocks;
     for (const auto* zones : {&model.zones, &model.excavated.zones})
         findings.require(zones->history_columns >= 0 && zones->history_columns <= KAYA_JMODEL_MAX_HISTORY,
-                         "the history columns of zones are not counted right");
+                         "the number of history columns of zones is wrong");
     for (std::size_t i = 0; i < blocks.size() && findings.clean(); ++i) {
         findings.require((blocks.deformable[i] != 0) == (blocks.zones[i].count > 0), "blocks", i,
-                         "it is to be deformable without zones, or has zones and is not");
+                         "it is deformable without zones, or has zones and is rigid");
         findings.require(blocks.cell_zones[i] == 0 ||
                              (blocks.cell_zones[i] > 0 && blocks.zones[i].count % blocks.cell_zones[i] == 0),
                          "blocks", i,
@@ -229,7 +229,7 @@ void check_contacts(Findings& findings, const Model& model) {
     const auto& contacts = model.contacts;
     check_ids(findings, "contacts", contacts.ids, contacts.id);
     for (std::size_t i = 0; i < contacts.size() && findings.clean(); ++i) {
-        findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block touches itself");
+        findings.require(contacts.block1[i] != contacts.block2[i], "contacts", i, "a block is in contact with itself");
         check_faces(findings, model, i);
         findings.require(between(contacts.type[i], ContactType::face_face, ContactType::vertex_vertex), "contacts", i,
                          "its type is unknown");
@@ -252,7 +252,7 @@ void check_attachments(Findings& findings, const Model& model, const Column<Atta
                              fmt::format("gridpoint {} of {}", row, points.size()));
             if (row == no_row)
                 findings.require(!side[i].attached() ? side[i] == Attachment{} : side[i].weights[k] == 0,
-                                 "sub_contacts", i, "a corner that it hangs on is missing");
+                                 "sub_contacts", i, "a corner of its attachment is missing");
             else if (findings.clean())
                 findings.require(points.block[static_cast<std::size_t>(row)] == block, "sub_contacts", i,
                                  fmt::format("gridpoint {} is not one of its block", row));
@@ -264,9 +264,9 @@ void check_sub_contacts(Findings& findings, const Model& model) {
     const auto& sub = model.sub_contacts;
     check_ids(findings, "sub_contacts", sub.ids, sub.id);
     findings.require(sub.history_columns >= 0 && sub.history_columns <= KAYA_JMODEL_MAX_HISTORY,
-                     "the history columns of sub-contacts are not counted right");
+                     "the number of history columns of sub-contacts is wrong");
     findings.require(sub.field_columns >= 0 && sub.field_columns <= KAYA_JMODEL_MAX_FIELDS,
-                     "the fields of sub-contacts are not counted right");
+                     "the number of fields of sub-contacts is wrong");
     check_attachments(findings, model, sub.side1, model.contacts.block1);
     check_attachments(findings, model, sub.side2, model.contacts.block2);
     for (std::size_t i = 0; i < sub.size() && findings.clean(); ++i) {
@@ -302,14 +302,14 @@ void check_ties(Findings& findings, const Model& model) {
 void check_histories(Findings& findings, const Model& model) {
     const auto& histories = model.histories;
     const std::size_t samples = histories.time.size();
-    findings.require(histories.cycle.size() == samples, "histories have not as many cycles as times");
+    findings.require(histories.cycle.size() == samples, "histories have different numbers of cycles and times");
     findings.require(histories.interval > 0, fmt::format("histories are sampled every {} cycles", histories.interval));
     for (std::size_t k = 0; k < histories.all.size(); ++k) {
         const auto& history = histories.all[k];
         const std::int32_t before = k == 0 ? 0 : histories.all[k - 1].number;
         findings.require(history.number > before, "histories", k, "its number is not above the one before");
         findings.require(history.first_sample <= samples && history.values.size() == samples - history.first_sample,
-                         "histories", k, "it has not as many values as there are samples");
+                         "histories", k, "its number of values is not that of the samples");
         findings.require(history.source.kind != ObjectKind::none && info_of(history.source.kind).history >= 0,
                          "histories", k, "its kind is unknown");
     }
@@ -364,7 +364,7 @@ void check_cables(Findings& findings, const Model& model) {
                          "its bar has no length");
 }
 
-/// Elements must use distinct nodes of their own member.
+/// Elements must use distinct nodes of their member.
 void check_members(Findings& findings, const Model& model) {
     const auto& structures = model.structures;
     const auto& members = structures.members;
@@ -381,7 +381,7 @@ void check_members(Findings& findings, const Model& model) {
     for (std::size_t i = 0; i < nodes.size() && findings.clean(); ++i) {
         findings.require(between(nodes.grip[i], Grip::link, Grip::clamp), "member_nodes", i, "its grip is unknown");
         const double turn = nodes.rotation[i].norm();
-        findings.require(turn > 0.5 && turn < 2, "member_nodes", i, "its rotation is none");
+        findings.require(turn > 0.5 && turn < 2, "member_nodes", i, "its rotation is not a rotation");
     }
     check_rock_points(findings, model, "member_nodes", nodes);
     const auto check = [&](const char* table, const auto& corners, const Column<Row>& owners) {
@@ -416,7 +416,7 @@ std::string inconsistency(Model& model) {
     model.tables(check_columns);
     model.structure_tables(check_columns);
     findings.require(!model.group_names.empty() && model.group_names.front().empty(), "group 0 has a name");
-    findings.require(!model.rollers.empty() && model.rollers.front().count == 0, "roller 0 holds something");
+    findings.require(!model.rollers.empty() && model.rollers.front().count == 0, "roller 0 has directions");
     for (const Roller& roller : model.rollers)
         findings.require(between(roller.count, 0, 3), "a roller holds another number of directions than 0 to 3");
     findings.require(between(model.settings.damping, Damping::none, Damping::rayleigh), "the damping is unknown");

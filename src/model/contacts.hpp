@@ -23,7 +23,7 @@ enum class ContactType : std::int32_t { face_face = 1, face_edge, face_vertex, e
 /// Features in contact at a sub-contact.
 enum class SubContactType : std::int32_t { vertex_face = 1, face_vertex, edge_edge, face_face };
 
-/// What defines the normal force of a contact.
+/// How the normal force of a contact is defined.
 enum class ContactKind : std::int32_t {
     joint,  ///< the closure of fixed places of the joint
     overlap ///< the volume that two rigid blocks have in common
@@ -64,7 +64,7 @@ public:
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< energy taken and not yet returned
-    Column<double> withheld;      ///< part of its force that does not act, so that it gives back no more than that
+    Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
     // Of joints only.
     Column<double> slip_since_update; ///< relative tangential motion since the last geometry update
     Column<double> unforced_overlap;  ///< overlap beyond the one that its force explains
@@ -148,7 +148,7 @@ public:
     // Fields that joint models only read; a row whose bit is not set has the property, or the initial value.
     std::array<Column<double>, KAYA_JMODEL_MAX_FIELDS> field; ///< those after `field_columns` are empty
     Column<std::uint32_t> field_set;                          ///< bit k: field k was set
-    std::int32_t field_columns = 0;                           ///< as many as the joint model has of which one was set
+    std::int32_t field_columns = 0;                           ///< as many as the joint model has, if one was set
 
     Column<JointObject> object; ///< history of a joint model that plain numbers cannot hold
     bool keeps_objects = false; ///< whether a joint model does; otherwise the column is empty

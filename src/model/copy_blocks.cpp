@@ -13,7 +13,7 @@ namespace kaya {
 
 namespace {
 
-/// A reflection turns the order of corners round.
+/// A reflection reverses the order of corners.
 bool reflects(const Placement& placement) { return placement.turn.determinant() < 0; }
 
 /// The block's shape at the new place; its faces keep their order.

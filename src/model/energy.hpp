@@ -13,11 +13,11 @@ struct Energy {
     double boundary = 0;       ///< work of loads, prescribed velocities and pore pressure on the blocks
     double damped = 0;         ///< taken out by damping
     double joint_work = 0;     ///< put into joints: stored in them or lost
-    double joint_friction = 0; ///< of it, lost in slip and breaking
+    double joint_friction = 0; ///< of it, lost in slip and failure
     double joint_lost = 0;     ///< of it, lost where contacts separated or got new geometry
-    double zone_work = 0;      ///< put into zones
-    double structure_work = 0; ///< put into cables, beams and liners: stored in them or lost
-    double step_made = 0;      ///< made by changes of the time step, docs/theory/energy.md (9)
+    double zone_work = 0;      ///< work on zones
+    double structure_work = 0; ///< work on cables, beams and liners: stored in them or lost
+    double step_made = 0;      ///< time-step changes, docs/theory/energy.md (9)
     double inner_power = 0;    ///< of the forces of joints and zones on the bodies at the end of the last step
     double lag = 0;            ///< time from the velocities to the end of the last step: half of it
 

@@ -8,7 +8,7 @@ namespace kaya {
 /// Moves blocks out of the model, with their zones, materials, groups and held components.
 void excavate_blocks(Model& model, const std::vector<Row>& blocks);
 
-/// Puts blocks back at their former positions, under their old numbers: at rest, without load, stress and displacement, not joined. `rows`
+/// Restores blocks at their former positions, under their old numbers: at rest, without load, stress and displacement, not joined. `rows`
 /// are those of Model::excavated.
 void fill_blocks(Model& model, const std::vector<Row>& rows);
 

@@ -22,8 +22,8 @@ const char* kind_of(const FieldValue& value) {
 double number(const FieldValue& value) {
     if (const auto* real = std::get_if<double>(&value)) {
         if (std::isfinite(*real)) return *real;
-        throw Diagnostic(std::isnan(*real) ? "this is no number: it comes from 0/0 or the like"
-                                           : "this number is infinite: it comes from a division by 0 or the like");
+        throw Diagnostic(std::isnan(*real) ? "this is not a number: it comes from 0/0 or similar"
+                                           : "this number is infinite: it comes from a division by 0 or similar");
     }
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
     throw Diagnostic(fmt::format("a number is needed here, and this is {}", kind_of(value)));

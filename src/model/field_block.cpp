@@ -100,7 +100,7 @@ template <int i, int k> double product_of_inertia(const Model& model, Row block)
 void rotate(Model& model, Row block, const Vec3& velocity) {
     if (model.blocks.body[block] != 0)
         throw Diagnostic(
-            fmt::format("block {} is joined to others and has no rotation of its own", model.blocks.number[block]),
+            fmt::format("block {} is joined to others and cannot rotate separately", model.blocks.number[block]),
             "give it a rotation before `join`");
     const double mass = model.blocks.mass[block];
     const double factor = mass > 0 ? model.blocks.inertial_mass[block] / mass : 1; // of density scaling

@@ -12,7 +12,7 @@ constexpr auto rows_of = &Model::gridpoints;
 /// A rigid block's vertex follows the block: its own velocity cannot be given.
 void need_deformable(const Model& model, Row gridpoint) {
     if (!model.blocks.deformable[model.gridpoints.block[gridpoint]])
-        throw Diagnostic("the vertex of a rigid block follows its block and has no velocity of its own",
+        throw Diagnostic("the vertex of a rigid block follows its block and has no separate velocity",
                          "set the velocity of the block");
 }
 void set_velocity(Model& model, Row gridpoint, const FieldValue& value) {

@@ -59,7 +59,7 @@ FieldValue face(const Model& model, Row row) {
                                                                                 : model.contacts.face1[contact]};
 }
 
-/// Records a force set from outside; the joint model must be told about it.
+/// Records a force set from outside; the joint model must receive it.
 void note_force(Model& model, Row row) {
     const SubContactId id = model.sub_contacts.id[row];
     if (model.forces_set.empty() || model.forces_set.back() != id) model.forces_set.push_back(id);

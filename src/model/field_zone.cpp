@@ -60,7 +60,7 @@ FieldValue model_name(const Model& model, Row zone) {
     return std::string(model.blocks.constitutive[block] == 2 ? "mohr-coulomb" : "elastic");
 }
 FieldValue state(const Model& model, Row zone) { return static_cast<std::int64_t>(model.zones.state[zone]); }
-/// The first two history variables of models that flow.
+/// The first two history variables of plastic models.
 double plastic_shear(const Model& model, Row zone) {
     return model.zones.history_columns > 0 ? model.zones.history[0][zone] : 0;
 }

@@ -38,7 +38,7 @@ struct KindInfo {
     // How it is found again. Objects counted within their block depend on the block's shape; other kinds have their own identities.
     Span (*in_block)(const Model&, Row block) = nullptr;
     Identity (*identity)(const Model&, Row) = nullptr;
-    Row (*find)(const Model&, const Identity&) = nullptr; ///< no_row: it is gone
+    Row (*find)(const Model&, const Identity&) = nullptr; ///< no_row: deleted
 
     bool found_late = false; ///< contacts are searched on first use
 

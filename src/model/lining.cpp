@@ -30,7 +30,7 @@ public:
         return finder_.at(place + in_front_ * normal, tolerance_) != no_row;
     }
     bool in_the_middle(const Corners& corners) const { return at(middle_of(corners), normal_of(corners)); }
-    /// Of the middle and three points near the corners.
+    /// How many of the centre and three points near the corners are covered.
     int count(const Corners& corners) const {
         const Vec3 middle = middle_of(corners), normal = normal_of(corners);
         int covered = at(middle, normal);

@@ -35,7 +35,7 @@ Vec3 block_centroid(const Model& model, Row block);
 Vec3 block_velocity(const Model& model, Row block);
 Vec3 block_displacement(const Model& model, Row block);
 
-/// Of a rigid block its column; of a deformable one the sum over its gridpoints.
+/// The column of a rigid block; for a deformable one the sum over its gridpoints.
 Vec3 block_force(const Model& model, Row block);
 Vec3 block_load(const Model& model, Row block);
 

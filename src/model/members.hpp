@@ -186,7 +186,7 @@ void delete_members(Model& model, const std::vector<Row>& members);
 /// Places nodes again whose block was deleted or changed its shape. Their forces on it are dropped.
 void place_member_nodes(Model& model, const BlockFinder& finder);
 
-/// How a node hangs on the rock now.
+/// The present attachment of a node to the rock.
 enum class Hold : std::uint8_t { none, springs, pinned, clamped };
 Hold hold_of(const Model& model, Row node);
 
@@ -199,7 +199,7 @@ Vec3 liner_axis(const Vec3& wanted, const Vec3& normal);
 /// The present normal of a node.
 Vec3 normal_of_node(const Model& model, Row node);
 
-/// Of the link on the node, per area of a liner and length of a beam: away from the rock, and along the face.
+/// Forces of the link of the node, per area of a liner and length of a beam: away from the rock, and along the face.
 double link_tension_of(const Model& model, Row node);
 double link_shear_of(const Model& model, Row node);
 

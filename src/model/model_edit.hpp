@@ -22,7 +22,7 @@ enum class Change : std::uint8_t {
 /// Dirty flags of derived data; the code that rebuilds it clears them. After a restore the lists are dirty.
 class Stale {
 public:
-    bool contacts() const { return contacts_; }     ///< are searched anew
+    bool contacts() const { return contacts_; }     ///< must be searched again
     bool properties() const { return properties_; } ///< masses, stiffnesses, the time step must be recomputed
     bool lists() const { return lists_; }           ///< interaction lists must be rebuilt
     bool any() const { return contacts_ || properties_ || lists_; }

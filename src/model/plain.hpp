@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-/// `count` values of type `scalar`, one after the other and nothing else.
+/// `count` values of type `scalar`, consecutive, and nothing else.
 template <class T> struct Plain;
 
 template <class T>

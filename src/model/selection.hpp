@@ -12,7 +12,7 @@ namespace kaya {
 /// One test of a range, made by src/commands from the phrase in the deck. Ands and ors are folded in.
 using RangeTest = std::function<bool(const Model&, ObjectKind, Row)>;
 
-/// Rows of that kind on visible blocks (contacts: of which both blocks are visible) that pass.
+/// Rows of that kind on visible blocks (of contacts both blocks must be visible) that pass.
 /// An empty test passes all. Ascending rows.
 std::vector<Row> select(const Model& model, ObjectKind kind, const RangeTest& test, bool hidden_too = false);
 

@@ -12,7 +12,7 @@ enum class Damping : std::int32_t { none, local, global, combined, rayleigh };
 
 /// Source of the water pressure in joints.
 enum class Water : std::int32_t {
-    none,   ///< nobody touches SubContacts::pore_pressure
+    none,   ///< SubContacts::pore_pressure is not changed
     table,  ///< hydrostatic below a plane
     field,  ///< linear in space
     points, ///< of the adjacent gridpoints, Gridpoints::pore_pressure

@@ -13,18 +13,17 @@ namespace kaya {
 // An archive has:
 //   value(name, T&)             a plain value (plain.hpp)
 //   text(name, std::string&)
-//   list(name, Column<T>&)      plain values, as many as there are
+//   list(name, Column<T>&)      plain values, with their number
 //   rows(table)                 number of rows, before the table's columns
-//   column(name, Column<T>&, const T& initial)   of a table: a plain value for each row; a new row holds `initial`
-//   records(name, std::vector<S>&, visit)   visit(S&) is called for each, inside a section of its own
-//   section(name, visit)        visit() sees names of its own
-//   aside(visit)                what does not decide how a run goes on: the hash leaves it out
+//   column(name, Column<T>&, const T& initial)   of a table: a plain value for each row; a new row has `initial`
+//   records(name, std::vector<S>&, visit)   visit(S&) is called for each, inside a separate section
+//   section(name, visit)        visit() has a separate set of names
+//   aside(visit)                data without influence on the run: the hash leaves them out
 //
-// A name may be added anywhere: the hash leaves out what is as in a new model (state_hash.hpp), and a save that does not have
-// the name is restored with that.
+// A name may be added anywhere: the hash leaves out values of a new model (state_hash.hpp), and a save without the name is restored with
+// such a value.
 //
-// The members of each struct are taken by structured binding: one that is added to the struct and
-// not here does not compile.
+// The members of each struct are listed by structured binding: a member that is added to the struct and not here does not compile.
 
 template <class Archive> void visit_state(Archive& archive, Settings& settings) {
     auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
@@ -250,7 +249,7 @@ template <class Archive> void visit_column(Archive& archive, const std::string& 
 /// Objects have no plain bytes; visit_objects takes what they save.
 template <class Archive> void visit_column(Archive&, const std::string&, Column<JointObject>&) {}
 
-/// Objects of joint models: one size per row, and all bytes one after the other. A restoring archive leaves them unloaded, since their
+/// Objects of joint models: one size per row, and all bytes in order. A restoring archive leaves them unloaded, since their
 /// joint models are loaded later.
 template <class Archive> void visit_objects(Archive& archive, Column<JointObject>& objects) {
     Column<std::uint64_t> sizes;

@@ -1,6 +1,5 @@
-// The digest of a state: names and bits of all that is not as in a new model. A table without rows, a column of initial
-// values, a setting that was never changed and an empty list add nothing, so that a program that knows more of them
-// computes the same digest.
+// The digest of a state: names and bits of all values that differ from a new model. A table without rows, a column of initial values, a
+// setting that was never changed and an empty list add nothing, so that a later program with more of them computes the same digest.
 #pragma once
 
 #include "base/hash.hpp"
@@ -12,7 +11,7 @@
 
 namespace kaya {
 
-/// What a new model holds, by name; what a new record of a list holds stands under the name of the list and `*`.
+/// Values of a new model by name; those of a new record of a list are under the name of the list and `*`.
 class InitialState {
 public:
     InitialState() {
@@ -61,7 +60,7 @@ private:
     std::string path_;
 };
 
-/// An archive that only looks. Names go into the digest with what they name.
+/// An archive that only reads. The digest includes names and values.
 class HashArchive {
 public:
     template <class T> void value(const std::string& name, T& value) { add(name, InitialState::bytes_of(value)); }

@@ -62,7 +62,7 @@ private:
         for (const auto kind : {cable_kind, beam_kind, liner_kind})
             if (property.users & kind) users += fmt::format("{}{}s", users.empty() ? "" : " and ", noun_of(kind));
         throw Diagnostic(fmt::format("{}, which give {}: that is for {}", beginning(), property.name, users),
-                         fmt::format("give {}s properties of their own, under another number", noun_of(kind_)));
+                         fmt::format("give {}s separate properties, under another number", noun_of(kind_)));
     }
 
     StructureKind kind_;

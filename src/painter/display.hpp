@@ -6,8 +6,7 @@
 
 namespace kaya {
 
-/// Starts Xvfb with a number that it finds itself and a secret of its own, and ends it again. When this program dies,
-/// the system ends Xvfb.
+/// Starts Xvfb, which picks a free display number, with a random secret, and ends it again. When this program dies, the system ends Xvfb.
 class Display {
 public:
     /// Sets DISPLAY and XAUTHORITY. Throws std::runtime_error with a sentence for the user.

@@ -55,7 +55,7 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
 
 void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::size_t end, bool in_legend,
                std::size_t index, float width) {
-    static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: they stand on white
+    static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: the background is white
     vtkNew<vtkDoubleArray> x, y;
     x->SetName("x");
     y->SetName(curve.name.empty() ? "y" : curve.name.c_str());
@@ -79,7 +79,7 @@ void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::si
     if (curve.name.empty() || !in_legend) plot->LegendVisibilityOff();
 }
 
-/// A gap where a number is missing: each piece is a plot of its own.
+/// A gap where a number is missing: each piece is a separate plot.
 void add_curve(vtkChartXY* chart, const Curve& curve, std::size_t index, float width) {
     const std::size_t size = std::min(curve.x.size(), curve.y.size());
     const auto there = [&](std::size_t i) { return std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]); };
@@ -184,7 +184,7 @@ std::string png_of(const Chart& given) {
     chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
     if (given.net) add_net(chart, font);
     else {
-        // The empty line keeps the name away from the numbers.
+        // The empty line separates the name from the numbers.
         set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
         set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label + "\n", given.curves, &Curve::y, 6, font);
     }

@@ -122,7 +122,7 @@ void add_layer(vtkRenderer* renderer, const Scene& scene, const Layer& layer) {
         mapper->SetResolveCoincidentTopologyToPolygonOffset();
         mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -20);
     } else {
-        // Colours that are read off a legend stay near to those of the legend.
+        // Colours that are compared with a legend must look like those of the legend.
         const bool plain = layer.bar < 0;
         property->SetAmbient(plain ? 0.3 : 0.6);
         property->SetDiffuse(plain ? 0.75 : 0.45);
@@ -144,7 +144,7 @@ void aim(vtkRenderer* renderer, const Scene& scene) {
     camera->SetViewAngle(25);
     camera->SetParallelProjection(!scene.perspective);
     renderer->ResetCamera();
-    if (!scene.bars.empty()) camera->SetWindowCenter(0.14, 0); // the legend stands on the right
+    if (!scene.bars.empty()) camera->SetWindowCenter(0.14, 0); // the legend is on the right
     if (scene.has_centre) {
         double old[3], place[3];
         camera->GetFocalPoint(old);

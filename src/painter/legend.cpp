@@ -72,7 +72,7 @@ private:
     vtkNew<vtkUnsignedCharArray> colours_;
 };
 
-/// Draws from `top` downwards and gives back where the next one begins.
+/// Draws from `top` downwards and returns where the next one begins.
 double add_names(vtkRenderer* renderer, const ColourBar& bar, double left, double top, double font) {
     Rectangles boxes;
     const std::size_t shown = std::min(bar.names.size(), most_names);

@@ -1,4 +1,4 @@
-// What is written on a picture: title, note, and what the colours mean.
+// Texts on a picture: title, note, and legends of colours.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -1,5 +1,5 @@
-// kaya-painter: reads drawings from its standard input and writes PNG files to its standard output, until there are no
-// more. kaya starts it when the first picture is asked for.
+// kaya-painter: reads drawings from its standard input and writes PNG files to its standard output, until the input ends. kaya starts it
+// for the first picture.
 #include "display.hpp"
 #include "draw.hpp"
 #include "scene/wire.hpp"
@@ -30,7 +30,7 @@ bool read_message(std::string& bytes) {
     return read_all(bytes.data(), size);
 }
 
-/// False when nobody reads it any more.
+/// False when the reader has closed the pipe.
 bool answer(int to, char good, const std::string& bytes) {
     const std::uint64_t size = bytes.size();
     std::string message(1, good);
@@ -49,7 +49,7 @@ bool answer(int to, char good, const std::string& bytes) {
 int main() {
     vtkObject::GlobalWarningDisplayOff();
     std::signal(SIGPIPE, SIG_IGN);
-    const int replies = ::dup(STDOUT_FILENO); // what a driver prints is not part of an answer
+    const int replies = ::dup(STDOUT_FILENO); // output of a graphics driver must not become part of an answer
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
     std::unique_ptr<kaya::Display> display;
     for (std::string bytes; read_message(bytes);) {
@@ -59,7 +59,7 @@ int main() {
         try {
             const auto drawing = kaya::drawing_from(bytes);
             if (!drawing) throw std::runtime_error("kaya and kaya-painter are not of the same version");
-            // A screen that is there may be another machine's, without OpenGL: a display of our own always draws alike.
+            // The user's display may be on another machine, without OpenGL: the painter's own display always gives the same picture.
             if (!display) display = std::make_unique<kaya::Display>();
             result = std::visit([](const auto& what) { return kaya::png_of(what); }, *drawing);
         } catch (const std::exception& error) {

@@ -1,4 +1,4 @@
-// What a window shows, as the bytes of a PNG file.
+// The content of a window as the bytes of a PNG file.
 #pragma once
 
 #include <string>

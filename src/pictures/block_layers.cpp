@@ -58,7 +58,7 @@ private:
     }
 
     void add_face(Row face) {
-        std::set<std::pair<Row, Row>> sides; // without a twin in the other direction
+        std::set<std::pair<Row, Row>> sides; // edges without a counterpart in the other direction
         const Span triangles = model_.faces.triangles[face];
         for (Row t = triangles.first; t < triangles.end(); ++t) {
             const auto& ids = model_.triangles.gridpoints[t];
@@ -87,7 +87,7 @@ private:
         if (!shown_.cut) return add_polygon(surface, triangle);
         const Polygon kept = kept_part(triangle, *shown_.cut);
         add_polygon(surface, kept);
-        // What of the triangle lies on the plane is a side of the face that the cut makes.
+        // The part of the triangle on the plane is an edge of the face that the cut makes.
         Polygon on_plane;
         for (const Corner& c : kept)
             if (std::abs((c.place - shown_.cut->origin).dot(shown_.cut->normal)) <= 1e-9 * (1 + c.place.norm()))

@@ -1,4 +1,4 @@
-// From a quantity to numbers that have colours, and what the colours mean.
+// Converts a quantity to numbers with colours, and describes the colours.
 #pragma once
 
 #include "pictures/model_picture.hpp"
@@ -11,10 +11,10 @@ class Colouring {
 public:
     explicit Colouring(ColourField field) : field_(std::move(field)) {}
     ObjectKind table() const { return field_.table; }
-    /// A text is the number of its name. NaN for what has no number.
+    /// A text is converted to the index of its name. NaN for objects without a value.
     float value(const Model& model, Row row);
     bool gives_names() const { return !bar_.names.empty(); }
-    /// Of all values so far.
+    /// The range of all values so far.
     ColourBar bar() const;
 
 private:

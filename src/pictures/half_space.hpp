@@ -14,13 +14,13 @@ struct Corner {
 };
 using Polygon = std::vector<Corner>;
 
-/// The part of a convex polygon that stays, corners in order; empty when nothing does.
+/// The part of a convex polygon that is kept, corners in order; empty when none is.
 Polygon kept_part(const Polygon& polygon, const CutPlane& plane);
-/// The part of a line that stays: two ends or none.
+/// The part of a line that is kept: two ends or none.
 Polygon kept_line(const Corner& from, const Corner& to, const CutPlane& plane);
 /// The corners, in order, of the face that the plane makes in a tetrahedron.
 Polygon slice_of(const std::array<Corner, 4>& tetrahedron, const CutPlane& plane);
-/// Points of a plane in order around their middle: of a convex face.
+/// Sorts the points of a convex face around their middle.
 void put_in_order(Polygon& points, const Vec3& normal);
 
 void add_polygon(Layer& layer, const Polygon& polygon);

@@ -20,7 +20,7 @@ void add_joint(Layer& layer, const Model& model, const Shown& shown, Row contact
         Vec3 middle = Vec3::Zero();
         for (const Corner& corner : part) middle += corner.place / static_cast<double>(part.size());
         const float value = colouring.value(model, nearest_sub_contact(model, contact, middle));
-        // There is nothing between two names.
+        // Values between two names have no meaning.
         for (Corner& corner : part)
             corner.value = colouring.gives_names()
                                ? value

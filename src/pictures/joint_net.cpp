@@ -1,5 +1,5 @@
-// Directions of joints on a net of equal areas. Schmidt's projection of the lower hemisphere: a direction that plunges by p goes to
-// sqrt(2) sin(45 - p/2) from the middle.
+// Directions of joints on an equal-area net. Schmidt's projection of the lower hemisphere: a direction with plunge p is at the distance
+// sqrt(2) sin(45 - p/2) from the centre.
 #include "model/measure.hpp"
 #include "pictures/model_picture.hpp"
 

@@ -1,4 +1,4 @@
-// What is seen of the model, as drawings: blocks, joints, arrows.
+// The model as drawings: blocks, joints, arrows.
 #pragma once
 
 #include "model/field.hpp"
@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// A half of space that is taken away: where (x - origin) * normal is above 0.
+/// A half-space that is removed: where (x - origin) * normal is above 0.
 struct CutPlane {
     Vec3 origin = Vec3::Zero(), normal = Vec3::UnitX();
 };
@@ -25,10 +25,10 @@ struct Shown {
     std::optional<CutPlane> cut;
 };
 
-/// A quantity that can be seen as colours; a vector by its length, a text by names.
+/// A quantity that colours show; a vector by its length, a text by names.
 struct ColourField {
     ObjectKind table = ObjectKind::block;
-    std::string title; ///< as it is written next to the colours: "displacement [length]"
+    std::string title; ///< next to the colours: "displacement [length]"
     std::function<FieldValue(const Model&, Row)> get;
 };
 /// Finds a quantity of gridpoints, zones or blocks by its name in fields(), or by a word of plot lines: disp, vel, sxx, group.
@@ -39,9 +39,9 @@ std::optional<ColourField> find_joint_field(const std::string& word);
 
 /// The blocks with their edges, by the colours of a quantity or all in one colour.
 void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std::optional<ColourField>& field);
-/// The faces on which blocks lie on each other, by the colours of a quantity; with no blocks in front of them.
+/// The contact faces of blocks, coloured by a quantity; blocks do not hide them.
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);
-/// Cables as lines, by the colours of a quantity of fields() of their nodes. They are seen through the blocks.
+/// Cables as lines, coloured by a quantity of fields() of their nodes. Blocks do not hide them.
 void add_cables(Scene& scene, const Model& model, const Shown& shown, const std::string& field);
 /// Elements of beams (lines) or of liners (triangles), by the colours of a number among their fields.
 void add_members(Scene& scene, const Model& model, const Shown& shown, ObjectKind kind, const std::string& field);

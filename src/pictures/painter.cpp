@@ -24,8 +24,8 @@ constexpr int longest_wait = 60'000; // milliseconds; the painter gives up a lit
 
 /// In the new process: waits for the first byte and becomes the painter, or ends with the end of its messages.
 [[noreturn]] void wait_and_become(const char* program, int channel) {
-    ::setpgid(0, 0); // Ctrl-C is meant for the run
-    // Keeps no file of the run open, nor the stream that somebody waits on for its end.
+    ::setpgid(0, 0); // Ctrl-C is for the run only
+    // Closes the files of the run, and the streams whose end a caller may wait for.
     const int nothing = door::null_device().release();
     ::dup2(channel, STDIN_FILENO);
     ::dup2(channel, STDOUT_FILENO);
@@ -48,7 +48,7 @@ void Painter::end() {
     if (to_ >= 0) ::close(to_);
     to_ = from_ = -1;
     if (process_ <= 0) return;
-    // It ends with its messages, and its display with it; one that hangs does not keep the run.
+    // It ends with its input, and its display with it; a hanging painter does not delay the run.
     for (int tries = 0; tries < 300; ++tries) {
         if (::waitpid(process_, nullptr, WNOHANG) != 0) {
             process_ = -1;
@@ -110,7 +110,7 @@ std::string Painter::read(std::size_t size) {
             if (ready == 0) ::kill(process_, SIGKILL);
             end();
             no_picture(ready == 0 ? "drawing takes more than a minute" : "the program that draws has ended",
-                       "the run goes on; make the picture smaller, or use 'vtk write'");
+                       "the run continues; make the picture smaller, or use 'vtk write'");
         }
         at += static_cast<std::size_t>(got);
     }

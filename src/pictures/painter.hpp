@@ -1,4 +1,4 @@
-// The program that draws, as kaya sees it.
+// The program that draws, seen from kaya.
 #pragma once
 
 #include "scene/wire.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// One program kaya-painter next to this one, which waits until the first picture is asked for.
+/// A process of kaya-painter, which is started for the first picture.
 class Painter {
 public:
     explicit Painter(std::filesystem::path program) : program_(std::move(program)) {}
@@ -17,12 +17,12 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    /// Makes a process that becomes the painter when it is given its first drawing. Follows the lock of the file system no
-    /// program can be started, so this comes before it; it draws numbers that it is given and knows no names of files.
-    /// Nothing, when there is no such program.
+    /// Makes a process that becomes the painter when it receives its first drawing. After the file system is locked no program can be
+    /// started, so this is called before it; the painter receives numbers only, and no names of files. Does nothing when the program is
+    /// missing.
     void stand_by();
 
-    /// The bytes of a PNG file. Throws Diagnostic (Fault::run): what is missing, or what went wrong.
+    /// The bytes of a PNG file. Throws Diagnostic (Fault::run): a missing program, or an error of the painter.
     std::string png(const Drawing& drawing);
 
 private:

@@ -29,7 +29,7 @@ Vec3 drawn_place(const Model& model, const Shown& shown, Row gridpoint) {
     return model.gridpoints.position[gridpoint] + shown.deformation * model.gridpoints.displacement[gridpoint];
 }
 
-/// Values at gridpoints: of zones and blocks the mean of those around.
+/// Values at gridpoints: for quantities of zones and blocks the mean of the adjacent ones.
 std::vector<float> at_gridpoints(const Model& model, const Shown& shown, Colouring& colouring) {
     std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
     each_zone(model, shown, [&](Row block, Row zone) {

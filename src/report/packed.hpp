@@ -1,5 +1,5 @@
-// Columns of numbers as text that a browser unpacks: first bytes of all numbers, then second bytes and so on, which deflate (RFC 1950) makes
-// smaller than numbers as they lie; then base64.
+// Columns of numbers as text that a browser unpacks: first bytes of all numbers, then second bytes and so on, which deflate (RFC 1950)
+// compresses better than the plain numbers; then base64.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ template <class Number> std::string packed(std::span<const Number> numbers) {
         byte_planes({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()}, sizeof(Number)));
 }
 
-/// To 16 bits: five digits, which is more than eyes see. NaN and infinity stay.
+/// To 16 bits, about five digits: enough for a view. NaN and infinity are unchanged.
 float rounded(float number);
 
 /// The text in quotes, for JSON inside of a page: no '<' in it.

@@ -10,7 +10,7 @@ struct PagePart {
     std::string_view kind; ///< "css" or "js"
     std::string_view text;
 };
-/// In the order in which they stand in the page.
+/// In the order of the page.
 std::span<const PagePart> page_parts();
 
 } // namespace kaya

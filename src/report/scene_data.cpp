@@ -25,12 +25,12 @@ namespace {
 struct Surface {
     std::vector<float> places, displacements;             ///< three for each corner, of the place before it moved
     std::vector<Row> gridpoints;                          ///< of each corner
-    std::vector<std::uint32_t> corners, triangles, lines; ///< counts, by block
+    std::vector<std::uint32_t> corners, triangles, lines; ///< numbers of them, by block
     std::vector<std::uint32_t> triangle_corners, line_corners;
     std::vector<std::uint32_t> numbers; ///< of blocks
 };
 
-/// Edges of a face: those of one of its triangles only.
+/// Edges of a face: edges that belong to one of its triangles only.
 void add_lines(const Model& model, Row block, const std::map<Row, std::uint32_t>& corner_of, Surface& surface) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> all;
     const Span faces = model.blocks.faces[block];
@@ -111,7 +111,7 @@ std::string field_json(const Model& model, const Field& field, const char* of, c
                        json_text(field.unit), of, fmt::join(quoted, ","), packed_values(values));
 }
 
-/// A corner of a deformable block sees the mean of the zones around it, weighted with their volumes.
+/// A corner of a deformable block has the mean of the zones around it, weighted with their volumes.
 std::string stress_json(const Model& model, const Surface& surface, const char* name, double (*of)(const Model&, Row)) {
     std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
     for (Row zone = 0; zone < static_cast<Row>(model.zones.size()); ++zone)

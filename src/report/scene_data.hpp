@@ -1,4 +1,4 @@
-// The surfaces of the blocks with what their colours may mean, for the view in the browser.
+// The surfaces of the blocks, with the quantities for their colours, for the view in the browser.
 #pragma once
 
 #include "model/model.hpp"
@@ -12,7 +12,7 @@ namespace kaya {
 /// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
 std::string scene_json(const Model& model, const Vec3& centre);
 
-/// The same of joints: the polygons where faces lie on each other, one object for each contact; null when there is none.
+/// The same for joints: the polygons where faces are in contact, one object for each contact; null when there is none.
 std::string joint_scene_json(const Model& model, const Vec3& centre);
 
 /// A curve as JSON, with numbers of one kind along it.

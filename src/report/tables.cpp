@@ -239,10 +239,10 @@ std::string energy_table(const Model& model) {
                                                          {"kinetic, now", number(e.kinetic)},
                                                          {"stored in joints", number(e.joint_stored())},
                                                          {"lost in joints by slip", number(e.joint_friction)},
-                                                         {"lost where contacts changed", number(e.joint_lost)},
-                                                         {"put into zones", number(e.zone_work)},
+                                                         {"lost in contact updates", number(e.joint_lost)},
+                                                         {"work on zones", number(e.zone_work)},
                                                          {"taken out by damping", number(e.damped)},
-                                                         {"missing or too much", number(e.error())}});
+                                                         {"residual", number(e.error())}});
 }
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// What the model is, in tables of HTML.
+// The model in tables of HTML.
 #pragma once
 
 #include "report/report.hpp"

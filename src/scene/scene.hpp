@@ -1,4 +1,4 @@
-// What a picture shows, as plain numbers: made from the model by src/pictures, drawn by the program in src/painter.
+// A picture as plain numbers: made from the model by src/pictures, drawn by the program in src/painter.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace kaya {
 
-/// What colours mean: a range of numbers, or a list of names.
+/// The legend of colours: a range of numbers, or a list of names.
 struct ColourBar {
     std::string title; ///< quantity and unit: "displacement [length]"
     double low = 0, high = 1;
@@ -64,7 +64,8 @@ struct Chart {
     std::string title, x_label, y_label;
     std::int32_t width = 1200, height = 800;
     std::vector<Curve> curves;
-    bool net = false; ///< of directions, seen from above: a circle of radius 1 about 0 with its four winds, and no axes
+    bool net =
+        false; ///< of directions, seen from above: a circle of radius 1 around the origin with the four cardinal directions, and no axes
     template <class Visit> void parts(Visit&& visit) {
         visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves), visit(net);
     }

@@ -23,7 +23,7 @@ std::string xml(const std::string& text) {
 }
 
 std::string colour_text(std::size_t index) {
-    // The line colours begin with the dark ones: they stand on white.
+    // The line colours begin with the dark ones: the background is white.
     static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3};
     const Colour c = named_colour(order[index % std::size(order)]);
     return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255 * c[0], 255 * c[1], 255 * c[2]);
@@ -36,7 +36,7 @@ struct Limits {
     }
 };
 
-/// Where numbers stand on the picture.
+/// Converts numbers to positions on the picture.
 struct Frame {
     Ticks x, y;
     double left, right, top, bottom, font;

@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Multiples of 1, 2 or 5 times a power of ten that enclose a range, some five of them.
+/// Multiples of 1, 2 or 5 times a power of ten that enclose a range, about five of them.
 struct Ticks {
     double low = 0, high = 1, step = 1;
     std::vector<double> values() const;
@@ -16,11 +16,11 @@ struct Ticks {
 Ticks round_ticks(double low, double high, int about = 5);
 
 using Colour = std::array<double, 3>;
-/// Viridis: its lightness rises evenly, also for eyes that do not tell red from green. `part` is 0 to 1.
+/// Viridis: its lightness increases evenly, also for red-green colour blindness. `part` is 0 to 1.
 Colour sequential_colour(double part);
 /// Blue over white to brown.
 Colour diverging_colour(double part);
-/// Colours of Okabe and Ito, which all eyes tell apart; after the eighth they are repeated.
+/// Colours of Okabe and Ito, which are distinct with any colour vision; after the eighth they repeat.
 Colour named_colour(std::size_t index);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// Scenes and charts as bytes, for the way from kaya to the program that draws them.
+// Scenes and charts as bytes, sent from kaya to the program that draws them.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -12,7 +12,7 @@ namespace kaya {
 using Drawing = std::variant<Scene, Chart>;
 
 std::string to_bytes(Drawing drawing);
-/// None when the bytes are not what to_bytes makes.
+/// None when the bytes were not made by to_bytes.
 std::optional<Drawing> drawing_from(const std::string& bytes);
 
 } // namespace kaya

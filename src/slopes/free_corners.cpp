@@ -18,7 +18,8 @@ constexpr double first_step = 0.04; ///< of a corner, as a part of the length of
 
 using Objective = std::function<double(const std::vector<double>&)>;
 
-/// Downhill without derivatives, anew from its end until that gives nothing more. The start may be left out of `x` only where it has an answer.
+/// Minimises without derivatives, restarted from its end until that gains nothing more. The start may be missing from `x` only where it has
+/// an answer.
 double downhill(std::vector<double>& x, double factor, double step, int evaluations, const Objective& objective) {
     for (int round = 0; round < 6; ++round) {
         stop_point();
@@ -33,7 +34,7 @@ double downhill(std::vector<double>& x, double factor, double step, int evaluati
         double least = factor;
         try {
             optimiser.optimize(trial, least);
-        } catch (const nlopt::roundoff_limited&) { // as near as numbers go
+        } catch (const nlopt::roundoff_limited&) { // limit of the precision of numbers
         }
         least = objective(trial);
         if (!(least < factor)) break;

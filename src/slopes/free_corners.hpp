@@ -19,9 +19,10 @@ struct SurfaceRating {
     double no_answer;
 };
 
-/// Moves all corners of a polyline downhill (Subplex of NLopt), its ends along the ground, and puts in further corners, each where it
-/// gains most, until there are `corners` or one more gains less than a thousandth. The surface bends upward only: a body could not move over a corner that points upward. Parts along
-/// joints stay on them, since a surface beside a joint does not have the joint's strength. The same surface gives the same answer.
+/// Moves all corners of a polyline downhill (Subplex of NLopt), its ends along the ground, and adds corners, each where it gains most,
+/// until there are `corners` or one more gains less than a thousandth. The surface bends upward only: a body could not move over a corner
+/// that points upward. Parts along joints remain on them, since a surface next to a joint does not have the joint's strength. The same
+/// surface gives the same answer.
 RatedSurface with_free_corners(const SlopeColumns& columns, RatedSurface from, std::size_t corners,
                                const SurfaceRating& rating);
 

@@ -12,10 +12,10 @@ namespace kaya {
 
 namespace {
 
-constexpr std::size_t most_lines = 8; ///< that are looked at, the longest ones
+constexpr std::size_t most_lines = 8; ///< the longest lines, which are searched
 constexpr int net = 12;               ///< places of one leg that are tried first
 constexpr std::size_t starts = 4,
-                      kept = 4; ///< places of the net that are gone downhill from, and surfaces that are given
+                      kept = 4; ///< points of the net from which a descent starts, and surfaces that are returned
 
 /// Joints, or bases of weak layers, of one line in the section, from left to right.
 struct Line {
@@ -59,8 +59,8 @@ struct Leg {
     Kind kind = Kind::straight;
     SectionPoint
         corner = SectionPoint::Zero(),
-        end =
-            SectionPoint::Zero(); ///< where it leaves and where it comes to the ground; of a straight leg not known yet
+        end = SectionPoint::
+            Zero(); ///< where it leaves the line and where it reaches the ground; of a straight leg not known yet
 };
 
 class JointSearch {
@@ -118,7 +118,7 @@ private:
             return true;
         };
         if (!place(a, false) || !place(b, true) || !(b.corner.x() - a.corner.x() > near_)) return std::nullopt;
-        // An upright leg would be no part of the surface, which would then end below the ground.
+        // An upright leg would not be part of the surface, which would then end below the ground.
         const auto upright = [&](const Leg& leg) {
             return leg.kind != Leg::Kind::daylight && std::abs(leg.end.x() - leg.corner.x()) <= near_;
         };
@@ -148,7 +148,7 @@ private:
         std::vector<double> x;
     };
 
-    /// The weakest places of a net over all that may differ, none next to a better one.
+    /// The weakest points of a net over all free parameters, without direct neighbours of a weaker one.
     std::vector<Place> weakest_of_net(const Line& base, const Leg& a, const Leg& b, const std::vector<double>& low,
                                       const std::vector<double>& high) const {
         const int steps = low.size() == 2 ? net : net / 2;
@@ -183,7 +183,7 @@ private:
         return best;
     }
 
-    /// From a net of all places downhill.
+    /// Minimises from the weakest places of a net.
     void consider(const Line& base, const Leg& a, const Leg& b) {
         std::vector<double> low, high;
         const double width = columns_.right() - columns_.left();

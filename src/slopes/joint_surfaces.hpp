@@ -7,8 +7,8 @@
 
 namespace kaya {
 
-/// The weakest of surfaces along one joint of the section, or the base of a weak layer, that leave it at either end along another, on a straight leg to the
-/// ground, or where it comes to daylight; the weakest first. The longest joints are looked at.
+/// The weakest surfaces along one joint of the section, or along the base of a weak layer. They leave it at either end along another joint,
+/// on a straight leg to the ground, or where it daylights; the weakest first. Only the longest joints are searched.
 std::vector<RatedSurface> weakest_along_joints(const SlopeColumns& columns, const SurfaceRating& rating);
 
 } // namespace kaya

@@ -17,7 +17,7 @@ namespace {
 constexpr double no_answer = 1e6; ///< a factor that no surface has
 /// Methods differ by some percent on one circle (Fredlund and Krahn 1977).
 constexpr double most_beyond_bishop = 1.05;
-constexpr int most_even_corners = 8;        ///< of the first polylines; further corners come where they gain most
+constexpr int most_even_corners = 8;        ///< of the first polylines; further corners are added where they gain most
 constexpr std::size_t kept_for_corners = 3; ///< polylines whose corners are moved freely
 
 struct Ends {
@@ -50,7 +50,7 @@ public:
         return (surface.points.front().y() > surface.points.back().y()) == right && ends_as_asked(surface, right);
     }
 
-    /// Whether its ends and its depth are as asked for.
+    /// Whether its ends and its depth satisfy the search's conditions.
     bool allows(const SlipSurface& surface, bool right) const {
         return ends_as_asked(surface, right) && depth_of(surface) >= least_depth_;
     }
@@ -59,7 +59,7 @@ public:
         const auto body = body_above(columns_, surface, search_.slices);
         if (!body) return no_answer;
         const auto answer = factor_of_safety(*body, method);
-        // Slices that push each other up are no body that slides.
+        // Slices that push each other up are not a sliding body.
         return answer && answer->lambda >= 0 ? answer->factor : no_answer;
     }
 
@@ -80,7 +80,7 @@ public:
         return surface;
     }
 
-    /// By its ends and the depths of the corners below the chord, as parts of the chord's horizontal length.
+    /// From its ends and the depths of the corners below the chord, divided by the chord's horizontal length.
     std::optional<SlipSurface> polyline(const std::vector<double>& x) const {
         const double left = x[0], right = x[1];
         if (!(right - left > 1e-3 * size_)) return std::nullopt;
@@ -138,10 +138,10 @@ struct Candidate {
 };
 
 constexpr int net_steps = 28, net_sags = 14;       ///< of the net of circles
-constexpr double least_sag = 0.02, sag_range = 25; ///< parts of the chord, up to half of it
+constexpr double least_sag = 0.02, sag_range = 25; ///< in fractions of the chord, up to half of it
 
-/// Finer nets around a circle, which follow the weakest: downhill in single directions ends where a circle touches a weak layer or the
-/// bottom of the section, though a valley goes on along it.
+/// Finer nets around a circle, which follow the weakest one. Minimisation along single directions stops where a circle is tangent to a weak
+/// layer or to the bottom of the section, though the factor still falls along it.
 Candidate with_finer_nets(const Search& search, Candidate best, SliceMethod method) {
     constexpr int side = 3, rounds = 12;
     const Ends ends = search.both_ends()[best.right ? 0 : 1];
@@ -191,7 +191,7 @@ std::vector<Candidate> circle_net(const Search& search, SliceMethod method) {
                 }
         }
         right = !right;
-        if (!search.asked().entry && !search.asked().exit) break; // one way has them all
+        if (!search.asked().entry && !search.asked().exit) break; // one direction covers all surfaces
     }
     std::ranges::stable_sort(all, {}, &Candidate::factor);
     std::vector<Candidate> best;
@@ -219,13 +219,13 @@ Candidate searched(nlopt::opt optimiser, Candidate from, const std::vector<doubl
     for (std::size_t i = 0; i < from.x.size(); ++i) from.x[i] = std::clamp(from.x[i], low[i], high[i]);
     try {
         optimiser.optimize(from.x, from.factor);
-    } catch (const nlopt::roundoff_limited&) { // as near as numbers go
+    } catch (const nlopt::roundoff_limited&) { // limit of the precision of numbers
     }
     from.factor = objective(from.x);
     return from;
 }
 
-/// Downhill without derivatives, anew from its end until that gives nothing more.
+/// Minimises without derivatives, restarted from its end until that gains nothing more.
 Candidate downhill(Candidate from, const std::vector<double>& steps, const std::vector<double>& low,
                    const std::vector<double>& high, const Objective& objective) {
     for (int round = 0; round < 4; ++round) {
@@ -274,12 +274,12 @@ std::optional<Candidate> best_circle(const Search& search, std::vector<Candidate
         if (all != nullptr) all->push_back(from);
         if (!best || from.factor < best->factor) best = from;
     }
-    // Where a method has no answer on the weakest circles, the weakest of those on which it has one says nothing.
+    // Where a method has no answer on the weakest circles, its weakest answer on other circles is meaningless.
     if (best && best->factor > most_beyond_bishop * starts.front().factor) best.reset();
     return best;
 }
 
-/// Of a polyline with its inner corners at even distances.
+/// The factor of a polyline with its inner corners at even distances.
 double factor_of(const Search& search, const std::vector<double>& x, bool right) {
     const auto surface = search.polyline(x);
     return surface && search.slides(*surface, right) ? search.factor(*surface, search.asked().method) : no_answer;
@@ -311,7 +311,7 @@ Candidate drawn(const Candidate& start, const std::vector<double>& low, std::vec
     return searched(optimiser, start, low, high, objective);
 }
 
-/// The ends of searches for polylines whose inner corners lie at even distances.
+/// Results of searches for polylines whose inner corners are at even distances.
 std::vector<RatedSurface> even_polylines(const Search& search) {
     std::vector<Candidate> circles;
     if (!best_circle(search, &circles)) return {};

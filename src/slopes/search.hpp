@@ -9,12 +9,12 @@
 namespace kaya {
 
 struct SurfaceSearch {
-    SliceMethod method = SliceMethod::spencer; ///< of the last search; the first looks at circles with bishop
+    SliceMethod method = SliceMethod::spencer; ///< of the last search; the first one rates circles with bishop
     int slices = 30;
     std::optional<std::array<double, 2>> entry,
-        exit;               ///< where the upper and the lower end may lie, along the section; anywhere if not given
+        exit;               ///< ranges of the upper and the lower end along the section; not given: anywhere
     int corners = 8;        ///< of a polyline, the ends included
-    double least_depth = 0; ///< length; surfaces that stay nearer to the ground do not count
+    double least_depth = 0; ///< length; shallower surfaces are left out
 };
 
 struct FoundSurface {

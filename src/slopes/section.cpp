@@ -12,7 +12,7 @@ namespace kaya {
 
 namespace {
 
-/// Height of the upper and the lower edge of a convex polygon at a distance; none beside it.
+/// Height of the upper and the lower edge of a convex polygon at a distance; none outside of it.
 std::optional<std::array<double, 2>> heights_at(const std::vector<SectionPoint>& corners, double distance) {
     double low = INFINITY, high = -INFINITY;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -60,7 +60,7 @@ SlopeColumns::SlopeColumns(const SlopeSection& section) : section_(section) {
         Strip strip{kept[k], kept[k + 1], {}};
         const double quarter = 0.25 * (strip.to - strip.from);
         for (const std::size_t c : cells_of[k]) {
-            // Straight lines between corners: two places within the strip tell their ends, free of what rounding does at the corners.
+            // Edges are straight between corners: two points within the strip determine their ends, without rounding errors at the corners.
             const auto one = heights_at(section.cells[c].corners, strip.from + quarter),
                        two = heights_at(section.cells[c].corners, strip.to - quarter);
             if (!one || !two) continue;
@@ -170,7 +170,7 @@ std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const Sec
         }
     }
     std::ranges::sort(crossings);
-    // The part of the circle that lies deepest.
+    // The deepest part of the circle.
     std::optional<std::array<double, 2>> best;
     double deepest = 0;
     const auto height = [&](double x) {
@@ -200,7 +200,7 @@ std::optional<SlipSurface> circle_surface(const SlopeColumns& columns, const Sec
 
 namespace {
 
-/// Height of a surface at a distance: of a circle exactly.
+/// Height of a surface at a distance; exact for a circle.
 double surface_height(const SlipSurface& surface, double x) {
     if (surface.circle) {
         const double d = x - surface.circle->centre.x();
@@ -216,7 +216,7 @@ double surface_height(const SlipSurface& surface, double x) {
     return b.x() == a.x() ? a.y() : between(a.y(), b.y(), (x - a.x()) / (b.x() - a.x()));
 }
 
-/// Where the surface comes nearer to the ground than the crack is deep, from its upper end on.
+/// The point, from the upper end on, where the depth of the surface is less than that of the crack.
 double crack_end(const SlopeColumns& columns, const SlipSurface& surface, double upper, double lower) {
     const double depth = columns.section().crack_depth;
     const SlopeColumns::Side side = upper < lower ? SlopeColumns::Side::right : SlopeColumns::Side::left;
@@ -263,7 +263,7 @@ public:
     /// The middle of the base of the slice between two places.
     SectionPoint base(double from, double to) const { return 0.5 * (on_surface(from) + on_surface(to)); }
 
-    /// None when the slice has no ground above it, or nothing that is known below.
+    /// None when the slice has no ground above it, or no known material below.
     std::optional<Slice> slice(double from, double to) const {
         const SectionPoint a = on_surface(from), b = on_surface(to), base = 0.5 * (a + b);
         const double middle = 0.5 * (from + to);
@@ -283,7 +283,7 @@ public:
         return slice;
     }
 
-    /// Of the middle of a base: how far from the chord.
+    /// Distance of the middle of a base from the chord.
     double depth(const SectionPoint& base) const {
         const SectionPoint off = base - SectionPoint(first_, surface_height(surface_, first_));
         return std::abs(chord_.x() * off.y() - chord_.y() * off.x()) / chord_.norm();
@@ -303,8 +303,7 @@ private:
         return section_.pore_pressure ? std::max(0.0, section_.pore_pressure(at)) : 0.0;
     }
 
-    /// Open water lies on the ground: its pressure acts along the normal, into it; and beside an upright part of the ground, on the
-    /// slice that it bounds.
+    /// Pressure of open water: normal to the ground, into it; next to an upright part of the ground it acts on the adjacent slice.
     void add_open_water(Slice& slice, double from, double to, const SectionPoint& top, double base_height) const {
         using Side = SlopeColumns::Side;
         const double left = *columns_.ground_at(from, Side::right), right = *columns_.ground_at(to, Side::left);

@@ -1,4 +1,4 @@
-// A slope in a vertical plane: what lies where, and how strong it is.
+// A slope in a vertical plane: positions and strengths of its materials.
 #pragma once
 
 #include "slopes/slices.hpp"
@@ -32,27 +32,27 @@ struct SlopeSection {
     std::vector<SectionJoint> joints;
     std::vector<Strength> strengths;
     std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
-    double pressure_ratio = 0; ///< pore pressure over the weight of what lies above, besides
+    double pressure_ratio = 0; ///< additional pore pressure, over the weight of the column above
     double water_weight = 0;   ///< force/length^3, of water in a tension crack
-    double seismic = 0;        ///< horizontal acceleration over gravity, to where the body slides
-    double crack_depth = 0;    ///< a slip surface ends where it is so near below the ground
+    double seismic = 0;        ///< horizontal acceleration over gravity, in the direction of sliding
+    double crack_depth = 0;    ///< depth below the ground at which a slip surface ends
     double crack_water = 0;    ///< height of water in the crack
 };
 
-/// The section as columns: between two corners that follow each other along it, what lies above each other never changes.
+/// The section as columns: between two consecutive corners the vertical order of materials does not change.
 class SlopeColumns {
 public:
     /// Throws Diagnostic when there are no cells.
     explicit SlopeColumns(const SlopeSection& section);
 
     const SlopeSection& section() const { return section_; }
-    /// The highest places from left to right; upright parts are two points of equal distance.
+    /// The ground surface from left to right; upright parts are two points of equal distance.
     const std::vector<SectionPoint>& ground() const { return ground_; }
     double left() const { return ground_.front().x(); }
     double right() const { return ground_.back().x(); }
     double lowest() const { return lowest_; }
 
-    /// Height of the ground; on an upright part that of its side to the left or to the right. None next to the section.
+    /// Height of the ground; on an upright part that of its left or its right side. None outside of the section.
     enum class Side { left, right };
     std::optional<double> ground_at(double distance, Side side = Side::right) const;
 
@@ -64,7 +64,7 @@ public:
     /// The strength at a place on a slip surface of that direction: of a joint that it runs along, else of the cell. A zero direction
     /// runs along no joint. Null where nothing is.
     const Strength* strength_at(const SectionPoint& place, const SectionPoint& along) const;
-    /// Where a layer lies on one that is stronger under the weight that is there, from left to right.
+    /// The base of a layer on a material that is stronger under the present weight, from left to right.
     struct Base {
         SectionPoint from, to;
     };

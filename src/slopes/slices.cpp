@@ -11,8 +11,8 @@ namespace kaya {
 namespace {
 
 constexpr double least_factor = 1e-3, largest_factor = 1e3;
-/// A base that is steeper against the sliding than its friction lets it would push the body up by itself: below this
-/// cosine the answer says nothing.
+/// A base that is steeper against the sliding direction than its friction allows would push the body up: below this cosine the answer is
+/// meaningless.
 constexpr double least_m_alpha = 0.05;
 
 /// Zero of a function between two places where its signs differ, by regula falsi with the Illinois rule.
@@ -40,7 +40,7 @@ private:
     double cosine(std::size_t i) const { return cosine_[i]; }
     double down(std::size_t i) const { return body_.slices[i].weight + body_.slices[i].downward; }
     double right(std::size_t i) const { return body_.seismic * body_.slices[i].weight + body_.slices[i].rightward; }
-    /// Cohesion on the base less what pore pressure takes from friction: force, for F = 1.
+    /// Cohesion on the base less the friction lost to pore pressure: force, for F = 1.
     double held(std::size_t i) const {
         const Slice& slice = body_.slices[i];
         return slice.width / cosine_[i] * (lines_[i].cohesion - slice.pore_pressure * lines_[i].tan_friction);
@@ -141,7 +141,7 @@ std::optional<double> Statics::bishop() {
     return factor;
 }
 
-/// The thrust that is left over at the right end; thrust_ is then filled. Grows with the factor. None where a base would wedge.
+/// The residual thrust at the right end; fills thrust_. Grows with the factor. None where a base would wedge.
 std::optional<double> Statics::end_force(double factor, double lambda) {
     thrust_.assign(lines_.size() + 1, 0.0);
     thrust_[0] = body_.water_force;
@@ -156,11 +156,11 @@ std::optional<double> Statics::end_force(double factor, double lambda) {
     return thrust_.back();
 }
 
-/// The factor with which no thrust is left over.
+/// The factor without residual thrust.
 std::optional<double> Statics::balanced(double lambda) {
     const auto left_over = [&](double factor) { return end_force(factor, lambda); };
     const auto found = [&](double factor) { return guess_ = factor; };
-    // With weak bases the body pushes, and as they get stronger the first change of sign is the answer.
+    // With weak bases the end force is positive; with increasing strength its first change of sign is the answer.
     double above = 1.2 * guess_;
     std::optional<double> upper = left_over(above);
     while (!upper || !(*upper > 0)) {
@@ -170,7 +170,7 @@ std::optional<double> Statics::balanced(double lambda) {
     for (double factor = above / 1.5; factor > least_factor; factor /= 1.5) {
         const std::optional<double> value = left_over(factor);
         if (!value) {
-            // The pole comes first, unless the answer lies between it and the last one that worked.
+            // The pole is reached first, unless the answer is between it and the last factor that worked.
             double good = above, bad = factor;
             for (int i = 0; i < 60; ++i) {
                 const double middle = 0.5 * (good + bad);
@@ -203,7 +203,7 @@ void Statics::find_normal_forces(double factor, double lambda) {
     }
 }
 
-/// The moment that is left over at the right end, when thrust_ is balanced.
+/// The residual moment at the right end, with thrust_ balanced.
 double Statics::end_moment(double lambda) {
     const std::size_t n = lines_.size();
     heights_.assign(n + 1, 0.0);
@@ -220,7 +220,7 @@ double Statics::end_moment(double lambda) {
     return moment;
 }
 
-/// Horizontal forces and moments. The moment that is left over falls as lambda grows: shear forces between slices turn the body back.
+/// Horizontal forces and moments. The residual moment decreases as lambda grows: shear forces between slices rotate the body back.
 std::optional<double> Statics::rigorous() {
     struct Try {
         double lambda, factor, moment;
@@ -234,7 +234,7 @@ std::optional<double> Statics::rigorous() {
     for (const double lambda : {0.0, 0.1, 0.2, 0.3, 0.4,  0.5,  0.65,  0.8,  1.0,   1.25, 1.5, 2.0,
                                 2.5, 3.5, 5.0, 0.0, -0.1, -0.2, -0.35, -0.5, -0.75, -1.0, -1.5}) {
         const std::optional<Try> now = attempt(lambda);
-        if (lambda == 0) last.reset(); // begins anew, the other way
+        if (lambda == 0) last.reset(); // starts again in the other direction
         if (now && last && std::signbit(now->moment) != std::signbit(last->moment)) {
             Try a = *last, b = *now;
             for (int i = 0; i < 100 && std::abs(a.lambda - b.lambda) > 1e-10; ++i) {

@@ -9,10 +9,10 @@
 
 namespace kaya {
 
-/// One slice. It slides to the right; lengths and angles are seen so.
+/// One slice. It slides to the right; lengths and angles refer to that direction.
 struct Slice {
     double width = 0;         ///< length
-    double base_angle = 0;    ///< radians, positive where the base goes down to the right
+    double base_angle = 0;    ///< radians, positive where the base dips to the right
     double weight = 0;        ///< force/length
     double pore_pressure = 0; ///< stress, at the middle of the base
     double downward = 0;      ///< load on the top, force/length
@@ -41,15 +41,15 @@ struct SlipBody {
 enum class SliceMethod { ordinary, bishop, janbu, spencer, morgenstern_price };
 
 std::string_view name_of(SliceMethod method);
-/// Whether the method asks for a circle: it looks at moments only.
+/// Whether the method requires a circle: it uses moments only.
 bool needs_circle(SliceMethod method);
 
 struct SliceAnswer {
     double factor = 0;
     double lambda = 0; ///< of spencer and morgenstern-price: shear over normal force between slices where f = 1
-    int pulled = 0;    ///< slices whose base carries tension
+    int pulled = 0;    ///< slices with tension on the base
     bool thrust_inside =
-        true; ///< whether the line of thrust stays within the body (within a third of its height beyond)
+        true; ///< whether the line of thrust is within the body (or at most a third of its height outside)
 };
 
 /// The factor by which the strength of all bases can be divided. Not given where the equations have no answer, and where

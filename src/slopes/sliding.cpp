@@ -81,7 +81,7 @@ SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces) {
         answer.factor = holding / along.norm();
         return answer;
     };
-    // The projection of the force on the cone of free directions lies inside of it, on one of its planes, or on one of its edges.
+    // The projection of the force on the cone of free directions is inside of it, on one of its planes, or on one of its edges.
     if (is_free(force, planes)) {
         // Along a plane that carries nothing it slides rather than falls.
         for (const Plane& plane : planes)

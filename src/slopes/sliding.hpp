@@ -1,4 +1,4 @@
-// Block theory: whether a rigid block can leave its place without turning, and what holds it.
+// Block theory: whether a rigid block can be removed without rotation, and its resistance.
 #pragma once
 
 #include "base/vector.hpp"
@@ -11,7 +11,7 @@
 
 namespace kaya {
 
-/// A plane part of the block's surface behind which another body stands.
+/// A plane part of the block's surface in contact with another body.
 struct HeldFace {
     Vec3 outward = Vec3::Zero(); ///< unit, into the other body
     double area = 0;
@@ -29,13 +29,13 @@ enum class SlidingMode {
 
 struct SlidingAnswer {
     SlidingMode mode = SlidingMode::held;
-    Vec3 direction = Vec3::Zero();  ///< unit, in which it goes without friction
+    Vec3 direction = Vec3::Zero();  ///< unit vector of the motion without friction
     std::vector<std::size_t> faces; ///< on which it slides
-    std::optional<double> factor;   ///< strength over what drives it; 0 when it falls; none where nothing drives it
+    std::optional<double> factor;   ///< strength over driving force; 0 when it falls; none without a driving force
 };
 
-/// A block under a force (weight, water on its faces, loads). Moments are left out: a block that would topple is not seen.
-/// The direction is the one nearest to the force among those that leave no face penetrated (Goodman and Shi 1985; Warburton 1981).
+/// A block under a force (weight, water on its faces, loads). Moments are ignored: toppling is not detected. The direction is the one
+/// nearest to the force among those that leave no face penetrated (Goodman and Shi 1985; Warburton 1981).
 SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces);
 
 } // namespace kaya

@@ -10,10 +10,10 @@ struct Coulomb {
     double at(double normal_stress) const { return cohesion + normal_stress * tan_friction; }
 };
 
-/// One of the strength criteria that slip surfaces know. All stresses are in the unit of the deck.
+/// One of the strength criteria of slip surfaces. All stresses are in the unit of the deck.
 class Strength {
 public:
-    /// Never fails: a slip surface does not go through it.
+    /// Infinite strength: no slip surface passes through it.
     Strength() = default;
 
     /// `friction` in degrees.
@@ -38,7 +38,7 @@ public:
     bool fails() const { return kind_ != Kind::none; }
     /// Whether the tangent is the same at every normal stress.
     bool is_linear() const { return kind_ == Kind::coulomb; }
-    /// The line that touches the envelope at a normal stress (taken as 0 or more).
+    /// The tangent of the envelope at a normal stress (taken as 0 or more).
     Coulomb tangent(double normal_stress) const;
 
 private:

@@ -27,7 +27,7 @@ bool is_sum_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted) {
         used.push_back(next);
         while (!used.empty()) {
             const Eigen::VectorXd best = columns(Eigen::all, used).colPivHouseholderQr().solve(wanted);
-            double part = 1; // of the way there, until the first factor falls to 0
+            double part = 1; // fraction of the step until the first factor falls to 0
             for (std::size_t k = 0; k < used.size(); ++k) {
                 const auto i = static_cast<Eigen::Index>(k);
                 if (best[i] <= 0) part = std::min(part, factors[used[k]] / (factors[used[k]] - best[i]));
@@ -42,8 +42,8 @@ bool is_sum_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted) {
     return left.norm() <= same;
 }
 
-/// The equations of balance of a block on its corners: force, moment over `length`, and one for the cohesion of each corner that has
-/// any. In parts of the force.
+/// The equations of equilibrium of a block on its corners: force, moment over `length`, and one for each corner with cohesion. In fractions
+/// of the force.
 class Balance {
 public:
     Balance(const Vec3& force, const Vec3& moment, std::span<const RestingCorner> corners) : corners_(corners) {
@@ -83,7 +83,7 @@ public:
             const double most = std::min(1e3, inverse_factor * corner.strength.cohesion * corner.area / size_);
             wanted[cohesive[i]] = 1;
             add_around(Vec3::Zero(), most, 1);
-            add(Vec3::Zero(), 1); // what is not needed of it
+            add(Vec3::Zero(), 1); // the part that is not needed
         }
         Eigen::MatrixXd matrix(rows, static_cast<Eigen::Index>(columns.size()));
         for (std::size_t k = 0; k < columns.size(); ++k) matrix.col(static_cast<Eigen::Index>(k)) = columns[k];

@@ -1,4 +1,4 @@
-// Another program, and what it says.
+// Runs another program and collects its output.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 namespace kaya {
 
 struct CommandOutput {
-    int status = 0;     ///< 127: there is no such program
+    int status = 0;     ///< 127: the program was not found
     std::string output; ///< of both streams, or of the first alone
 };
 
-/// Looks for the program in PATH and waits for its end. No shell reads the words.
+/// Searches PATH for the program and waits for its end. No shell reads the words.
 CommandOutput output_of(const std::vector<std::string>& words, bool with_errors = true);
 
 } // namespace kaya

@@ -30,7 +30,7 @@ public:
             if (outcomes[i].end != Outcome::End::done || std::isnan(result))
                 throw Diagnostic(fmt::format("run {} ({} = {}) has no result: {}", cases[i].number,
                                              study_.critical->parameter, values[i],
-                                             outcomes[i].message.empty() ? study_.critical->of + " is no number"
+                                             outcomes[i].message.empty() ? study_.critical->of + " is not a number"
                                                                          : outcomes[i].message),
                                  "a search needs each of its runs", Fault::run)
                     .at(study_.critical->place);

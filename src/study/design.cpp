@@ -18,7 +18,7 @@ constexpr std::size_t most_estimated = 20; ///< parameters of a point estimate: 
 
 using Table = Eigen::MatrixXd; ///< a row for each run, a column for each parameter
 
-/// A number between 0 and 1, both excluded. The standard library's own ways differ from one library to the next.
+/// A number between 0 and 1, both excluded. The distributions of the standard library differ between implementations.
 double part(std::mt19937_64& generator) { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; }
 
 std::vector<std::size_t> shuffled(std::size_t count, std::mt19937_64& generator) {
@@ -44,7 +44,7 @@ Table triangle_of(const Study& study) {
     return factored.matrixL();
 }
 
-/// Parts between 0 and 1, one of each of `samples` equal strata.
+/// Fractions between 0 and 1, one in each of `samples` equal strata.
 Table latin_parts(std::size_t samples, std::size_t columns, std::mt19937_64& generator) {
     Table parts(samples, columns);
     for (std::size_t j = 0; j < columns; ++j) {
@@ -56,7 +56,7 @@ Table latin_parts(std::size_t samples, std::size_t columns, std::mt19937_64& gen
     return parts;
 }
 
-/// Each column's numbers get the order that those of `like` have.
+/// Gives the numbers of each column the order of those of `like`.
 void reorder(Table& numbers, const Table& like) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(like.rows()));
     for (Eigen::Index j = 0; j < like.cols(); ++j) {
@@ -68,8 +68,8 @@ void reorder(Table& numbers, const Table& like) {
     }
 }
 
-/// Iman and Conover: normal scores are given the wanted correlation, and the samples the order of the scores. The scores' own chance
-/// correlation is taken out first.
+/// Iman and Conover: normal scores get the wanted correlation, and the samples the order of the scores. The random correlation of the
+/// scores is removed first.
 void correlate_ranks(Table& parts, const Table& triangle, std::mt19937_64& generator) {
     const Eigen::Index rows = parts.rows();
     Table scores(rows, parts.cols());
@@ -86,7 +86,7 @@ void correlate_ranks(Table& parts, const Table& triangle, std::mt19937_64& gener
     reorder(parts, scores * triangle.transpose());
 }
 
-/// A Gaussian copula: normal numbers with the wanted correlation, as parts.
+/// A Gaussian copula: normal numbers with the wanted correlation, as fractions.
 void correlate_normal(Table& parts, const Table& triangle) {
     for (Eigen::Index i = 0; i < parts.rows(); ++i) {
         Eigen::VectorXd normal(parts.cols());
@@ -194,7 +194,7 @@ std::vector<Case> list(const Study& study) {
     return cases;
 }
 
-/// The base, and each value of each parameter with the others at their base.
+/// The base, and each value of each parameter with the other parameters at their base.
 std::vector<Case> one_at_a_time(const Study& study) {
     Case base;
     for (const auto& factor : study.factors) base.values.emplace_back(factor.name, *factor.base);

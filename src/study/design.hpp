@@ -1,4 +1,4 @@
-// The runs of a study: which values its parameters take in each.
+// The runs of a study: the values of its parameters in each.
 #pragma once
 
 #include "study/study.hpp"

@@ -36,7 +36,7 @@ template <class Use> auto with(const Distribution& d, Use&& use) {
     return use(bm::normal(d.a, d.b));
 }
 
-/// From the numbers of Boost's distribution to those of ours.
+/// Converts a number of Boost's distribution to one of ours.
 double scaled(const Distribution& d, double x) {
     return d.kind == Distribution::Kind::beta ? d.a + (d.b - d.a) * x : x;
 }
@@ -44,7 +44,7 @@ double unscaled(const Distribution& d, double x) {
     return d.kind == Distribution::Kind::beta ? (x - d.a) / (d.b - d.a) : x;
 }
 
-/// The part of all numbers below `x`, which may lie outside of where there are any.
+/// The cumulative probability at `x`, which may be outside of the range of the distribution.
 double part_below(const Distribution& d, double x) {
     return with(d, [&](const auto& dist) {
         const auto [low, high] = bm::support(dist);

@@ -1,4 +1,4 @@
-// How a parameter of a study scatters.
+// Distributions of the parameters of a study.
 #pragma once
 
 #include <limits>
@@ -20,12 +20,12 @@ struct Distribution {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
 
-    /// The number that a part `p` (0 to 1, both excluded) of all are below.
+    /// The quantile of the fraction `p` (0 to 1, both excluded).
     double quantile(double p) const;
-    /// Of the distribution without its cut.
+    /// Mean of the distribution without its limits.
     double mean() const;
     double deviation() const;
-    /// "" when it is one, otherwise what is wrong with it: "the deviation must be above 0".
+    /// "" when it is valid, otherwise the reason: "the deviation must be above 0".
     std::string mistake() const;
 };
 

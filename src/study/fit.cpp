@@ -13,14 +13,14 @@ namespace kaya {
 
 namespace {
 
-constexpr double derivative_step = 1e-2; ///< in parts of the bounds: results of a run scatter by its own tolerance
+constexpr double derivative_step = 1e-2; ///< as a fraction of the bounds: results of a run scatter by its tolerance
 constexpr double near_bound = 1e-6;
 
 constexpr double wide =
-    5; ///< bounds whose ratio is above this are walked by their logarithm: a stiffness is known by its power of ten
+    5; ///< parameters with a larger ratio of bounds are searched by their logarithm: of a stiffness the power of ten is known
 constexpr int most_polishes = 3;
 
-/// Parameters go from 0 to 1 here: NLopt's methods want them alike.
+/// Parameters are scaled to 0 to 1 here: NLopt's methods need similar ranges.
 class Fitting {
 public:
     Fitting(const Study& study, Runs& runs, FitAnswer& answer)
@@ -54,13 +54,13 @@ public:
         if (is_wide(unknown)) return std::log(value / unknown.from) / std::log(unknown.to / unknown.from);
         return (value - unknown.from) / (unknown.to - unknown.from);
     }
-    /// How fast the value changes with its coordinate.
+    /// Derivative of the value with respect to its coordinate.
     double rate(const std::vector<double>& point, std::size_t j) const {
         const auto& unknown = fit_.unknowns[j];
         return is_wide(unknown) ? value(point, j) * std::log(unknown.to / unknown.from) : unknown.to - unknown.from;
     }
 
-    /// Differences to what was measured, in deviations where they are known; a row of NaN when the run has no results.
+    /// Differences to the measurements, in deviations where they are known; a row of NaN when the run has no results.
     Eigen::VectorXd differences(const Outcome& outcome) const {
         Eigen::VectorXd rows(static_cast<Eigen::Index>(fit_.observations.size()));
         for (std::size_t i = 0; i < fit_.observations.size(); ++i) {
@@ -72,13 +72,13 @@ public:
         return rows;
     }
 
-    /// Without a deviation an observation counts in parts of itself.
+    /// Without a deviation the difference is relative to the observation.
     static double scale(const Fit::Observation& seen) {
         if (seen.deviation > 0) return seen.deviation;
         return seen.value != 0 ? std::abs(seen.value) : 1;
     }
 
-    /// The sum of squares; a run that failed is worse than all before.
+    /// The sum of squares; for a failed run more than any before.
     double objective(const std::vector<double>& point) {
         const auto outcomes = at({point});
         const double sum = differences(outcomes[0]).squaredNorm();
@@ -111,7 +111,7 @@ public:
                 auto& fitting = *static_cast<Fitting*>(self);
                 try {
                     return fitting.objective(point);
-                } catch (...) { // C lies between: it goes on after NLopt
+                } catch (...) { // C is between: the exception is rethrown after NLopt
                     fitting.thrown_ = std::current_exception();
                     throw nlopt::forced_stop();
                 }
@@ -125,7 +125,7 @@ public:
             ended = optimiser.optimize(point, least);
         } catch (const nlopt::forced_stop&) {
             if (thrown_) std::rethrow_exception(thrown_);
-        } catch (const nlopt::roundoff_limited&) { // as near as numbers go
+        } catch (const nlopt::roundoff_limited&) { // limit of the precision of numbers
         }
         answer_.converged = ended != nlopt::MAXEVAL_REACHED;
     }
@@ -149,8 +149,8 @@ public:
         return result;
     }
 
-    /// Steps of Gauss and Newton from where NLopt came to: it does not know that the objective is a sum of squares. Gives the
-    /// derivatives at the end.
+    /// Gauss-Newton steps from the end point of NLopt, which does not use that the objective is a sum of squares. Returns the derivatives
+    /// at the end.
     Eigen::MatrixXd polish() {
         Eigen::MatrixXd derivatives = slopes();
         for (int step = 0; step < most_polishes; ++step) {

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_losses = 3; ///< then a run that is killed is a row of its own
-constexpr double patience = 5; ///< seconds from the wish to end to the end
+constexpr int most_losses = 3; ///< after that a killed run becomes a failed row
+constexpr double patience = 5; ///< seconds from the request to the end
 constexpr timespec poll{0, 50'000'000};
 constexpr const char* output_file = "output.txt";
 
@@ -45,7 +45,7 @@ bool is_full(const fs::path& folder) {
     return !failed && space.available < 1'000'000;
 }
 
-/// The signals that the runner takes in its own time: they are blocked as long as it works.
+/// The signals that the runner handles synchronously: they are blocked while it works.
 sigset_t own_signals() {
     sigset_t set;
     ::sigemptyset(&set);
@@ -67,7 +67,7 @@ private:
 
 [[noreturn]] void child(const RunCase& run, const Case& one, const fs::path& folder, const fs::path& outcome,
                         const RunLimits& limits, const Descriptor& output, pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a study that is killed leaves no runs behind
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // runs end with a study that is killed
     if (::getppid() != parent) std::_Exit(1);
     const sigset_t set = own_signals();
     ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
@@ -107,7 +107,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
     if (!output)
         throw Diagnostic(fmt::format("cannot write {}: {}", (folder / output_file).string(), std::strerror(errno)),
                          "runs that are done are kept", Fault::run);
-    std::fflush(nullptr); // or both processes write what is there
+    std::fflush(nullptr); // or both processes write the buffered output
     const pid_t parent = ::getpid();
     const pid_t id = ::fork();
     if (id < 0)
@@ -119,7 +119,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
     return Start::started;
 }
 
-/// What nobody wants is removed; what says how the run went stays.
+/// Removes the files that are not kept; the files on how the run went remain.
 void LocalRuns::sweep(const fs::path& folder) const {
     std::error_code ignored;
     door::remove(folder / ".lock");
@@ -142,9 +142,9 @@ void LocalRuns::finish(const Child& child, int status, double seconds) {
     const Case& one = *child.one;
     auto outcome = folder_.outcome(one);
     if (outcome && outcome->end != Outcome::End::done && is_full(folder_.path())) {
-        door::remove(folder_.outcome_file(one.number)); // it says nothing about the run
+        door::remove(folder_.outcome_file(one.number)); // it does not describe the run
         throw Diagnostic(fmt::format("the disk is full: {}", folder_.path().string()),
-                         "make room; the same command does what is left", Fault::run);
+                         "make room; the same command does the remaining runs", Fault::run);
     }
     if (!outcome) {
         outcome.emplace();
@@ -211,8 +211,8 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
     for (const auto& one : cases)
         if (!folder_.outcome(one)) left.push_back(&one);
     progress_.begin(cases.size(), cases.size() - left.size());
-    std::ranges::reverse(left);         // taken from the end
-    std::vector<const Case*> elsewhere; // somebody else does them
+    std::ranges::reverse(left);         // taken from the back
+    std::vector<const Case*> elsewhere; // other processes do them
     const Blocked blocked;
     const auto stop = [&](int signal) {
         stop_all(signal);
@@ -220,7 +220,7 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
         std::size_t done = 0;
         for (const auto& one : cases) done += folder_.outcome(one) ? 1 : 0;
         throw Diagnostic(fmt::format("stopped: {} of {} runs are done", done, cases.size()),
-                         "the same command does what is left", Fault::run);
+                         "the same command does the remaining runs", Fault::run);
     };
     try {
         while (!left.empty() || !children_.empty() || !elsewhere.empty() || !again_.empty()) {
@@ -239,7 +239,7 @@ std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
             reap();
             end_late_ones();
             if (left.empty() && children_.empty())
-                std::swap(left, elsewhere); // done by now, or given up by who did them
+                std::swap(left, elsewhere); // done by now, or given up by the other process
         }
     } catch (...) {
         stop_all(SIGTERM);

@@ -1,4 +1,4 @@
-// The runs of a study on this machine, each in a process of its own.
+// The runs of a study on this machine, each in a separate process.
 #pragma once
 
 #include "study/runs.hpp"
@@ -13,8 +13,8 @@
 
 namespace kaya {
 
-/// Called in a process of its own, whose current folder is that of the run: runs the deck and writes the outcome, unless it was
-/// stopped from outside. What it returns becomes the exit status.
+/// Called in a separate process, whose current folder is that of the run: runs the deck and writes the outcome, unless it was stopped from
+/// outside. The return value becomes the exit status.
 using RunCase = std::function<int(const Case& one, const std::filesystem::path& outcome_file)>;
 
 class LocalRuns : public Runs {
@@ -23,7 +23,7 @@ public:
         int at_once = 1;     ///< runs at one time
         bool shared = false; ///< other processes do runs of this study as well; theirs are waited for
         RunLimits limits;
-        std::optional<std::vector<std::string>> kept; ///< patterns of files that stay
+        std::optional<std::vector<std::string>> kept; ///< patterns of files that are kept
     };
     LocalRuns(const StudyFolder& folder, Options options, RunCase run, StudyProgress& progress);
 
@@ -32,7 +32,7 @@ public:
 private:
     struct Child {
         const Case* one = nullptr;
-        timespec began{}, asked{}; ///< when it was asked to end
+        timespec began{}, asked{}; ///< when its end was requested
         bool over_time = false;
     };
     enum class Start { started, elsewhere, done };
@@ -51,7 +51,7 @@ private:
     StudyProgress& progress_;
     std::map<pid_t, Child> children_;
     std::map<std::size_t, int> losses_; ///< times that a run was killed from outside, by number
-    std::vector<const Case*> again_;    ///< to be started once more
+    std::vector<const Case*> again_;    ///< to be started again
 };
 
 } // namespace kaya

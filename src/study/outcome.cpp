@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 5> end_names{"done", "failed", "limit", "crashed", "lost"};
 
-/// Values stand in lists of name and value: a table would sort them by name.
+/// Values are stored as lists of name and value: a table would sort them by name.
 toml::array array_of(const std::vector<std::pair<std::string, StudyValue>>& values) {
     toml::array all;
     for (const auto& [name, value] : values) {
@@ -107,7 +107,7 @@ std::optional<Outcome> read_outcome(const std::filesystem::path& file, const Cas
     outcome.results = values_of(table["results"], file);
     if (values_of(table["values"], file) != one.values)
         throw Diagnostic(fmt::format("{} is of a run with other values", file.string()),
-                         "go on in another folder: --into", Fault::run);
+                         "continue in another folder: --into", Fault::run);
     return outcome;
 }
 

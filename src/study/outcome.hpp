@@ -1,4 +1,4 @@
-// What became of one run of a study, and the file that says so.
+// The result of one run of a study, and its file.
 #pragma once
 
 #include "study/design.hpp"
@@ -16,7 +16,7 @@ struct Outcome {
         done,
         failed,  ///< its deck ended with an error
         limit,   ///< it took more than the study allows
-        crashed, ///< the program ended by itself
+        crashed, ///< the program crashed or called exit
         lost     ///< it was killed from outside, more than once
     };
     End end = End::done;
@@ -36,10 +36,10 @@ StudyValue result_of(const Outcome& outcome, const std::string& name);
 /// Whole or not at all. Throws Diagnostic (Fault::run).
 void write_outcome(const std::filesystem::path& file, const Case& one, const Outcome& outcome);
 
-/// Nothing when there is no such file. Throws Diagnostic when it is damaged, or of a run with other values.
+/// None when there is no such file. Throws Diagnostic when it is damaged, or belongs to a run with other values.
 std::optional<Outcome> read_outcome(const std::filesystem::path& file, const Case& one);
 
-/// The case of an outcome that is there.
+/// The case of an existing outcome.
 std::optional<Case> read_case(const std::filesystem::path& file);
 
 /// The cases of a batch, for programs that do them elsewhere.

@@ -1,4 +1,4 @@
-// Whatever does the runs of a study: this machine, several processes at once, a queue.
+// Interface for doing the runs of a study: on this machine, in several processes at once, in a queue.
 #pragma once
 
 #include "study/outcome.hpp"
@@ -10,8 +10,8 @@ namespace kaya {
 class Runs {
 public:
     virtual ~Runs() = default;
-    /// The outcome of each case, in their order; runs that are done already are not done again. Throws Diagnostic when it
-    /// was stopped, or nothing can be written; what is done is kept.
+    /// The outcome of each case, in their order; finished runs are not repeated. Throws Diagnostic when it was stopped, or when files
+    /// cannot be written; finished runs are kept.
     virtual std::vector<Outcome> all(const std::vector<Case>& cases) = 0;
 };
 

@@ -1,5 +1,5 @@
-// Questions whose runs follow from each other: a critical value, parameters that fit. The runs depend on results only, so that the same call
-// goes on where it was cut off, on any number of processes.
+// Questions whose runs depend on earlier results: a critical value, parameters that fit. The runs depend on results only, so that the same
+// call continues an interrupted search, on any number of processes.
 #pragma once
 
 #include "study/runs.hpp"
@@ -15,14 +15,15 @@ struct CriticalAnswer {
     std::vector<Case> cases;     ///< in the order of their runs
     std::vector<Outcome> outcomes;
 };
-/// In each step two runs, at the thirds of what is left. Throws Diagnostic when a run fails, or the result is the same at both ends.
+/// Two runs in each step, at the thirds of the remaining interval. Throws Diagnostic when a run fails, or the result is the same at both
+/// ends.
 CriticalAnswer find_critical(const Study& study, Runs& runs);
 
 struct FitAnswer {
     struct Found {
         std::string parameter;
         double value = 0;
-        double deviation = 0; ///< standard deviation; NaN when the observations do not tell
+        double deviation = 0; ///< standard deviation; NaN when the observations do not determine it
         bool at_bound = false;
     };
     struct Compared {

@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_lost_batches = 5;      ///< batches after which nothing more is there than before
-constexpr double poll_interval = 0.5;     ///< seconds between two looks at the outcomes
-constexpr int polls_per_question = 4;     ///< and so many of them to one question to the queue
-constexpr double queue_patience = 300;    ///< seconds for which sbatch may find nobody
-constexpr std::size_t usual_tasks = 1000; ///< of an array, where Slurm does not say
+constexpr int most_lost_batches = 5;      ///< batches in a row without a new outcome
+constexpr double poll_interval = 0.5;     ///< seconds between two checks of the outcomes
+constexpr int polls_per_question = 4;     ///< number of checks for each query of the queue
+constexpr double queue_patience = 300;    ///< seconds for which sbatch may be without a controller
+constexpr std::size_t usual_tasks = 1000; ///< of an array, when Slurm does not report its limit
 
 /// In quotes for sh.
 std::string quoted(const std::string& word) {
@@ -74,7 +74,7 @@ std::size_t SlurmRuns::most_tasks() const {
 void SlurmRuns::wait(double seconds, const std::vector<Case>& cases) {
     for (double waited = 0; waited < seconds; waited += 0.1) {
         if (options_.stop != nullptr && *options_.stop)
-            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs go on",
+            throw Diagnostic(fmt::format("stopped: {} of {} runs are done, and the jobs continue",
                                          cases.size() - left_of(cases).size(), cases.size()),
                              fmt::format("the same command follows them; scancel --name={} ends them", name_),
                              Fault::run);
@@ -113,7 +113,7 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
             return;
         }
         if (said.status == 127)
-            throw Diagnostic("there is no sbatch here", "leave --slurm away to run on this machine", Fault::run);
+            throw Diagnostic("there is no sbatch here", "omit --slurm to run on this machine", Fault::run);
         if (!nobody_answers(said.output) || waited > queue_patience)
             throw Diagnostic("sbatch: " + without_end(said.output), "the runs that are done are kept", Fault::run);
         wait(2, left);
@@ -123,8 +123,8 @@ void SlurmRuns::submit(const std::vector<Case>& left) {
 bool SlurmRuns::has_jobs() {
     const auto said = output_of({"squeue", "--noheader", "--name=" + name_, "--format=%i"});
     if (said.status == 127)
-        throw Diagnostic("there is no squeue here", "leave --slurm away to run on this machine", Fault::run);
-    if (said.status != 0) { // it is being restarted, as a rule: jobs go on without it
+        throw Diagnostic("there is no squeue here", "omit --slurm to run on this machine", Fault::run);
+    if (said.status != 0) { // usually it is being restarted: jobs continue without it
         if (!deaf_) progress_.say("the queue does not answer: " + without_end(said.output));
         deaf_ = true;
         return true;
@@ -134,7 +134,7 @@ bool SlurmRuns::has_jobs() {
     return !without_end(said.output).empty();
 }
 
-/// Until all is there, or no job is left.
+/// Until all outcomes exist, or no job is left.
 void SlurmRuns::follow(const std::vector<Case>& cases) {
     std::set<std::size_t> there;
     for (const auto& one : cases)

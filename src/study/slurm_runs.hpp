@@ -9,15 +9,15 @@
 
 namespace kaya {
 
-/// Submits what is left as an array of jobs and follows it. Jobs that are lost are submitted again; those of a call before that
-/// was cut off are taken up. Works with nothing but sbatch, squeue and a folder that all machines see.
+/// Submits the remaining runs as an array of jobs and follows it. Lost jobs are submitted again; jobs of an interrupted call are followed.
+/// Needs only sbatch, squeue and a folder that all machines share.
 class SlurmRuns : public Runs {
 public:
     struct Options {
         std::vector<std::string> program;        ///< that does the tasks of a batch, and its first words
         std::filesystem::path from;              ///< the folder of the study's file, which the tasks read
         std::vector<std::string> sbatch;         ///< further options of the user
-        const std::atomic<bool>* stop = nullptr; ///< somebody wants this to end; the jobs go on
+        const std::atomic<bool>* stop = nullptr; ///< requests the end of this call; the jobs continue
     };
     SlurmRuns(const StudyFolder& folder, Options options, StudyProgress& progress);
 
@@ -35,7 +35,7 @@ private:
     Options options_;
     StudyProgress& progress_;
     std::string name_;  ///< of the jobs: the same in each call
-    bool deaf_ = false; ///< the queue does not answer at present, which was said
+    bool deaf_ = false; ///< the queue does not answer at present, which has been reported
 };
 
 /// The cases of one task of a batch; tasks count from 1. Throws Diagnostic.

@@ -89,7 +89,7 @@ Moments moments_of(const std::vector<double>& numbers, const std::vector<double>
     std::ranges::sort(sorted);
     for (const auto& [number, weight] : sorted) m.mean += weight * number / all;
     for (const auto& [number, weight] : sorted) m.deviation += weight * (number - m.mean) * (number - m.mean) / all;
-    // Runs by chance know the scatter from n - 1 of them; a point estimate knows it.
+    // Random runs estimate the scatter from n - 1 of them; in a point estimate it is known.
     const bool estimated = std::ranges::any_of(weights, [](double weight) { return weight != 1; });
     const double n = static_cast<double>(sorted.size());
     m.deviation = std::sqrt(std::max(0.0, m.deviation) * (estimated || n < 2 ? 1 : n / (n - 1)));
@@ -172,7 +172,8 @@ std::optional<Response> response_of(const std::string& result, const std::vector
             matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) =
                 number(rows[i], products[t].first) * number(rows[i], products[t].second);
     }
-    // Columns of one size: a modulus in Pa stands next to a friction angle. What the runs do not tell apart gets the least factors.
+    // Scales columns to one size: a modulus in Pa is next to a friction angle. Terms that the runs do not determine get the smallest
+    // factors.
     const Eigen::VectorXd scale = matrix.colwise().norm().cwiseMax(1e-300);
     const Eigen::VectorXd solution = (matrix * scale.cwiseInverse().asDiagonal())
                                          .completeOrthogonalDecomposition()

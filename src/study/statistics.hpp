@@ -1,4 +1,4 @@
-// What the results of a study say together. All skip runs without a number.
+// Statistics over the results of a study. All skip runs without a number.
 #pragma once
 
 #include "study/outcome.hpp"
@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-/// Of numbers with weights; quantiles take the weights for parts.
+/// Of numbers with weights; quantiles use the weights as fractions.
 struct Moments {
     std::size_t count = 0;
     double mean = 0, deviation = 0, least = 0, most = 0, low = 0, median = 0,
@@ -27,7 +27,7 @@ struct Probability {
 };
 Probability probability_of(const std::vector<double>& truths, const std::vector<double>& weights);
 
-/// Of the ranks of both; 0 where one does not vary.
+/// Rank correlation of both; 0 where one does not vary.
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
 /// A bar of a tornado plot. One at a time: the result at the low and high value of the parameter; otherwise the rank correlation in `high`.
@@ -48,7 +48,7 @@ struct Response {
     std::vector<Term> terms;
     double determination = 0; ///< R squared
 };
-/// Nothing when there are too few runs for it.
+/// None when there are too few runs for it.
 std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases,
                                     const std::vector<Outcome>& outcomes);
 

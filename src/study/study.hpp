@@ -1,4 +1,4 @@
-// What a study file asks for.
+// The content of a study file.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -16,24 +16,24 @@ namespace kaya {
 /// A number, truth or text: the value of a parameter, or a result. Nothing: a result that is not there.
 using StudyValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// As `param` and `kaya --set` read it, with the fewest digits that give back the same bits. "" for nothing.
+/// As `param` and `kaya --set` read it, with the fewest digits that preserve the bits. "" for nothing.
 std::string text_of(const StudyValue& value);
 /// NaN for texts and for nothing; 0 and 1 for truths.
 double number_of(const StudyValue& value);
 
-/// The name stands for a property that commands of the deck set: "prop 1 jfric", "jmodel jfric".
+/// The name is that of a property that commands of the deck set: "prop 1 jfric", "jmodel jfric".
 bool is_property(const std::string& name);
 
 /// A parameter of the deck that varies.
 struct Factor {
     std::string name;
-    std::vector<StudyValue> values;           ///< those of a list or grid; the first and the last are its low and high
+    std::vector<StudyValue> values;           ///< values of a list or grid; the first and the last are its low and high
     std::optional<Distribution> distribution; ///< how it scatters
-    std::optional<StudyValue> base;           ///< where the others vary one at a time
+    std::optional<StudyValue> base;           ///< its value while another parameter varies
     Place place;
 };
 
-/// A value that is kept of each run: an expression of FISH, or of Lua.
+/// A result of each run: an expression of FISH, or of Lua.
 struct Asked {
     std::string name, expression;
     bool lua = false;
@@ -54,7 +54,7 @@ struct Design {
 /// The names that a study file uses, in the order of Method.
 const std::vector<std::string>& method_names();
 
-/// What one run may take; 0: as much as it wants.
+/// Limits of one run; 0: unlimited.
 struct RunLimits {
     double seconds = 0;
     double megabytes = 0;
@@ -72,7 +72,7 @@ struct Critical {
 struct Fit {
     struct Observation {
         std::string result;
-        double value = 0, deviation = 0; ///< deviation 0: not known, all alike
+        double value = 0, deviation = 0; ///< deviation 0: unknown, equal weights
     };
     struct Unknown {
         std::string parameter;
@@ -81,7 +81,7 @@ struct Fit {
     std::vector<Observation> observations;
     std::vector<Unknown> unknowns;
     std::string method = "bobyqa";
-    double tolerance = 1e-3; ///< in parts of the bounds
+    double tolerance = 1e-3; ///< as a fraction of the bounds
     std::size_t most_runs = 200;
     Place place;
 };
@@ -96,15 +96,15 @@ struct Study {
     std::vector<std::pair<std::string, StudyValue>> fixed; ///< parameters that do not vary
     Design design;
     RunLimits limits;
-    std::optional<std::vector<std::string>> kept;        ///< patterns of files that stay behind a run; none: all
-    std::string probability_of, tornado_of, response_of; ///< names of results; "" when not asked
+    std::optional<std::vector<std::string>> kept;        ///< patterns of files of a run that are kept; none: all
+    std::string probability_of, tornado_of, response_of; ///< names of results; "" when not requested
     std::optional<Critical> critical;
     std::optional<Fit> fit;
 };
 
 /// Throws Diagnostic at the word that is wrong.
 Study read_study(const std::string& file);
-/// The same of a text, whose deck is next to `file`.
+/// The same for a text, whose deck is next to `file`.
 Study read_study(const std::string& file, const std::string& text);
 
 } // namespace kaya

@@ -110,7 +110,7 @@ std::string summary_text(const Study& study, const StudyAnswers& answers) {
         text += '\n';
     }
     if (!answers.tornado.empty()) {
-        text += fmt::format("what '{}' depends on:\n", study.tornado_of);
+        text += fmt::format("sensitivity of '{}':\n", study.tornado_of);
         for (const auto& bar : answers.tornado)
             text += bar.low_text.empty() ? fmt::format("  {}: rank correlation {:.3f}\n", bar.parameter, bar.high)
                                          : fmt::format("  {}: {:.6g} at {} to {:.6g} at {}\n", bar.parameter, bar.low,

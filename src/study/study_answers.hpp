@@ -1,4 +1,4 @@
-// What a study found, for people: the summary on the terminal, and the page report.html.
+// Results of a study for users: the summary on the terminal, and the page report.html.
 #pragma once
 
 #include "study/search.hpp"
@@ -21,7 +21,7 @@ struct StudyAnswers {
     std::optional<FitAnswer> fit;
 };
 
-/// Does the runs and answers what is asked. Throws Diagnostic.
+/// Does the runs and evaluates them. Throws Diagnostic.
 StudyAnswers answer(const Study& study, Runs& runs);
 
 std::string summary_text(const Study& study, const StudyAnswers& answers);

@@ -21,7 +21,7 @@ FileLock FileLock::of(const fs::path& file, Kind kind) {
     lock.file_ = door::open(file, Use::own, O_RDWR | O_CREAT);
     if (!lock.file_)
         throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
-    // Of the open file, not of the process: it lives on in a child, and other machines see it on shared file systems.
+    // The lock belongs to the open file and not to the process: a child keeps it, and other machines see it on shared file systems.
     struct flock order {};
     order.l_type = kind == Kind::alone ? F_WRLCK : F_RDLCK;
     order.l_whence = SEEK_SET;
@@ -31,7 +31,7 @@ FileLock FileLock::of(const fs::path& file, Kind kind) {
 
 namespace {
 
-constexpr const char* another = "go on in another folder: --into FOLDER; --anew removes what is there";
+constexpr const char* another = "continue in another folder: --into FOLDER; --anew removes what is there";
 
 void make_folder(const fs::path& folder) {
     if (const auto failed = door::make_folders(folder, Use::write))
@@ -100,7 +100,7 @@ StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string&
 StudyFolder::StudyFolder(fs::path folder) : folder_(fs::absolute(std::move(folder))) {
     std::error_code ignored;
     if (!fs::exists(folder_ / "about.toml", ignored))
-        throw Diagnostic(fmt::format("{} is no folder of a study", folder_.string()));
+        throw Diagnostic(fmt::format("{} is not the folder of a study", folder_.string()));
 }
 
 fs::path StudyFolder::run(std::size_t number) const { return folder_ / "runs" / fmt::format("{:06}", number); }

@@ -26,7 +26,7 @@ void StudyProgress::begin(std::size_t runs, std::size_t there) {
     runs_ = runs, there_ = there, done_ = 0, failed_ = 0, tenth_ = 0;
     began_ = std::chrono::steady_clock::now();
     shown_ = began_ - std::chrono::hours(1);
-    if (there > 0) say(fmt::format("{} of {} runs are there already", there, runs));
+    if (there > 0) say(fmt::format("{} of {} runs exist already", there, runs));
 }
 
 void StudyProgress::one_done(bool well) {

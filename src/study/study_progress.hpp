@@ -9,13 +9,13 @@ namespace kaya {
 
 class StudyProgress {
 public:
-    /// `quiet`: says nothing. Writes to the stream of messages.
+    /// `quiet`: no output. Writes to the stream of messages.
     explicit StudyProgress(bool quiet);
 
-    /// So many runs are to be done now, of which some are there already.
+    /// Number of runs to do, and how many of them are finished already.
     void begin(std::size_t runs, std::size_t there);
     void one_done(bool well);
-    /// Takes the line away.
+    /// Removes the line.
     void end();
     void say(const std::string& text);
 

@@ -28,7 +28,7 @@ std::optional<StudyValue> value_of(const toml::node& node) {
 
 StudyValue needed_value(const TomlSection& in, const toml::node& node) {
     auto value = value_of(node);
-    if (!value) in.fail(in.place_of(node), "a parameter takes numbers, truths and texts");
+    if (!value) in.fail(in.place_of(node), "a parameter is a number, a boolean or a string");
     return *value;
 }
 
@@ -37,7 +37,7 @@ void check_name(const TomlSection& in, const std::string& name, const char* what
     if (is_property(name) && std::string_view(what) == "parameter") return;
     const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 || !std::ranges::all_of(name, allowed))
-        in.fail(in.place_of(name), fmt::format("'{}' is no name of a {}", name, what),
+        in.fail(in.place_of(name), fmt::format("'{}' is not a valid name of a {}", name, what),
                 "a name has letters, digits and _, and does not begin with a digit");
 }
 
@@ -361,7 +361,8 @@ void read_questions(TomlSection& in, Study& study) {
         in.fail(study.fit->place, "a study looks for a critical value or fits parameters, not both");
     if (!study.critical && !study.fit) return;
     if (!study.factors.empty())
-        in.fail(study.factors.front().place, fmt::format("'{}' varies besides a search", study.factors.front().name),
+        in.fail(study.factors.front().place,
+                fmt::format("'{}' varies in addition to a search", study.factors.front().name),
                 "a study with [critical] or [fit] gives its other parameters one value each");
 }
 
@@ -397,7 +398,7 @@ std::string text_of(const StudyValue& value) {
         std::string operator()(std::int64_t number) const { return fmt::format("{}", number); }
         std::string operator()(double number) const {
             std::string text = fmt::format("{}", number);
-            // A number with a point stays one: 30.0 / 4 is 7.5, and 30 / 4 is 7.
+            // A number with a decimal point keeps it: 30.0 / 4 is 7.5, and 30 / 4 is 7.
             if (text.find_first_of(".en") == std::string::npos) text += ".0";
             return text;
         }

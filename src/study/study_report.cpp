@@ -56,7 +56,7 @@ std::string svg_begin(int width, int height) {
         height, width);
 }
 
-/// One line for each run through all axes, coloured by the last of them.
+/// One line for each run through all axes, coloured by the last axis.
 std::string parallel_lines(const std::vector<Axis>& axes) {
     if (axes.size() < 2) return {};
     const int width = 160 * static_cast<int>(axes.size()) + 40, height = 380;
@@ -192,7 +192,7 @@ std::string report_page(const Study& study, const StudyAnswers& answers, const s
                         markup_text(study.deck), markup_text(version));
     page += "<h2>Results</h2>\n<pre>" + markup_text(summary_text(study, answers)) + "</pre>\n";
     if (!answers.tornado.empty())
-        page += fmt::format("<h2>What {} depends on</h2>\n{}", markup_text(study.tornado_of), tornado(answers.tornado));
+        page += fmt::format("<h2>Sensitivity of {}</h2>\n{}", markup_text(study.tornado_of), tornado(answers.tornado));
     const auto axes = axes_of(study, answers);
     if (axes.size() >= 2) page += "<h2>All runs</h2>\n<div class=\"wide\">" + parallel_lines(axes) + "</div>\n";
     std::string scatters;

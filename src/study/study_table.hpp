@@ -14,8 +14,8 @@ namespace kaya {
 std::string csv_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
                    const std::vector<Asked>& asked);
 
-/// The same as HDF5: groups `parameters` and `results` with a column each, and run, end, cycles, seconds, warnings, weight
-/// next to them. Truths are 0 and 1, what is not there is NaN; a column with texts is one text with a line for each run.
+/// The same as HDF5: groups `parameters` and `results` with one column each, and run, end, cycles, seconds, warnings, weight next to them.
+/// Booleans are 0 and 1, missing values are NaN; a column with texts is one text with a line for each run.
 std::string hdf5_of(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes,
                     const std::vector<Asked>& asked);
 

@@ -55,7 +55,7 @@ toml::table parse_toml(const std::shared_ptr<const SourceText>& source, const st
         return toml::parse(text, source->name);
     } catch (const toml::parse_error& error) {
         std::string said(error.description());
-        throw Diagnostic(fmt::format("this is no TOML: {}", said),
+        throw Diagnostic(fmt::format("this is not valid TOML: {}", said),
                          "strings stand in quotes, lists in [ ], tables begin with [name]")
             .at(place_in(source, error.source()));
     }

@@ -1,4 +1,4 @@
-// A table of a TOML file that is read key by key: each mistake is said at its place, and so are keys that nobody asked for.
+// A table of a TOML file that is read key by key: each mistake is reported with its place, and so are unknown keys.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -17,7 +17,7 @@
 
 namespace kaya {
 
-/// Throws Diagnostic where the text is no TOML.
+/// Throws Diagnostic where the text is not valid TOML.
 toml::table parse_toml(const std::shared_ptr<const SourceText>& source, const std::string& text);
 
 /// The text as lines that messages can show.
@@ -33,7 +33,7 @@ public:
     Place place_of(std::string_view key) const;
     Place place_of(const toml::node& node) const;
 
-    /// The value of a key, which is known from now on; nullptr when it is not there.
+    /// The value of a key, which is then known; nullptr when it is missing.
     const toml::node* find(std::string_view key);
     /// Throw Diagnostic when the value is of another kind.
     std::optional<double> number(std::string_view key);
@@ -44,12 +44,12 @@ public:
     double needed_number(std::string_view key);
     std::string needed_text(std::string_view key);
 
-    /// Calls for each key in the order of the file; all are known then.
+    /// Calls for each key in the order of the file; all keys are then known.
     void each(const std::function<void(const std::string& key, const toml::node& value)>& use);
     /// The section of a value that was found by `each`.
     TomlSection section_of(const std::string& key, const toml::node& value) const;
 
-    /// Throws Diagnostic at the first key that nobody asked for.
+    /// Throws Diagnostic at the first unknown key.
     void finish() const;
 
     [[noreturn]] void fail(const Place& place, const std::string& message, const std::string& hint = {}) const;

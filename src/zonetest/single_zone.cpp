@@ -65,8 +65,8 @@ private:
     std::vector<std::size_t> unknown_;
 };
 
-/// First with the elastic slopes as long as that gets nearer, since what is symmetric stays so: on an edge of a yield surface the
-/// flow is not unique. Then by Newton's method with slopes by differences.
+/// First with the elastic slopes while the residual falls, which preserves symmetry: on an edge of a yield surface the flow is not unique.
+/// Then by Newton's method with slopes by differences.
 bool solve(const StressEquations& equations, const ZoneModuli& moduli, double exact, double step_strain, Vector& x) {
     const Matrix elastic = equations.elastic_slope(moduli);
     const auto elastic_inverse = elastic.fullPivLu();

@@ -14,14 +14,14 @@ namespace kaya {
 using SixNumbers = std::array<double, 6>;
 inline constexpr std::array<const char*, 6> component_names{"xx", "yy", "zz", "xy", "xz", "yz"};
 
-/// What of a step is prescribed: for each component the strain increment, or the stress at the end.
+/// Prescribed values of a step: for each component the strain increment, or the stress at the end.
 struct ZoneStep {
     SixNumbers value{};
     std::array<bool, 6> is_stress{};
-    double time = 0; ///< that the step takes
+    double time = 0; ///< duration of the step
 };
 
-/// All that a zone is, in values: a copy is another zone in the same state.
+/// The state of a zone as values: a copy is another zone in the same state.
 class SingleZone {
 public:
     /// `values` in the order of the model's table. Throws Diagnostic for values that are missing or cannot work together.
@@ -30,8 +30,8 @@ public:
     /// Strains that are prescribed. Throws Diagnostic (Fault::run) with the model's own sentence when the model fails.
     void strain_by(const SixNumbers& increment, double time);
 
-    /// The strain increments that give the stresses that are asked for, and one step with them. Throws Diagnostic
-    /// (Fault::run) when none do.
+    /// Solves for the strain increments that give the prescribed stresses, and runs one step with them. Throws Diagnostic (Fault::run) when
+    /// there is no solution.
     SixNumbers step(const ZoneStep& step);
 
     double mean_stress() const { return (stress[0] + stress[1] + stress[2]) / 3; }
@@ -46,7 +46,7 @@ public:
     std::uint32_t state = 0;
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     double put_in = 0;     ///< work per volume, by the stresses before and after each step
-    double dissipated = 0; ///< as the model counts it
+    double dissipated = 0; ///< as reported by the model
 };
 
 } // namespace kaya

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How much the answer depends on the number of steps: the same path in half as many.
+/// Dependence of the result on the number of steps: the same path in half as many.
 std::string step_text(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
                       ZoneCurveSettings settings, const SingleZone& last) {
     if (settings.steps < 2) return "not tried: the path has one step";
@@ -51,7 +51,7 @@ std::string report_of(const ZoneCurve& curve, const std::string& steps) {
     line("steps", steps);
     for (const auto& f : curve.findings) line("found", fmt::format("step {}: {}", f.step, f.text));
     if (curve.findings.empty())
-        line("found", "no work from flow, no stiffness above moduli(), rows do not touch each other");
+        line("found", "no work from flow, no stiffness above moduli(), rows are independent of each other");
     return text;
 }
 

@@ -1,4 +1,4 @@
-// The bench as a whole: a zone model, values, a path; files and a report come out.
+// The whole bench: from a zone model, values and a path to files and a report.
 #pragma once
 
 #include "zonetest/zone_curve.hpp"
@@ -24,8 +24,8 @@ struct ZoneBenchReport {
     std::filesystem::path figure;
 };
 
-/// Loads the model, leads one zone along the path, writes curve and figure. Throws Diagnostic for a word that the model does
-/// not know, a value outside its limits, a wrong file, or a model that fails.
+/// Loads the model, drives one zone along the path, writes curve and figure. Throws Diagnostic for a word that the model does not know, a
+/// value outside its limits, an invalid file, or a model that fails.
 ZoneBenchReport run_zone_bench(ZoneModels& models, const ZoneBenchOrder& order);
 
 } // namespace kaya

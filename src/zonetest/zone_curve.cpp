@@ -13,7 +13,7 @@ namespace kaya {
 
 namespace {
 
-/// Looks at each step for what no rock does.
+/// Checks each step for unphysical behaviour.
 class ProgressCallback {
 public:
     explicit ProgressCallback(std::vector<ZoneFinding>& findings) : findings_(findings) {}
@@ -74,7 +74,7 @@ private:
         once = true;
     }
 
-    /// The same zone as one row of many, whose neighbours do something else.
+    /// The same zone as one row of many, whose neighbours deform otherwise.
     void in_a_batch(std::size_t step, const SingleZone& before, const SingleZone& after, const SixNumbers& increment,
                     double time) {
         constexpr std::size_t rows = 11, own = 6;

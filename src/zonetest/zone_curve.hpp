@@ -1,4 +1,4 @@
-// What a zone answers along a path.
+// The response of a zone along a path.
 #pragma once
 
 #include "zonetest/zone_path.hpp"
@@ -11,7 +11,7 @@ namespace kaya {
 struct ZoneCurveSettings {
     int steps = 1000;    ///< between two points of the path
     double volume = 1;   ///< of the zone
-    SixNumbers stress{}; ///< that it starts with; what the path prescribes of its first point takes its place
+    SixNumbers stress{}; ///< initial; replaced by what the path prescribes at its first point
 };
 
 /// Something that a zone model should not do.
@@ -26,11 +26,11 @@ struct ZoneCurve {
     std::vector<ZoneFinding> findings; ///< the first of each kind
 };
 
-/// Leads a zone along a path. Throws Diagnostic where the model fails or cannot carry a stress, with the point.
+/// Drives a zone along a path. Throws Diagnostic where the model fails or cannot carry a stress, with the point.
 ZoneCurve follow_zone_path(const ZoneModel& model, const std::vector<double>& values, const ZonePath& path,
                            const ZoneCurveSettings& settings);
 
-/// All of it in columns: strains, stresses, mean stress, deviator, volume strain, work, states and what the model keeps.
+/// The curve in columns: strains, stresses, mean stress, deviator, volume strain, work, states and history of the model.
 CsvTable zone_curve_table(const ZoneCurve& curve);
 
 /// A gnuplot script of deviator and volume strain over the strain that grows most.

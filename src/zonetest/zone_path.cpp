@@ -13,7 +13,7 @@ namespace {
     throw Diagnostic(fmt::format("{}: {}", file.string(), what), std::move(hint));
 }
 
-/// The column of the path that a component follows; which says whether it is a stress. None: the strain stays 0.
+/// The column of the path that a component follows, and whether it is a stress. None: the strain stays 0.
 const std::vector<double>* column_of(const std::filesystem::path& file, const CsvTable& table,
                                      const std::string& component, bool& is_stress) {
     const auto strain = table.find(component + "_strain"), stress = table.find(component + "_stress");

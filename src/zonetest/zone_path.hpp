@@ -16,7 +16,7 @@ struct ZonePoint {
 
 struct ZonePath {
     std::array<bool, 6> is_stress{};
-    std::vector<ZonePoint> points; ///< between two of them all is straight
+    std::vector<ZonePoint> points; ///< the path is straight between two of them
 };
 
 /// Columns `xx_strain` to `yz_strain` or `xx_stress` to `yz_stress`, one of the two for a component at most, and `time`. A

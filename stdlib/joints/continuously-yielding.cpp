@@ -88,8 +88,8 @@ struct Advance {
     double bound_before; ///< bounding strength at the mean of the angles
 };
 
-/// (2), (3) and (5) integrated over the step: for a fixed bound the stress nears it exponentially, and for a known
-/// plastic displacement so does the angle; two passes with the mean angle make the step of second order. The bound is above 0.
+/// (2), (3) and (5) integrated over the step. For a fixed bound the stress approaches it exponentially, and for a known plastic
+/// displacement so does the angle; two passes with the mean angle make the step second-order. The bound is above 0.
 [[gnu::always_inline]] inline Advance advance(double start, double motion, double ks, double ratio, double normal,
                                               double angle, double intrinsic, double per_roughness) {
     Advance a{start, 0, angle, normal};
@@ -105,7 +105,7 @@ struct Advance {
     return a;
 }
 
-/// What all rows of a batch share.
+/// Values that all rows of a batch share.
 struct Joint {
     explicit Joint(const double* p)
         : springs(springs_of(p)), per_roughness(1 / p[roughness]), intrinsic(p[friction]),
@@ -133,12 +133,11 @@ struct Rows {
 
 constexpr double tiny = std::numeric_limits<double>::min();
 
-/// By value: std::max refers to its arguments, which keeps what they are members of in memory, and rows are then not done
-/// eight at a time.
+/// By value: std::max takes references, which keeps the objects of the members in memory, and rows are then not processed eight at a time.
 [[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
 [[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
 
-/// What a row is before the step, and how it moves.
+/// State of a row before the step, and its motion.
 struct Start {
     double area, angle, ratio, head, tangent; ///< tangent of the mobilised angle
     double normal, ks, bound, closed;     ///< stress, stiffness and bounding strength before; closure without dilation
@@ -160,15 +159,15 @@ struct Start {
     s.size = length(s.resistance), s.travel = length(s.motion);
     s.dot = s.resistance.x * s.motion.x + s.resistance.y * s.motion.y + s.resistance.z * s.motion.z;
     s.per_travel = s.travel > 0 ? 1 / larger(s.travel, tiny) : 0;
-    // Never more than it was worth at first.
+    // Never above its initial value.
     const double worn_off_by = smaller(s.size / larger(s.bound, tiny), joint.at_first / larger(s.tangent, tiny));
     s.over = s.bound > 0 ? larger(1.0, worn_off_by) : 1;
-    // It goes against the resistance after it went with it, or the other way round.
+    // The motion reverses relative to the resistance.
     s.turns = s.dot * s.head < 0;
     return s;
 }
 
-/// What the passes over a row find.
+/// Results of the passes over a row.
 struct Found {
     double bound = 0, kept = 1; ///< bounding strength; part of the resistance that a falling normal stress leaves
     double along = 0;           ///< component of the resistance in the direction of motion
@@ -186,7 +185,7 @@ template <int passes> [[gnu::always_inline]] inline Found find_step(const Joint&
         const double normal = larger(0.0, joint.springs.normal.stress(s.closed + f.lifting));
         const double ks = joint.springs.shear.at(normal);
         f.bound = normal * s.tangent;
-        // A normal stress that falls takes resistance with it, as much as stiffness (7) and bounding strength say.
+        // A decreasing normal stress reduces the resistance, in proportion to stiffness (7) and bounding strength.
         const double softer = smaller(1.0, ks / s.ks), held = f.bound * s.over / larger(s.size, tiny);
         f.kept = s.size * softer > f.bound * s.over ? held : softer;
         f.along = s.dot * s.per_travel * f.kept;
@@ -215,7 +214,7 @@ template <int passes> [[gnu::always_inline]] inline Found find_step(const Joint&
     const double turned = smaller(largest_ratio, f.along / larger(f.bound, tiny));
     const double new_ratio = s.turns ? turned : s.ratio;
 
-    // What is along the motion, and what is across it.
+    // The components along the motion and across it.
     const bool bears = f.bound > 0;
     const double forward = bears ? (s.travel > 0 ? f.step.stress : 0) * s.per_travel : 0;
     const double taken = f.along * s.per_travel, rest = bears ? f.across : 0;
@@ -226,8 +225,7 @@ template <int passes> [[gnu::always_inline]] inline Found find_step(const Joint&
                                  (s.resistance.z + fresh.z) * s.motion.z);
     const double new_closed = s.closed + f.lifting, new_normal = larger(0.0, joint.springs.normal.stress(new_closed));
     const double new_ks = joint.springs.shear.at(new_normal), new_size = length(fresh);
-    // What is put in and neither stored in the springs nor spent on dilation.
-    // A force that was put where nothing presses has nothing stored.
+    // Work that is neither stored in the springs nor spent on dilation. A force that was set without normal stress stores no energy.
     const double stored_before = s.normal > 0 ? 0.5 * s.size * s.size / s.ks : 0;
     const double stored = 0.5 * new_size * new_size / new_ks - stored_before;
     const double lifted = 0.5 * (s.normal + new_normal) * f.lifting;

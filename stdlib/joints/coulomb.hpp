@@ -1,8 +1,8 @@
-// One step of a Coulomb joint: what the models of that family share. Each gives its strength; opening, slip, dilation,
-// failure and the account of work are the same in all. docs/joint-models/mohr.md has the equations; (n) are their numbers.
+// One step of a Coulomb joint, shared by the models of that family. Each model defines its strength; opening, slip, dilation, failure and
+// the account of work are the same in all. docs/joint-models/mohr.md has the equations; (n) are their numbers.
 //
-// The functions are straight lines of arithmetic and selections, with minima and maxima instead of conditions that
-// depend on each other: so a loop over rows becomes vector instructions.
+// The functions are straight-line arithmetic and selections, with minima and maxima instead of nested conditions: so a loop over rows
+// becomes vector instructions.
 #pragma once
 
 #include "kaya/jmodel.h"
@@ -19,7 +19,7 @@ namespace kaya::joints::coulomb {
 
 inline double tan_degrees(double angle) { return std::tan(angle * (std::numbers::pi / 180)); }
 
-// --- tables: what most models begin with, before what is their own ------------------------------------------------------
+// --- tables: rows that most models share, before those of the model -----------------------------------------------------
 
 enum Property : std::size_t {
     stiffness_normal,
@@ -58,7 +58,7 @@ inline constexpr std::array<kaya_jhistory, history_count> history = {{
     {"slip", "length", "plastic shear displacement, added up"},
 }};
 
-/// What dilation keeps, after all else that a model keeps; its first row is known to the model's Columns.
+/// History of dilation, after the other history of a model; the model's Columns know its first row.
 inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
     {"dilated", "length", "opening that dilation has brought and holds now"},
     {"dilating-x", "length", "plastic shear displacement from where dilation began"},
@@ -66,7 +66,7 @@ inline constexpr std::array<kaya_jhistory, 4> history_of_dilation = {{
     {"dilating-z", "length", "plastic shear displacement from where dilation began"},
 }};
 
-/// The rows that are shared, and after them those of a model.
+/// The shared rows, followed by those of a model.
 template <class Row, std::size_t shared, std::size_t own>
 constexpr std::array<Row, shared + own> operator+(const std::array<Row, shared>& first,
                                                   const std::array<Row, own>& more) {
@@ -81,7 +81,7 @@ inline constexpr uint32_t slip_now = 1, tension_now = 2, tension_past = 8;
 inline constexpr uint32_t now = slip_now | tension_now;
 inline constexpr int from_now_to_past = 2; // places that a bit moves
 
-/// What is wrong with values that the models share, or null.
+/// Why the shared values are invalid, or null.
 inline const char* fault_of_stiffness(double normal, double shear) {
     if (!(normal > 0)) return "stiffness-normal (jkn) is 0: give the joint a normal stiffness";
     if (!(shear > 0)) return "stiffness-shear (jks) is 0: give the joint a shear stiffness";
@@ -130,15 +130,15 @@ struct Line {
     [[gnu::always_inline]] double slope(double) const { return tangent; }
 };
 
-/// What holds in one step for one row; stresses.
+/// Strength limits of one row in one step; stresses.
 struct Limits {
     double tension;          ///< at which the row breaks
-    double residual_tension; ///< that it keeps when it has broken
+    double residual_tension; ///< after tensile failure
     double dilatancy;        ///< tangent of the angle of dilation
     double last_dilation;    ///< slip at which dilation ends
 };
 
-/// What the shared properties say, as a loop over rows needs it.
+/// The shared properties in the form that a loop over rows needs.
 struct Values {
     double kn, ks;
     double tension[2], cohesion[2], tangent[2]; ///< before and after failure
@@ -152,7 +152,7 @@ struct Values {
                   tan_degrees(std::isnan(p[friction_residual]) ? p[friction] : p[friction_residual])},
           dilatancy(tan_degrees(p[dilation])), last_dilation(p[dilation_zero] > 0 ? p[dilation_zero] : INFINITY) {}
 
-    /// A choice, not a look into a table: it becomes a vector instruction.
+    /// A selection instead of an indexed load: it becomes a vector instruction.
     [[gnu::always_inline]] static double of(const double (&pair)[2], bool failed) { return failed ? pair[1] : pair[0]; }
     [[gnu::always_inline]] Line line(bool failed, double area) const {
         return {of(cohesion, failed) * area, of(tangent, failed)};
@@ -168,12 +168,12 @@ struct Shear {
 
 [[gnu::always_inline]] inline double length(const Shear& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// Dilation of a row: the sides climb with the distance of the slip from where it began, up to `end`, and come down as
-/// that falls, so that they are down when they are back.
+/// Dilation of a row: the opening increases with the distance of the slip from its start, up to `end`, and decreases with it, so that it is
+/// 0 when the slip has returned.
 struct Climb {
     double along, across2; ///< slip so far, in the direction of the step and the square of it across
-    double height;         ///< distance that counts
-    double rise, fall;     ///< opening per distance on the way out, and back
+    double height;         ///< distance, at most `end`
+    double rise, fall;     ///< opening per distance of forward and of reverse slip
     double end;
 
     /// `way` is the unit vector of the step's slip.
@@ -202,12 +202,12 @@ struct Climb {
     }
 };
 
-/// No creep: the trial stands as it is.
+/// No creep: the trial is unchanged.
 struct Rigid {
     [[gnu::always_inline]] double relaxed(double trial) const { return trial; }
 };
 
-/// What became of it.
+/// Result of a step.
 struct Outcome {
     double slipped; ///< plastic shear displacement of the step
     double excess;  ///< of the shear force above the strength; above 0 when it slips and does not only creep
@@ -219,16 +219,16 @@ struct Outcome {
     return {c.force_x[i] - k * c.shear_x[i], c.force_y[i] - k * c.shear_y[i], c.force_z[i] - k * c.shear_z[i]};
 }
 
-/// One row, one step. `strength.at(normal force)` is the shear force that it carries and `strength.slope` its
-/// derivative; `creep.relaxed(force)` is what is left of an elastic shear force at the end of the step.
+/// One row, one step. `strength.at(normal force)` is the shear strength as a force and `strength.slope` its derivative;
+/// `creep.relaxed(force)` is the elastic shear force at the end of the step.
 template <bool dilates, class Strength, class Creep = Rigid>
 [[gnu::always_inline]] inline Outcome step(const Columns& c, std::size_t i, double kn, double ks, const Limits& limits,
                                            const Strength& strength, const Creep& creep = Creep()) {
     const double area = c.area[i], old_gap = c.gaps[i], old_normal = c.normal_force[i];
     const double per_area = area > 0 ? 1 / area : 0;
 
-    // Normal: the spring acts on the displacement beyond the gap (1), up to the tensile limit (2). A failed joint
-    // without tension parts: beyond a gap of 0 its sides touch no more.
+    // Normal: the spring acts on the displacement beyond the gap (1), up to the tensile limit (2). A failed joint without tension
+    // separates: beyond a gap of 0 its sides are out of contact.
     const double contact_gap = limits.residual_tension > 0 ? INFINITY : 0;
     const double lowest = -limits.residual_tension * area;
     const double held = old_gap > 0 ? lowest : old_normal;
@@ -239,7 +239,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
     const double elastic_normal = breaks ? lowest : pulled;
     const bool apart = new_gap > contact_gap;
 
-    // Shear: elastic trial (3), less what creep lets go, against the limit (4).
+    // Shear: elastic trial (3), less creep, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
     const auto [trial_x, trial_y, trial_z] = elastic_shear(c, i, ks);
     const double elastic = length({trial_x, trial_y, trial_z});
@@ -249,10 +249,10 @@ template <bool dilates, class Strength, class Creep = Rigid>
     const double divisor = std::max(elastic, std::numeric_limits<double>::min());
     double new_normal = elastic_normal, normal_of_limit = elastic_normal, climbed = 0;
     if constexpr (dilates) {
-        // Dilation changes the normal force and with it the limit: slip that brings trial and limit together (5), by Newton's
-        // method, which is exact where the sides climb or come down evenly; what is left of it follows at the new limit (6).
-        // Where coming down takes strength faster than the spring takes force the two do not meet: the step then goes as far
-        // as the limit at its start says, and the next ones go on.
+        // Dilation changes the normal force and with it the limit: slip that brings trial and limit together (5), by Newton's method, which
+        // is exact where the opening changes evenly; the remaining slip follows at the new limit (6). Where reverse slip reduces the
+        // strength faster than the spring force, the two do not meet: the step then slips up to the limit at its start, and the next steps
+        // continue.
         const auto climb = Climb::of(c, i, {-trial_x / divisor, -trial_y / divisor, -trial_z / divisor},
                                      limits.dilatancy, limits.last_dilation);
         const double stiffness = kn * strength.slope(elastic_normal);
@@ -267,7 +267,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
             both = std::min(std::max(meet ? 0 : alone, next), end);
         }
         climbed = excess > 0 ? climb.change(both) : 0;
-        // Sides that come down where nothing presses them together part.
+        // Sides that close by reverse slip without normal stress separate.
         const double pressed = elastic_normal + kn * area * climbed, floor = std::min(lowest, elastic_normal);
         const double lost = std::max(0.0, floor - pressed) * per_area / kn;
         new_normal = std::max(pressed, floor);
@@ -287,8 +287,8 @@ template <bool dilates, class Strength, class Creep = Rigid>
         c.travel_z[i] -= part * trial_z;
     }
 
-    // Work taken up: mean force times slip, less what dilation lifts (7), which is below 0 on the way back; and the energy
-    // of a bond that breaks in tension.
+    // Work taken up: mean force times slip, less the work of dilation (7), which is negative in reverse slip; and the energy of a bond that
+    // breaks in tension.
     const double along_old = (old_x * trial_x + old_y * trial_y + old_z * trial_z) / divisor;
     const double sheared = 0.5 * (along_old + limit) * slipped;
     const double lifted = 0.5 * (old_normal + new_normal) * climbed;
@@ -309,9 +309,9 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
 // --- the frame of a model -------------------------------------------------------------------------------------------------
 
-/// New rows: what is apart has a gap, and no bond that could pull it together.
+/// New rows: open sides have a gap, and no bond that could pull them together.
 inline ptrdiff_t initialise(kaya_jbatch* batch) {
-    // A gap of this part of the size of the sub-contact is rounding of coordinates, and is none.
+    // A gap up to this part of the size of the sub-contact is rounding of coordinates and counts as closed.
     constexpr double rounding = 1e-9;
     double* gaps = batch->history[gap];
     for (std::size_t i = 0; i < batch->n; ++i) {

@@ -76,7 +76,7 @@ PowerSprings springs_of(const double* p) {
 ptrdiff_t initialise(kaya_jbatch* batch) {
     double* closures = batch->history[closure];
     springs_of(batch->properties).begin(*batch, closures);
-    // What is apart has no bond that could pull it together.
+    // Open sides have no bond that could pull them together.
     for (std::size_t i = 0; i < batch->n; ++i)
         if (batch->normal_force[i] == 0 && -closures[i] > 1e-9 * std::sqrt(batch->area[i]))
             batch->state[i] |= coulomb::tension_past;
@@ -86,10 +86,10 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
 constexpr std::size_t together = 32; ///< rows of one pass
 using Numbers = std::array<double, together>;
 
-/// What the first pass over some rows leaves to the next.
+/// Results of the first pass over some rows for the next pass.
 struct Trials {
     Numbers closed, normal, ks, x, y, z, size; ///< elastic: closure, and stresses
-    Numbers cohesion, tangent;                 ///< what holds for the row
+    Numbers cohesion, tangent;                 ///< values of the row
     Numbers along, across2, height, fall;      ///< of its Climb
     Numbers alone;                             ///< slip without dilation, where that is all of the step; else below 0
     Numbers kept, broken, slipped; ///< 0 for a row that carries no shear, else 1; 1 for one that breaks; slip
@@ -122,7 +122,7 @@ void slip_to_strength(const PowerSpring& spring, double dilatancy, double end, T
     }
 }
 
-/// What all rows of a batch share.
+/// Values that all rows of a batch share.
 struct Joint {
     explicit Joint(const double* p)
         : springs(springs_of(p)), friction_before(tan_degrees(p[friction])),
@@ -133,10 +133,11 @@ struct Joint {
     PowerSprings springs;
     double friction_before, friction_after, cohesion_before, cohesion_after, tension_before, dilatancy, last_dilation;
     bool bonded = tension_before > 0;
-    bool springs_at_rest = springs.shear.exponent == 0 || springs.shear.least > 0; // what nothing presses resists shear
+    bool springs_at_rest =
+        springs.shear.exponent == 0 || springs.shear.least > 0; // shear is resisted without normal stress
 };
 
-/// The elastic trial of row `i`, and its slip where nothing changes the strength on the way.
+/// The elastic trial of row `i`, and its slip where the strength is constant over the step.
 template <bool dilates> [[gnu::always_inline]] inline void try_row(const Joint& joint, const Columns& c, std::size_t i,
                                                                    std::size_t j, Trials& t) {
     const double area = c.area[i], per_area = area > 0 ? 1 / area : 0;
@@ -166,11 +167,11 @@ template <bool dilates> [[gnu::always_inline]] inline void try_row(const Joint& 
         t.across2[j] = climb.across2;
         t.height[j] = climb.height;
         t.fall[j] = climb.fall;
-        // Coming down may take strength faster than the spring takes force: see coulomb::step.
+        // Reverse slip may reduce the strength faster than the spring force: see coulomb::step.
         const bool meet = climb.slope(0) * t.tangent[j] * joint.springs.normal.tangent(normal) > -0.9 * k;
         t.alone[j] = meet ? -1 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
     }
-    // Without dilation it is known at once.
+    // Without dilation the slip is explicit.
     t.slipped[j] = dilates ? 0 : t.kept[j] * std::max(0.0, t.size[j] - strength(t, j, normal)) / k;
 }
 
@@ -182,7 +183,7 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
     const double old_normal = c.normal_force[i] * per_area, old_ks = joint.springs.shear.at(old_normal);
     const bool slides = t.slipped[j] > 0;
     const double climbed = dilates ? t.climb(j, joint.dilatancy, joint.last_dilation).change(t.slipped[j]) : 0;
-    // Sides that come down where nothing presses them together part.
+    // Sides that close by reverse slip without normal stress separate.
     const double closed = t.closed[j] + climbed, on_curve = joint.springs.normal.stress(closed);
     const double dilated = climbed < 0 ? std::max(on_curve, std::min(0.0, t.normal[j])) : on_curve;
     const double normal = slides ? dilated : t.normal[j];
@@ -195,9 +196,9 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
     const double sheared =
         -0.5 * ((old.x + now.x) * c.shear_x[i] + (old.y + now.y) * c.shear_y[i] + (old.z + now.z) * c.shear_z[i]);
 
-    // What is put in and neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
+    // Work that is neither stored in the springs nor spent on dilation (4), and the energy of a bond that breaks.
     const double new_ks = joint.springs.shear.at(normal), old_size = length(old);
-    // A force that was put where no spring is has nothing stored.
+    // A force that was set without a spring stores no energy.
     const double stored_before = old_normal != 0 || joint.springs_at_rest ? 0.5 * old_size * old_size / old_ks : 0;
     const double stored = 0.5 * limit * limit / new_ks - stored_before;
     const double lifted = 0.5 * (old_normal + normal) * climbed;

@@ -49,20 +49,20 @@ struct Speed {
     Speed(double constant_, double exponent_, double from_)
         : constant(constant_), exponent(exponent_), from(from_), log_constant(std::log(std::max(constant_, 1e-300))),
           acts(constant_ > 0 ? 1 : 0) {}
-    /// Of a stress above 0 with this logarithm.
+    /// Speed at a stress above 0 with this logarithm.
     [[gnu::always_inline]] double at(double log_stress) const {
         return acts * exponential(std::min(700.0, std::max(-700.0, log_constant + exponent * log_stress)));
     }
 };
 
-constexpr std::size_t together = 32; ///< rows whose creep is found at once
+constexpr std::size_t together = 32; ///< rows whose creep is computed at once
 using Stresses = std::array<double, together>;
 
-/// The stresses at the end of a step that began with the elastic trials: trial = stress + ks dt speed(stress) (2). The
-/// left side minus the right is a falling convex function of stress, so Newton's method comes down from the trial
-/// without passing the root; it ends when no row comes down any more.
+/// The stresses at the end of a step that began with the elastic trials: trial = stress + ks dt speed(stress) (2). The difference of the
+/// two sides is a decreasing convex function of stress, so Newton's method converges from the trial without passing the root; it ends when
+/// no row decreases any more.
 void relax(const Stresses& trials, double ks_dt, const Speed low, const Speed high, Stresses& stresses) {
-    constexpr double least = 1e-300; // stands for 0, which has no logarithm
+    constexpr double least = 1e-300; // used for 0, which has no logarithm
     stresses = trials;
     for (int k = 0; k < 60; ++k) {
         std::uint64_t moving = 0;
@@ -89,8 +89,8 @@ struct Creeps {
         Stresses with_both, with_low;
         relax(trials, ks_dt, low, high, with_both);
         relax(trials, ks_dt, low, Speed(0, 1, 0), with_low);
-        // A speed that starts with a jump holds the stress at the jump: of the solutions with both, one and none of
-        // the speeds the one that lies in its own range is the stress, and minima and maxima pick it.
+        // A speed that starts with a jump holds the stress at the jump. Of the solutions with both, one and none of the speeds, the stress
+        // is the one in its own range; minima and maxima select it.
         for (std::size_t j = 0; j < together; ++j) {
             const double trial = trials[j];
             const double both = trial > high.from ? with_both[j] : 0;
@@ -101,7 +101,7 @@ struct Creeps {
     }
 };
 
-/// What creep leaves of one row's elastic force, found before.
+/// One row's elastic force after creep, computed before.
 struct Relaxed {
     double force;
     bool creeps;

@@ -1,9 +1,8 @@
 // Springs whose stiffness is a power of the normal stress, between a least and a greatest value:
 //     k = min(max(k_1 |sigma|^e, k_min), k_max),
-// and what joint models with such springs share.
-// In closure the normal spring is a curve that is known in closed form, so a joint that loads and unloads comes back to its
-// place exactly, whatever its steps. Without a least value the curve begins with the tangent 0 and is a power alone, which
-// looks the same in every unit.
+// shared by the joint models with such springs. In closure the normal spring is a curve in closed form, so a joint that loads and unloads
+// returns exactly to its initial closure, for any steps. Without a least value the curve begins with the tangent 0 and is a pure power,
+// which is the same in every unit.
 #pragma once
 
 #include "kaya/law/elementary.hpp"
@@ -34,7 +33,7 @@ struct PowerStiffness {
         return std::pow(stiffness / at_one, 1 / exponent);
     }
 
-    static constexpr double no_stress = 1e-290; ///< stands for 0, which has no logarithm
+    static constexpr double no_stress = 1e-290; ///< used for 0, which has no logarithm
 };
 
 /// The closure curve that has this stiffness: straight, power, straight; odd, so that a bond pulls as it pushes. An exponent
@@ -66,8 +65,8 @@ public:
     const PowerStiffness& stiffness() const { return stiffness_; }
     [[gnu::always_inline]] double tangent(double stress) const { return stiffness_.at(stress); }
 
-    /// What the time step is told: the tangent, but where the curve begins with none that of a closure of a millionth of
-    /// the sub-contact's size. The step cannot be found from a stiffness of 0.
+    /// The stiffness reported for the time step: the tangent. Where the curve begins with the tangent 0 it is that at a closure of a
+    /// millionth of the sub-contact's size, since a stiffness of 0 gives no step.
     [[gnu::always_inline]] double reported(double stress, double area) const {
         return std::max(tangent(stress), grows_from_ * power(std::max(area, PowerStiffness::no_stress), growth_));
     }
@@ -125,7 +124,7 @@ private:
     double constant_, exponential_;    ///< 1 for the exponents 0 and 1: numbers, which a vector instruction can compare
     double power_from_, closure_from_; ///< where the power begins
     double factor_, begin_, inverse_;  ///< on it: stress = (begin + factor closure)^inverse, or e to that sum
-    double energy_begin_;              ///< what the power of its energy begins with
+    double energy_begin_;              ///< of the power part of its energy
     double grows_from_ = 0, growth_ = 0;                            ///< least that is reported, over the area
     double power_to_ = INFINITY, closure_to_ = INFINITY, last_ = 0; ///< where it ends, and the tangent beyond
 };
@@ -135,19 +134,19 @@ struct PowerSprings {
     PowerSpring normal;
     PowerStiffness shear;
 
-    /// What is wrong with them, or null.
+    /// Why they are invalid, or null.
     const char* fault() const {
         const PowerStiffness& kn = normal.stiffness();
         if (kn.exponent == 1 && !(kn.least > 0))
             return "exponent-normal is 1, with which no closure leads from a normal stress of 0 to another: give kn-minimum, "
-                   "the stiffness at first touch";
+                   "the stiffness at first contact";
         if (!(kn.greatest > 0) || !(shear.greatest > 0))
             return "kn-maximum or ks-maximum is 0: leave it out for no limit";
         if (kn.least > kn.greatest) return "kn-minimum is above kn-maximum: exchange them";
         return shear.least > shear.greatest ? "ks-minimum is above ks-maximum: exchange them" : nullptr;
     }
 
-    /// What a sub-contact of area 1 starts with.
+    /// Initial stiffnesses of a sub-contact of area 1.
     void largest_at_start(double* kn, double* ks) const {
         *kn = normal.reported(0, 1);
         *ks = shear.at(0);

@@ -30,7 +30,7 @@ constexpr auto all_history = history +
                              }) +
                              history_of_dilation;
 
-/// What is left between peak and residual strength after a slip (1).
+/// Remaining fraction of the difference between peak and residual strength after a slip (1).
 struct Fall {
     double per_distance, exponent;
 
@@ -56,7 +56,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
     const std::size_t n = batch->n;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
-        // A bond that broke in tension is gone; one that slides is worn, and neither heals.
+        // A bond that broke in tension is lost; a sliding one is worn, and neither heals.
         const bool broken = (columns.states[i] & (tension_now | tension_past)) != 0;
         const double rest_before = rests[i], weak_before = weak[i];
         const double worn = fall.left(columns.slips[i]), bonded = broken ? 0 : worn;

@@ -59,7 +59,7 @@ function figure:points(label, xs, ys)
     curve(self, label, xs, ys, ("with points pt 7 ps 0.8 lc rgb '%s'"):format(next_colour(self)))
 end
 
--- Closed polygons, lists of {x, y}, in one colour: "grey" for what was before. The axes get equal scales.
+-- Closed polygons, lists of {x, y}, in one colour: "grey" for the earlier state. The axes get equal scales.
 function figure:outlines(label, polygons, colour)
     local rows = {}
     for _, polygon in ipairs(polygons) do

@@ -1,7 +1,6 @@
--- What translated FISH needs where Lua differs: arrays with one or more dimensions, loops over lists.
--- The program calls it with `fail`, functions that stop with a message, and `whole(x)`: the whole number
--- that x is, or nil. A FISH array is a Lua table: elements 1 to n, row by row; `dimensions` holds the sizes.
--- The two most used functions, element and set_element for one dimension, are written in C++.
+-- Functions for translated FISH where Lua differs: arrays with one or more dimensions, loops over lists. The program calls it with `fail`,
+-- functions that stop with a message, and `whole(x)`: x as a whole number, or nil. A FISH array is a Lua table: elements 1 to n, row by
+-- row; `dimensions` holds the sizes. The two most used functions, element and set_element for one dimension, are written in C++.
 
 local fail, whole = ...
 local runtime = { list_kind = { __name = "array" }, grid_kind = { __name = "array" } }
@@ -32,8 +31,8 @@ local function same_sizes(array, sizes)
     return true
 end
 
--- What the statement `array name(...)` makes. `old` is the present value of the variable: an array of the same sizes
--- stays as it is, because decks say the statement in a loop that fills the array.
+-- Result of the statement `array name(...)`. `old` is the present value of the variable: an array of the same sizes is kept, because decks
+-- repeat the statement in a loop that fills the array.
 function runtime.array(name, old, ...)
     local values = { dimensions = { ... } }
     local size = 1
@@ -85,8 +84,7 @@ function runtime.set_element_of(array, name, value, ...)
     array[position(array, name, { ... })] = value
 end
 
--- Gives the members of a list one after the other. They are copied first, because the body of the loop may
--- change the list.
+-- Returns the members of a list in order. They are copied first, because the body of the loop may change the list.
 function runtime.each(list)
     if type(list) ~= "table" then
         fail.not_list(list)

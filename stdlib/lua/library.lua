@@ -1,6 +1,6 @@
--- What every Lua chunk of a deck can use. The program calls it with `native`, functions written in C++, and
--- `trusted`; it returns the table of names. Lua's own libraries are taken over as far as they are harmless:
--- nothing here starts a program, loads a library, or opens a file outside of the working folder.
+-- The names for every Lua chunk of a deck. The program calls it with `native`, functions written in C++, and `trusted`; it returns the
+-- table of names. Lua's own libraries are included as far as they are harmless: they start no program, load no library, and open no file
+-- outside of the working folder.
 
 local native, trusted = ...
 local library = {}
@@ -24,7 +24,7 @@ local function copy(from, names)
     return result
 end
 
--- Nothing interrupts the handler of an error that came out of the wish to stop, so such an error passes it by.
+-- No hook interrupts the handler of an error that was raised to stop the script, so such an error bypasses the handler.
 function library.xpcall(f, handler, ...)
     return xpcall(f, function(problem)
         if native.stopping() then
@@ -60,7 +60,7 @@ library.table = copy(table, {})
 library.utf8 = copy(utf8, {})
 library.math = copy(math, {})
 
--- What is missing says so, instead of being nil.
+-- A missing name raises an error instead of being nil.
 local function refusing(values, name)
     return setmetatable(values, {
         __index = function(_, key)
@@ -79,7 +79,7 @@ library.os = refusing({
 library.debug = refusing({ traceback = debug.traceback }, "debug")
 library.package = refusing({}, "package")
 
--- Finalizers would run at a moment that nobody can foretell.
+-- Finalizers would run at an unpredictable moment.
 function library.setmetatable(value, metatable)
     if type(metatable) == "table" and rawget(metatable, "__gc") ~= nil then
         native.fail("a metatable with __gc cannot be used in a deck", "leave __gc out")
@@ -128,8 +128,7 @@ function library.pairs(value)
     return following, value, nil
 end
 
--- Random numbers come from the generator of the model, so that they are the same in every run and go on after
--- save and restore.
+-- Random numbers come from the generator of the model, so that they are the same in every run and continue after save and restore.
 function library.math.random(low, high)
     if not low then
         return native.uniform()
@@ -161,8 +160,8 @@ library.print = function(...)
     native.print(table.concat(words, "\t"))
 end
 
--- `restore` runs the chunks of a saved model again for their definitions, and nothing outside may change by it: a file
--- that a chunk opens to write is opened when something is written after that, after what is there already.
+-- `restore` runs the chunks of a saved model again for their definitions, which must not change any file: a file that a chunk opens for
+-- writing is opened at the first write after that, and the write is appended.
 local function opened_later(open)
     local file, real = {}, nil
     local methods = {}
@@ -310,7 +309,7 @@ library.hook = {
     remove = native.remove_hook,
 }
 
--- A function becomes a global function with a name of its own, which the command `history` can name.
+-- A function becomes a global function with a unique name, which the command `history` can use.
 library.history = setmetatable({
     add = function(what)
         if type(what) == "function" then

@@ -29,9 +29,8 @@ local function hull(points)
     return chain
 end
 
--- The outline of each block on a plane whose axes are the unit vectors `across` and `up`: a list of polygons, each a
--- list of {x, y}. A block is convex, so its outline is the hull of its corners. `wanted(block)` picks blocks, all
--- without it.
+-- The outline of each block on a plane whose axes are the unit vectors `across` and `up`: a list of polygons, each a list of {x, y}. A
+-- block is convex, so its outline is the hull of its corners. `wanted(block)` selects blocks; without it all are drawn.
 function section.outlines(across, up, wanted)
     local polygons = {}
     for block in blocks() do

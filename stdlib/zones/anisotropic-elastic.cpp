@@ -34,7 +34,7 @@ constexpr std::array properties{
 };
 constexpr std::array<kaya_jhistory, 0> history{};
 
-/// What is left of the plane's modulus after both of Poisson's ratios; above 0 where deforming always takes work.
+/// The factor of the plane's modulus that both of Poisson's ratios leave; above 0 where deformation always takes work.
 double rest_of(const double* p) {
     return 1 - p[poisson_plane] - 2 * p[poisson_normal] * p[poisson_normal] * p[young_plane] / p[young_normal];
 }

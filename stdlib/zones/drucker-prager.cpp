@@ -67,7 +67,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
 
 const char* check(const double* p) {
     if (p[q_dilation] > p[q_friction])
-        return "dilation-drucker is above friction-drucker: rock would make energy; give a smaller one";
+        return "dilation-drucker is above friction-drucker: rock would create energy; give a smaller one";
     return nullptr;
 }
 

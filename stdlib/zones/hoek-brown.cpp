@@ -53,8 +53,8 @@ struct Curve {
     bool bears(double x, double asked) const { return asked <= height(x); }
 };
 
-/// The curve whose envelope of shear stresses lies at a part of the height of the first one's: each point of the envelope keeps its
-/// normal stress, and the circle of Mohr that touches the lower envelope there has other principal stresses (3).
+/// The curve whose envelope of shear stresses is a fraction of the height of the given one's: each point of the envelope keeps its normal
+/// stress, and the circle of Mohr tangent to the lower envelope there has other principal stresses (3).
 class Lowered {
     struct Circle {
         double least, greatest, slope; ///< the stresses from the tip on

@@ -44,7 +44,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
 
 const char* check(const double* p) {
     if (p[dilation] > p[friction])
-        return "the dilation is above the friction: rock would make energy; give a smaller dilation";
+        return "the dilation is above the friction: rock would create energy; give a smaller dilation";
     return nullptr;
 }
 

@@ -1,6 +1,6 @@
-// The surface of Mohr and Coulomb with a tension cut-off in principal stresses, and the way back to it. The surface is made
-// of planes and elasticity is linear, so that the return is exact: Koiter (1953) for edges and corners where several planes
-// flow at once; docs/zone-models/mohr-coulomb.md has the equations, (n) below are their numbers.
+// The surface of Mohr and Coulomb with a tension cut-off in principal stresses, and the return to it. The surface consists of planes and
+// elasticity is linear, so that the return is exact: Koiter (1953) for edges and corners where several planes flow at once;
+// docs/zone-models/mohr-coulomb.md has the equations, (n) below are their numbers.
 #pragma once
 
 #include "stdlib/zones/zone.hpp"
@@ -28,7 +28,7 @@ struct Strength {
         const double sine = std::sin(degrees * radians);
         return (1 + sine) / (1 - sine);
     }
-    /// The cut-off lies below the apex.
+    /// The cut-off is below the apex.
     static Strength of(double cohesion, double friction, double dilation, double tension) {
         Strength s{slope_of(friction), 0, slope_of(dilation), tension};
         s.uniaxial = 2 * cohesion * std::sqrt(s.slope);
@@ -40,7 +40,7 @@ struct Strength {
     }
 };
 
-/// What a step of flow has done.
+/// Result of a step of flow.
 struct Flow {
     Vector3 strain{}; ///< plastic, in principal axes
     bool shear = false, tension = false;
@@ -93,14 +93,14 @@ inline bool solve(int n, double (&m)[3][3], double (&x)[3]) {
     return true;
 }
 
-/// The way back to the surface (3) of principal stresses, the greatest first.
+/// The return to the surface (3) of principal stresses, the greatest first.
 class Return {
 public:
     Return(const Strength& strength, const Moduli& moduli, const Vector3& tried)
         : moduli_(moduli), planes_(planes_of(strength)), tried_(tried),
           size_(std::max({std::abs(tried[0]), std::abs(tried[2]), strength.uniaxial / (1 + strength.slope)})) {}
 
-    /// Whether these planes flow at once; then the stress and what has flowed. Inlined: with numbers that are known no loop is left.
+    /// Whether these planes flow at once; then the stress and the flow. Inlined: with constant numbers no loop remains.
     [[gnu::always_inline]] bool flows(const ActiveSet& active, Vector3& s, Flow& flow) const {
         const int count = active.count;
         double matrix[3][3] = {}, amount[3] = {};
@@ -173,7 +173,7 @@ inline Flow return_to(const Strength& strength, const Moduli& moduli, Vector3& s
     return to_tip(std::isfinite(strength.tension) ? strength.tension : 0, moduli, s);
 }
 
-/// Bits of the state, as state_names has them: what flows now and what has flowed before.
+/// Bits of the state, as state_names has them: present flow and earlier flow.
 inline constexpr const char* states_of_flow = "shear-now tension-now shear-past tension-past";
 enum State : std::uint32_t { shear_now = 1, tension_now = 2, shear_past = 4, tension_past = 8 };
 
@@ -188,7 +188,7 @@ inline std::uint32_t bits_of(const Flow& flow) {
     return (flow.shear ? shear_now : 0u) | (flow.tension ? tension_now : 0u);
 }
 
-/// What flowed in the step before has flowed.
+/// Marks the flow of the step before as past.
 inline void forget_flow(kaya_zbatch& batch) {
     for (std::size_t i = 0; i < batch.n; ++i) batch.state[i] = state_after(batch.state[i], false, false);
 }

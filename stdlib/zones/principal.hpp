@@ -10,17 +10,17 @@
 
 namespace kaya::zones {
 
-/// Eigenvalues and axes of N symmetric tensors at once, by Jacobi's rotations, whose axes stay at right angles also where values
-/// are equal (Golub and Van Loan, Matrix Computations, 8.5). Lane by lane: what one tensor gives does not depend on the others.
+/// Eigenvalues and axes of N symmetric tensors at once, by Jacobi's rotations, whose axes remain orthogonal also where values are equal
+/// (Golub and Van Loan, Matrix Computations, 8.5). Lane by lane: the result of one tensor does not depend on the others.
 template <int N> struct Rotations {
-    double a[6][N];    ///< the tensors; in the end their values are in a[0] to a[2]
+    double a[6][N];    ///< the tensors; at the end a[0] to a[2] hold their values
     double axis[9][N]; ///< component k of the axis of value p is axis[3 k + p]
 
     void run() {
         for (int k = 0; k < 9; ++k)
             for (int l = 0; l < N; ++l) axis[k][l] = k % 4 == 0 ? 1 : 0;
         constexpr int most_sweeps = 12; // it converges quadratically: five are enough
-        double turns[N];                // 0 for those that are done: they stay as they are
+        double turns[N];                // 0 for converged ones, which no longer change
         for (int sweep = 0; sweep < most_sweeps; ++sweep) {
             double any = 0;
             for (int l = 0; l < N; ++l) {
@@ -39,7 +39,7 @@ template <int N> struct Rotations {
 private:
     /// In the plane of axes P and Q; `Other` components couple them to the third axis.
     template <int P, int Q, int PQ, int OtherP, int OtherQ> void rotate(const double (&turns)[N]) {
-        constexpr double nothing = 1e-300; // keeps 0 / 0 away
+        constexpr double nothing = 1e-300; // avoids 0 / 0
         for (int l = 0; l < N; ++l) {
             const double apart = a[Q][l] - a[P][l], twice = 2 * a[PQ][l];
             const double root = std::sqrt(apart * apart + twice * twice) + nothing;
@@ -99,9 +99,9 @@ private:
     }
 };
 
-/// No less than the greatest and no more than the least principal stress, without axes: with the invariants of the deviator
+/// Bounds of the greatest and the least principal stress, without axes: with the invariants of the deviator
 ///     s1 = mean + r c(t),  s3 = mean - r c(-t),  r = 2 sqrt(J2/3),  t = cos 3 theta = 4 J3/r^3,  4 c^3 - 3 c = t,  c >= 1/2
-/// (Nayak and Zienkiewicz 1972). Newton's steps for c from 1 come down to it and never pass it.
+/// (Nayak and Zienkiewicz 1972). Newton's steps for c from 1 converge from above.
 struct Bounds {
     double high, low;
 
@@ -117,7 +117,7 @@ struct Bounds {
         return {mean + r * cosine(t + around) + small, mean - r * cosine(around - t) - small};
     }
 
-    /// The same with c = 1, whatever the angle: cheaper, and enough for what is far from yielding.
+    /// The same with c = 1, for any angle: cheaper, and sufficient far from yielding.
     [[gnu::always_inline]] static Bounds wide(double xx, double yy, double zz, double xy, double xz, double yz) {
         constexpr double rounding = 1e-12;
         const double mean = (xx + yy + zz) / 3;
@@ -130,16 +130,16 @@ struct Bounds {
 private:
     [[gnu::always_inline]] static double cosine(double t) {
         constexpr int steps = 5;
-        const double most = t < 1 ? t : 1; // also where it is no number
+        const double most = t < 1 ? t : 1; // also where it is NaN
         double c = 1;
         for (int i = 0; i < steps; ++i) c -= (c * (4 * c * c - 3) - most) / (12 * c * c - 3);
         return c;
     }
 };
 
-/// Calls each(row, principal) for the rows of a batch that may yield. `holds(row, high, low)` says whether a stress is certainly
-/// within the strength: `high` is no less than the greatest principal stress, `low` no more than the least. Most rows need no
-/// more than that; the others have their principal stresses found eight at a time.
+/// Calls each(row, principal) for the rows of a batch that may yield. `holds(row, high, low)` returns whether a stress is certainly within
+/// the strength: `high` is an upper bound of the greatest principal stress, `low` a lower bound of the least. Most rows need only these
+/// bounds; principal stresses of the others are computed eight at a time.
 template <class Holds, class Each> void for_rows_that_may_yield(const kaya_zbatch& batch, Holds holds, Each each) {
     constexpr std::size_t chunk = 64;
     constexpr int pack = 8;

@@ -62,7 +62,7 @@ struct Curve {
     double at(double strain) const { return table ? tables->value(table, strain) : value; }
 };
 
-/// False after writing what is missing.
+/// False after writing the message about a missing table.
 bool take(Curve& curve, kaya_zbatch* batch, std::size_t value, std::size_t table) {
     curve.value = batch->properties[value];
     if (batch->properties[table] == 0) return true;

@@ -52,7 +52,7 @@ constexpr const char* states =
     "shear-now tension-now shear-past tension-past joint-shear-now joint-tension-now joint-shear-past joint-tension-past";
 constexpr int joint_bits = 4;
 
-/// The weak planes and what they bear.
+/// The weak planes and their strength.
 struct Weakness {
     Vector3 normal;
     double cohesion, tangent, dilatancy, tension;
@@ -66,7 +66,7 @@ struct Weakness {
     }
 };
 
-/// Brings the traction on the weak planes back to what they bear (2), (3). Returns the bits of the state.
+/// Returns the traction on the weak planes to their strength (2), (3). Returns the bits of the state.
 std::uint32_t yield_on(const Weakness& weak, const Moduli& moduli, Tensor& stress, double& slipped,
                        double& dissipated) {
     const Vector3& n = weak.normal;
@@ -79,7 +79,7 @@ std::uint32_t yield_on(const Weakness& weak, const Moduli& moduli, Tensor& stres
     if (tau > 0)
         for (double& component : along) component /= tau;
     const double stiff = moduli.bulk + 4.0 / 3.0 * moduli.shear, lame = moduli.lame();
-    double less_tau = 0, opening = 0; // what flow takes off the shear stress, and strain across the planes
+    double less_tau = 0, opening = 0; // reduction of the shear stress by flow, and strain across the planes
     std::uint32_t state = 0;
     if (const double excess = tau + weak.tangent * across - weak.cohesion; excess > 0) {
         const double amount = excess / (moduli.shear + stiff * weak.tangent * weak.dilatancy);
@@ -112,7 +112,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
     const Strength strength = Strength::of(p[cohesion], p[friction], std::min(p[dilation], p[friction]), p[tension]);
     const Weakness weak(p);
     add_elastic(*batch, moduli);
-    // What flowed in the step before has flowed, in the rock and on the planes.
+    // Marks the flow of the step before as past, in the rock and on the planes.
     for (std::size_t i = 0; i < batch->n; ++i)
         batch->state[i] = state_after(batch->state[i] & 15u, false, false) |
                           state_after(batch->state[i] >> joint_bits, false, false) << joint_bits;
@@ -139,9 +139,9 @@ ptrdiff_t run(kaya_zbatch* batch) {
 
 const char* check(const double* p) {
     if (p[dilation] > p[friction])
-        return "the dilation is above the friction: rock would make energy; give a smaller dilation";
+        return "the dilation is above the friction: rock would create energy; give a smaller dilation";
     if (p[joint_dilation] > p[joint_friction])
-        return "joint-dilation is above joint-friction: the planes would make energy; give a smaller one";
+        return "joint-dilation is above joint-friction: the planes would create energy; give a smaller one";
     return nullptr;
 }
 

@@ -1,4 +1,4 @@
-// What the zone models that ship have in common: moduli, the elastic step, and rows of a batch.
+// Shared by the zone models that ship: moduli, the elastic step, and rows of a batch.
 #pragma once
 
 #include "kaya/zmodel.h"

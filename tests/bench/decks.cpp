@@ -1,11 +1,11 @@
-// How long cycles take. A deck makes a model, then cycles are timed on one thread.
+// Time of cycles. A deck creates a model, then cycles are timed on one thread.
 #include "run.hpp"
 
 #include <fmt/format.h>
 
 namespace {
 
-/// A deck and how many cycles of it are timed.
+/// A deck and the number of cycles to time.
 struct Timed {
     const char *name, *deck;
     std::int64_t cycles;

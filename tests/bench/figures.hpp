@@ -1,4 +1,4 @@
-// Figures of kaya against a bare kernel, and the time that they are made of.
+// Speed of kaya relative to a bare kernel, and the times that it is computed from.
 #pragma once
 
 #include "run.hpp"
@@ -10,12 +10,12 @@
 
 namespace bench {
 
-/// One figure and where it must be. Aim and must are upper limits unless `more` says that more is better.
+/// One figure with its required value and target: upper limits unless `more` is set.
 struct Row {
     std::string figure;
     double value;
     std::string unit;
-    double must, aim; ///< 0: the figure is shown and nothing is asked of it
+    double must, aim; ///< 0: the figure is printed without a limit
     bool more = false;
 
     std::string verdict() const {
@@ -36,7 +36,7 @@ template <class Call> double timed(const Call& call, double (*clock)() = process
     return clock() - start;
 }
 
-/// Median of time over time of the kernel, turn by turn, since the machine may be slower from one to the next.
+/// Median over turns of the ratio of times, because the speed of the machine varies between turns.
 struct Paired {
     double ratio; ///< seconds per step over seconds per step of the kernel
     double ours, kernel;

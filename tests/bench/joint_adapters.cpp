@@ -1,5 +1,5 @@
-// Sub-contact updates per second of one joint law written three times: native, in the dialect of 3DEC 9 through the
-// adapter, and in Lua. Rows slip to and fro under a constant closing, in batches as the engine makes them.
+// Sub-contact updates per second of one joint law written in three ways: native, in the dialect of 3DEC 9 through the adapter, and in Lua.
+// Rows slip back and forth under constant closure, in batches like those of the engine.
 #include "commands/lua_joint_models.hpp"
 #include "laws/batch.hpp"
 
@@ -84,7 +84,7 @@ private:
     std::vector<kaya::JointObject> objects_;
 };
 
-/// Updates per second: for as long as is asked for, with slip to and fro, a quarter of it elastic.
+/// Updates per second over the given time, with alternating slip, a quarter of it elastic.
 double rate(const char* name, double seconds) {
     using Clock = std::chrono::steady_clock;
     Rows joint(registry().get(name));

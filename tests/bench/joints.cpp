@@ -1,6 +1,6 @@
-// Sub-contact updates per second of every joint model that ships, on one thread: rows that stay in the processor's
-// cache, and a million rows that do not. The last column is the traffic of the million rows against that of a plain
-// a = b + s c over as much memory, in the same run: where it is near 1, memory is what limits the model.
+// Sub-contact updates per second of every joint model that ships, on one thread: rows that fit into the cache, and a million rows that do
+// not. The last column is the memory traffic of the million rows relative to that of a = b + s c over as much memory, in the same run: near
+// 1 the model is limited by memory.
 #include "laws/batch.hpp"
 #include "laws/joint_model.hpp"
 
@@ -21,7 +21,7 @@ using Column = std::vector<double>;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Best of some runs, so that what else the machine does counts little.
+/// Best of several runs, to reduce the effect of other load on the machine.
 template <class Call> double best_of(int runs, Call call) {
     double best = INFINITY;
     for (int i = 0; i < runs; ++i) {
@@ -45,7 +45,7 @@ const std::map<std::string, std::map<std::string, double>> values_given = {
     {"barton-bandis", {{"friction-residual", 25}, {"jrco", 8}, {"jcso", 100}, {"sigmac", 150}}},
 };
 
-/// Rows of one model, pressed with 1 MPa, sheared to and fro.
+/// Rows of one model, under 1 MPa, sheared back and forth.
 class Rows {
 public:
     Rows(const JointModel& model, std::size_t n) : model_(model), n_(n), state_(n, 0) {
@@ -68,7 +68,7 @@ public:
         if (const auto failure = kaya::initialise_batch(model, b)) throw std::runtime_error(failure->message);
     }
 
-    /// One step of all rows, in batches as the engine cuts them.
+    /// One step of all rows, in batches like those of the engine.
     void step(int count) {
         const double way = (count / 50) % 2 == 0 ? 2e-5 : -2e-5;
         if (count % 50 == 0)
@@ -80,9 +80,9 @@ public:
         }
     }
 
-    /// Bytes per row that a step must read, and write back.
+    /// Bytes per row that a step reads and writes.
     double traffic() const {
-        const double in = 5 + 2; // area and increments; the guard looks at both stiffnesses
+        const double in = 5 + 2; // area and increments; the guard reads both stiffnesses
         const double both = 5 + static_cast<double>(history_.size()); // forces, work, history
         return 8 * (in + 2 * both) + 2 * 4;
     }
@@ -124,7 +124,7 @@ private:
     std::vector<const double*> field_pointers_;
 };
 
-/// Bytes per second of a = b + s c over as many bytes as the columns of a model have, far more than a cache.
+/// Bytes per second of a = b + s c over as many bytes as the columns of a model, much more than a cache.
 double triad(std::size_t n) {
     Column a(n, 0), b(n, 1), c(n, 2);
     const double time = best_of(15, [&] {

@@ -1,8 +1,8 @@
-// Meshes of random jointed rock: bench_meshes [BLOCKS [SEED]]. Cubes of rock are cut by joint sets that chance draws, some are mirrored, turned
-// and moved a million metres, and all blocks are meshed with edges from a fifth of the spacing to twice that. Prints a line for each
-// edge and one for all: blocks, zones, processor time, blocks that could not be meshed; of the benign ones the least angle between faces of
-// zones; the mean edge of those whose own edges are no shorter, over what was asked; how many of the faces that two blocks share
-// have the same triangles on both sides. Benign are edges above a fifth of the asked one, angles above 20 degrees, thickness above 0.3 of it.
+// Meshes of random jointed rock: bench_meshes [BLOCKS [SEED]]. Cubes of rock are cut by random joint sets, some are mirrored, rotated and
+// moved a million metres, and all blocks are meshed with edges from a fifth of the spacing to twice the spacing. Prints a line for each
+// edge and one for all: blocks, zones, processor time, blocks without a mesh; for benign blocks the smallest angle between faces of zones;
+// the mean edge over the requested one, for blocks large enough; the number of shared faces with the same triangles on both sides. Benign
+// blocks have edges above a fifth of the requested one, angles above 20 degrees and a thickness above 0.3 of it.
 #include "tests/unit/geometry/cut_rock.hpp"
 #include "base/diagnostic.hpp"
 #include "geometry/cut.hpp"
@@ -44,7 +44,7 @@ std::vector<Polyhedron> jointed_cube(Random& random) {
     return blocks;
 }
 
-/// Some stay, some are turned, mirrored, moved a million metres.
+/// Leaves some unchanged; others are rotated, mirrored, moved a million metres.
 void place(std::vector<Polyhedron>& blocks, Random& random) {
     const int kind = static_cast<int>(4 * random.uniform());
     const Mat3 turn = Eigen::AngleAxisd(6 * random.uniform(),
@@ -69,7 +69,7 @@ struct Shape {
     double shortest_edge = 1e300, smallest_angle = 180, thickness = 0;
 };
 
-/// The shortest edge, the least angle at a corner of a face and between two faces.
+/// The shortest edge, the smallest angle at a corner of a face and between two faces.
 Shape shape_of(const Polyhedron& p) {
     Shape shape;
     shape.thickness = thickness(p);
@@ -90,7 +90,7 @@ Shape shape_of(const Polyhedron& p) {
     return shape;
 }
 
-/// Places of the corners, rounded to a tenth of a millimetre or so: what two sides of a face have in common.
+/// Positions of the corners, rounded to about a tenth of a millimetre, so that both sides of a face compare equal.
 class Places {
 public:
     int number(const Vec3& x) {
@@ -137,7 +137,7 @@ struct Count {
     }
 };
 
-/// Those of blocks that could not be meshed have no tetrahedra.
+/// Blocks without a mesh have no tetrahedra.
 std::vector<TetMesh> meshes_of(const std::vector<Polyhedron>& blocks, double edge) {
     std::vector<TetMesh> meshes(blocks.size());
     const MeshPlan plan(blocks, edge);

@@ -1,4 +1,4 @@
-// How kaya stands against the bare method, in one run on one machine: docs/performance.md says what the rows mean.
+// kaya compared with the bare method, in one run on one machine: docs/performance.md explains the rows.
 #include "base/parallel.hpp"
 #include "figures.hpp"
 #include "rigid_kernel.hpp"
@@ -15,7 +15,7 @@
 #include <unistd.h>
 #include <vector>
 
-/// From the system's account of it.
+/// As reported by the system.
 double bench::resident_bytes() {
     std::ifstream file("/proc/self/statm");
     double pages = 0, resident = 0;
@@ -44,13 +44,13 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 
 double count(std::size_t n) { return static_cast<double>(n); }
 
-/// Pairs that meet at faces, edges and corners in a box of n cubes each way, with those of its floor and four walls.
+/// Adjacent pairs, at faces, edges and corners, in a box of n cubes in each direction, with those of its floor and four walls.
 double neighbours(double n) {
     const double m = n - 1, cubes = 3 * n * n * m + 6 * n * m * m + 4 * m * m * m;
     return cubes + 5 * n * n;
 }
 
-/// A thousand cubes at rest, contacts kept and contacts made anew, against the kernel with as many cubes.
+/// A thousand cubes at rest, with kept and with rebuilt contacts, compared with the kernel with as many cubes.
 void packed_cubes(std::vector<Row>& rows) {
     bench::RigidKernel kernel(10);
     for (int i = 0; i < 2000; ++i) kernel.step();
@@ -61,7 +61,7 @@ void packed_cubes(std::vector<Row>& rows) {
     const auto kept = against_kernel(kernel, 9, 200, [&] { run.cycles(200); });
     rows.push_back({"cycle at rest, face pairs per second over the kernel's", contacts / kept.ratio / pairs, "",
                     1.0 / 3, 0.5, true});
-    // The kernel's eight lie in four places, as corners of either cube; kaya makes one of two.
+    // The kernel's eight sub-contacts coincide in pairs, as corners of either cube; kaya merges each pair.
     rows.push_back({"the same with kaya's four sub-contacts counted against the kernel's eight",
                     subs / kept.ratio / (8 * pairs), "", 0, 0, true});
     Run fine("packed-cubes-fine.3dd");
@@ -70,12 +70,12 @@ void packed_cubes(std::vector<Row>& rows) {
     rows.push_back({"cubes with sixteen sub-contacts on a face, per sub-contact",
                     count(fine.model().sub_contacts.size()) / divided.ratio / (8 * pairs), "", 1.0 / 3, 0.5, true});
     const auto anew = against_kernel(kernel, 7, 20, [&] { run.rebuilding_cycles(20); });
-    // Peers count every pair of cubes whose boxes meet, those with an edge or a corner in common as well: 1.4 microseconds
-    // for such a pair, where the kernel takes 68.5 nanoseconds for a pair of faces.
+    // Other programs count every pair of cubes with adjacent boxes, including those with a common edge or corner: 1.4 microseconds for such
+    // a pair, where the kernel takes 68.5 nanoseconds for a pair of faces.
     rows.push_back({"contacts made anew in every step: time per pair that is near, over the kernel's per face pair",
                     anew.ratio * pairs / neighbours(10), "", 1.4 / 0.0685, 0.7 / 0.0685});
     rows.push_back({"the same in microseconds", anew.ours / neighbours(10) * 1e6, "us", 1.4, 0.7});
-    // A third of those pairs have a face in common, and so a contact.
+    // A third of these pairs have a common face and therefore a contact.
     rows.push_back({"the same per pair with a common face", anew.ours / contacts * 1e6, "us", 0, 0});
 }
 
@@ -87,7 +87,7 @@ void growth(std::vector<Row>& rows) {
     Run few("packed-cubes-10.3dd");
     few.cycles(1000);
     std::vector<double> ratios;
-    for (int i = 0; i < 7; ++i) { // turn by turn, as with the kernel
+    for (int i = 0; i < 7; ++i) { // in turn, as with the kernel
         const auto per_block = [](Run& one, std::int64_t steps) {
             return timed([&] { one.cycles(steps); }) / static_cast<double>(steps) / count(one.model().blocks.size());
         };
@@ -122,7 +122,7 @@ void small_models(std::vector<Row>& rows) {
     rows.push_back({"model of one block, per step", median(times) * 1e6, "us", 2, 1});
 }
 
-/// Joint sets of three materials cross everywhere: sub-contacts of one material must stand behind each other all the same.
+/// Joint sets of three materials cross everywhere: sub-contacts of one material must still be consecutive.
 void materials(std::vector<Row>& rows) {
     Run one("jointed-rock.3dd"), three("jointed-rock-mixed.3dd");
     one.cycles(20);
@@ -152,7 +152,7 @@ void building(std::vector<Row>& rows) {
     std::filesystem::remove(deck);
 }
 
-/// The same cubes with Yade's polyhedra, where Debian's yade is installed.
+/// The same cubes with Yade's polyhedra, if Debian's yade is installed.
 void yade(std::vector<Row>& rows) {
     if (std::system("command -v yade > /dev/null 2>&1") != 0) return;
     const auto result = std::filesystem::temp_directory_path() / "kaya-bench-yade.txt";
@@ -168,7 +168,7 @@ void yade(std::vector<Row>& rows) {
     if (theirs <= 0) return;
     rows.push_back({"1,000 cubes at rest, times as fast as Yade's polyhedra", theirs / ours, "", 1200, 2500, true});
     const double anew = timed([&] { run.rebuilding_cycles(30); }) / 30;
-    // Yade finds its contacts in every step, too.
+    // Yade detects its contacts in every step, too.
     rows.push_back({"the same with contacts made anew in every step", theirs / anew, "", 0, 0, true});
 }
 
@@ -202,5 +202,5 @@ int main(int argc, char** argv) {
     for (const auto& row : rows)
         file << fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", processor(), row.figure, row.value, row.unit, row.must,
                             row.aim, row.verdict());
-    return 0; // it says what is missed, and fails nobody for a busy machine
+    return 0; // misses are printed; a busy machine does not fail the build
 }

@@ -22,14 +22,14 @@ RigidKernel::RigidKernel(int along) {
                 Body b{};
                 b.centre = {i + 0.5, j + 0.5, k + 0.5};
                 b.orientation = {1, 0, 0, 0};
-                if (k > 0) { // the lowest layer is held
+                if (k > 0) { // the lowest layer is fixed
                     b.inverse_mass = 1 / mass;
                     b.inverse_inertia = 6 / mass;
                     b.gravity = -9.81;
                 }
                 bodies_.push_back(b);
             }
-    // One direction after another, and in each every second layer, as a program with threads would go through them.
+    // One direction after another, and in each every second layer, as in a program with threads.
     for (int axis = 0; axis < 3; ++axis)
         for (int parity = 0; parity < 2; ++parity)
             for (int k = 0; k < along; ++k)

@@ -1,4 +1,4 @@
-// The method of a rigid block cycle with nothing around it: what a program can be measured against.
+// The bare method of a rigid block cycle: a reference for the speed of a program.
 #pragma once
 
 #include <array>
@@ -7,10 +7,9 @@
 
 namespace bench {
 
-/// Unit cubes packed `along` each way, eight sub-contacts on every common face with Coulomb's law; the lowest layer is
-/// held and the others rest on it. It cheats where
-/// kaya must not: places of sub-contacts never leave their contact, there is one material, the law is compiled in, no
-/// energy is accounted and orientations are not exact.
+/// Unit cubes packed `along` in each direction, eight sub-contacts on every common face with Coulomb's law; the lowest layer is fixed and
+/// the others rest on it. It omits what kaya must do: sub-contacts never leave their contact, there is one material, the law is compiled
+/// in, there is no energy account and orientations are not exact.
 class RigidKernel {
 public:
     explicit RigidKernel(int along);

@@ -1,4 +1,4 @@
-// A deck's model, ready to be cycled and timed.
+// A deck's model, ready for timing.
 #pragma once
 
 #include "commands/session.hpp"
@@ -16,14 +16,14 @@ inline double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of this process, all its threads: what others do on the machine counts less.
+/// Of this process, all its threads, to reduce the effect of other load on the machine.
 inline double processor_seconds() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// A session that prints nothing, with the model of a deck of this folder.
+/// A silent session with the model of a deck of this folder.
 class Run {
 public:
     explicit Run(const std::string& deck, int threads = 1) : silence_(std::fopen("/dev/null", "w"), &std::fclose) {
@@ -34,12 +34,12 @@ public:
         session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);
         session_->run_deck(deck.front() == '/' ? deck : KAYA_BENCH_FOLDER "/" + deck);
     }
-    /// As `cycle` does.
+    /// As by `cycle`.
     void cycles(std::int64_t count) {
         const kaya::Cycle::Unwatched unwatched(*session_->cycle);
         for (std::int64_t i = 0; i < count; ++i) session_->cycle->advance();
     }
-    /// Cycles in each of which every contact is looked for and its geometry made anew.
+    /// Cycles with a contact search and new geometry of every contact in each cycle.
     void rebuilding_cycles(std::int64_t count) {
         for (std::int64_t i = 0; i < count; ++i) {
             for (auto& way : session_->model.blocks.travelled) way = std::numeric_limits<double>::infinity();

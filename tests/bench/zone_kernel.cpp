@@ -62,7 +62,7 @@ inline Vector gather(const Four* rows, const int (&at)[8]) {
             __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
-/// The opposite, added; rows may repeat.
+/// The inverse, with addition; rows may repeat.
 inline void scatter(Four* rows, const int (&at)[8], const Vector& v) {
     const Eight zero{};
     const Eight xy0 = __builtin_shufflevector(v.x, v.y, 0, 8, 2, 10, 4, 12, 6, 14),
@@ -180,7 +180,7 @@ void ZoneKernel::make_block(int blocks, int cells, int block) {
             for (int i = 0; i < n; ++i)
                 position_[node({i, j, k})] =
                     Four{block % blocks + i * h, block / blocks % blocks + j * h, block / (blocks * blocks) + k * h, 0};
-    // Neighbouring cubes in the lanes, so that corners of one kind are different gridpoints; groups in the order of their places.
+    // Adjacent cubes in the lanes, so that corners of one kind are different gridpoints; groups in the order of their positions.
     constexpr int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     constexpr bool turned[6] = {false, true, true, false, false, true};
     std::vector<std::array<int, 4>> zones;
@@ -206,7 +206,7 @@ void ZoneKernel::make_block(int blocks, int cells, int block) {
         for (int l = 0; l < 8; ++l)
             for (int a = 0; a < 4; ++a) {
                 group.corner[a][l] = zones[8 * g + l][a];
-                position_[group.corner[a][l]][3] += quarter; // the mass, first
+                position_[group.corner[a][l]][3] += quarter; // first, the mass
             }
         groups_.push_back(group);
     }
@@ -301,14 +301,14 @@ void ZoneKernel::load(Group& group) {
     scatter(force_.data(), group.corner[3], f3);
 }
 
-/// Back to the surface along the flow: shear where the tension cut-off is farther away, else tension.
+/// Return to the surface along the flow: shear where the tension cut-off is farther away, otherwise tension.
 void ZoneKernel::bring_back(Eight (&stress)[6]) const {
     const Principal principal(stress);
     const auto& m = material_;
     const auto& p = principal.value;
     const double strength = 2 * m.cohesion * std::sqrt(m.slope), a1 = m.bulk_stiff, a2 = m.lame;
     const double along = std::sqrt(1 + m.slope * m.slope) + m.slope, corner = m.tension * m.slope - strength;
-    const Eight shear = p[0] - p[2] * m.slope + strength, tension = m.tension - p[2]; // below 0 where the zone yields
+    const Eight shear = p[0] - p[2] * m.slope + strength, tension = m.tension - p[2]; // negative where the zone yields
     const Eight side = (p[2] - m.tension) + along * (p[0] - corner);
     const Mask tears = (side > 0) & (tension < 0), slides = (shear < 0) & ~(side > 0);
     const Eight zero{};
@@ -328,7 +328,7 @@ void ZoneKernel::bring_back(Eight (&stress)[6]) const {
     stress[5] = component(1, 2);
 }
 
-/// The face of a block with its neighbour in each direction: gridpoints of either side with triangles of the other.
+/// The face of a block towards its neighbour in each direction: gridpoints of either side with triangles of the other.
 void ZoneKernel::join(int blocks, int cells, int block) {
     const int n = cells + 1;
     const std::array<int, 3> at{block % blocks, block / blocks % blocks, block / (blocks * blocks)},
@@ -340,7 +340,7 @@ void ZoneKernel::join(int blocks, int cells, int block) {
             joints_.back() = Joint{};
         }
         Joint& joint = joints_.back();
-        for (int l = lane; l < (lane == 0 ? 8 : lane + 1); ++l) // what is left over has no area
+        for (int l = lane; l < (lane == 0 ? 8 : lane + 1); ++l) // remaining lanes have no area
             for (int a = 0; a < 4; ++a) joint.corner[a][l] = corner[a];
         joint.weight[0][lane] = 1;
         joint.direction[axis][lane] = sign;
@@ -405,7 +405,7 @@ void ZoneKernel::load(Joint& j) {
 
 void ZoneKernel::step() {
     yielding_ = 0;
-    if (!joints_.empty()) move(0, position_.size()); // neighbours look at each other's motion
+    if (!joints_.empty()) move(0, position_.size()); // joints need the motion of both blocks
     for (std::size_t b = 0; b < blocks_; ++b) {
         if (joints_.empty()) move(b * nodes_in_block_, (b + 1) * nodes_in_block_);
         for (std::size_t g = b * groups_in_block_; g < (b + 1) * groups_in_block_; ++g) load(groups_[g]);

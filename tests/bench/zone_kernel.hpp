@@ -1,4 +1,4 @@
-// The method of a cycle of blocks with zones and nothing around it: what a program can be measured against.
+// The bare method of a cycle of blocks with zones: a reference for the speed of a program.
 #pragma once
 
 #include <array>
@@ -7,32 +7,32 @@
 
 namespace bench {
 
-/// Strength of the zones after Mohr and Coulomb. Infinite: they are elastic.
+/// Mohr-Coulomb strength of the zones. Infinite: they are elastic.
 struct Strength {
     double cohesion, friction, dilation, tension; ///< angles in degrees
 };
 
-/// Blocks of the edge 1, `blocks` each way, of `cells` cubes each way, of six tetrahedra each. They move at large strain under
-/// gravity with local damping; stresses turn with Jaumann's rate. It cheats where kaya must not: there is one material, the law is
-/// compiled in, turning is not exact, nothing is accounted, no zone is looked at whether it has volume left, multiplications and
-/// additions are contracted.
+/// Blocks of the edge 1, `blocks` in each direction, of `cells` cubes in each direction, of six tetrahedra each. They move at large strain
+/// under gravity with local damping; stresses rotate with Jaumann's rate. It omits what kaya must do: there is one material, the law is
+/// compiled in, rotation is not exact, there is no energy account, the volume of zones is not checked, multiplications and additions are
+/// contracted.
 ///
-/// With joints each gridpoint on a common face of two blocks is a sub-contact with a triangle of the other block, after Coulomb, with
-/// a tensile strength and a cohesion that are gone after the first slip. Their places never leave the triangles, and planes never turn.
+/// With joints each gridpoint on a common face of two blocks is a sub-contact with a triangle of the other block, with Coulomb's law, a
+/// tensile strength and a cohesion that are lost at the first slip. Sub-contacts never leave their triangles, and planes never rotate.
 class ZoneKernel {
 public:
     ZoneKernel(int blocks, int cells, const Strength& strength, bool joints = false);
 
-    /// A smooth field of stretch and shear, and no stress. The greatest velocity is about 1.3 times `speed`.
+    /// A smooth field of stretch and shear, and zero stress. The largest velocity is about 1.3 times `speed`.
     void start(double speed);
     void step();
 
     std::size_t zones() const { return zones_; }
     std::size_t sub_contacts() const { return sub_contacts_; }
     std::size_t gridpoints() const { return position_.size(); }
-    /// Part of the zones that were brought back to the surface in the last step.
+    /// Fraction of the zones that yielded in the last step.
     double yielding() const { return static_cast<double>(yielding_) / static_cast<double>(zones_); }
-    /// Sum of the forces of the zones, as a check: nothing.
+    /// Sum of the forces of the zones, as a check: zero.
     std::array<double, 3> sum_of_forces() const;
     /// Largest component of such a force.
     double largest_force() const;
@@ -47,7 +47,7 @@ private:
         int corner[4][8];
         Eight stress[6]; ///< xx, yy, zz, xy, xz, yz
     };
-    /// Eight sub-contacts of a block's gridpoints with triangles of a neighbour, or the other way round.
+    /// Eight sub-contacts of a block's gridpoints with triangles of a neighbour, or vice versa.
     struct Joint {
         int corner[4][8];   ///< of a gridpoint and of a triangle
         Eight weight[2];    ///< of the first two corners of the triangle
@@ -76,7 +76,8 @@ private:
     std::vector<Four> velocity_, force_;
     std::vector<Group> groups_;
     std::vector<Joint> joints_;
-    std::vector<std::size_t> joints_of_block_; ///< one more than blocks: where those with neighbours farther on begin
+    std::vector<std::size_t>
+        joints_of_block_; ///< one more than blocks: start of those with neighbours of higher number
     std::size_t sub_contacts_ = 0;
 };
 

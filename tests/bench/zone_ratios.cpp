@@ -1,4 +1,4 @@
-// Cycles of blocks with zones against the bare method, in one run on one machine: docs/performance.md says what the rows mean.
+// Cycles of blocks with zones compared with the bare method, in one run on one machine: docs/performance.md explains the rows.
 #include "base/parallel.hpp"
 #include "figures.hpp"
 #include "zone_kernel.hpp"
@@ -16,7 +16,7 @@ constexpr Strength unlimited{1e15, 35, 5, 1e15},
 
 double count(std::size_t n) { return static_cast<double>(n); }
 
-/// The motion that the kernel starts with, and no stress.
+/// The initial motion of the kernel, and zero stress.
 void start(Run& run, double speed) {
     auto& g = run.model().gridpoints;
     for (std::size_t i = 0; i < g.size(); ++i) {
@@ -37,7 +37,7 @@ void advance(ZoneKernel& kernel, int steps = 1) {
 std::size_t zones_of(Run& run) { return run.model().zones.size(); }
 std::size_t zones_of(const ZoneKernel& kernel) { return kernel.zones(); }
 
-/// Part of the zones that flowed in the step that was last made.
+/// Fraction of the zones that yielded in the last step.
 double yielding(Run& run) {
     const auto& state = run.model().zones.state;
     return count(static_cast<std::size_t>(
@@ -46,7 +46,7 @@ double yielding(Run& run) {
 }
 double yielding(const ZoneKernel& kernel) { return kernel.yielding(); }
 
-/// The speed with which in the mean of some steps that part of the zones yields.
+/// The speed at which this fraction of the zones yields, averaged over some steps.
 template <class Cycle> double speed_that_yields(Cycle& cycle, double part, int steps) {
     double low = 0.01, high = 100;
     for (int i = 0; i < 9; ++i) {
@@ -62,7 +62,7 @@ template <class Cycle> double speed_that_yields(Cycle& cycle, double part, int s
     return std::sqrt(low * high);
 }
 
-/// Seconds for a zone and a step, from the beginning.
+/// Seconds per zone and step, from the start.
 template <class Cycle> double time_of(Cycle& cycle, double speed, int steps) {
     start(cycle, speed);
     advance(cycle);
@@ -83,7 +83,7 @@ double gain_of_second_thread(Run& run) {
     std::vector<double> gains;
     const auto time_with = [&](int threads) {
         kaya::set_threads(threads);
-        run.cycles(1); // who does what is laid down anew
+        run.cycles(1); // rebuilds the lists
         return timed([&] { run.cycles(20); }, seconds);
     };
     for (int i = 0; i < 7; ++i) {
@@ -120,7 +120,7 @@ void plastic(std::vector<Row>& rows) {
                     zones_against(kernel, theirs, run, ours, 9, steps), "", 0.3, 0.5, true});
 }
 
-/// A zone model as a user writes it, in plain loops over rows, against the one that ships.
+/// A zone model written in plain loops over rows, compared with the one that ships.
 void written_by_users(std::vector<Row>& rows) {
     constexpr int steps = 20;
     Run shipped("zoned-drucker.3dd"), users("zoned-cone.3dd");
@@ -134,7 +134,7 @@ void written_by_users(std::vector<Row>& rows) {
                     median(ratios), "", 1.5, 1.2});
 }
 
-/// The whole cycle of blocks that touch.
+/// The complete cycle of blocks with contacts.
 void jointed(std::vector<Row>& rows) {
     ZoneKernel kernel(20, 2, unlimited, true);
     Run run("zoned-packed.3dd");

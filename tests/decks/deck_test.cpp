@@ -11,9 +11,9 @@
 //   ;makes FILE   the file is there afterwards
 //   ;holds FILE text   the file is there and has a line with this text
 //   ;lacks FILE   the file is not there afterwards
-//   ;needs FILE   a file beside the deck that is copied into the folder first
-//   ;first DECK   a deck beside this one that is run in the folder first
-//   ;then DECK    a deck beside this one that is run in the folder afterwards, and ends well
+//   ;needs FILE   a file in the folder of the deck, copied into the run folder first
+//   ;first DECK   a deck in the same folder, run in the run folder first
+//   ;then DECK    a deck in the same folder, run in the run folder afterwards; it must succeed
 //   ;cut FILE N   only the first N bytes of the file are left, after that and before this deck runs
 //
 // With --bless the lines `;>` are written again from what the program prints. A printed number of four digits or more needs its `;because`.
@@ -46,7 +46,7 @@ Lines read_lines(const fs::path& file) {
     return lines;
 }
 
-/// Text behind a mark at the start of a line; blanks may stand before it, and in Lua two minus signs.
+/// Text after a mark at the start of a line; blanks may precede the mark, and in Lua two minus signs.
 std::optional<std::string> behind(std::string_view line, std::string_view mark) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     if (line.starts_with("--;")) line.remove_prefix(2);
@@ -57,7 +57,7 @@ std::optional<std::string> behind(std::string_view line, std::string_view mark) 
     return std::string(line);
 }
 
-/// "..." in the pattern stands for any text.
+/// "..." in the pattern matches any text.
 bool matches(std::string_view pattern, std::string_view text) {
     const auto gap = pattern.find("...");
     if (gap == std::string_view::npos) return pattern == text;
@@ -77,7 +77,7 @@ struct Message {
     std::string text;
 };
 
-/// What the comments of a deck say.
+/// The expectations in the comments of a deck.
 struct Expected {
     int status = 0;
     int limit = 0;
@@ -115,7 +115,7 @@ Expected read_expected(const Lines& deck) {
     return expected;
 }
 
-/// An empty folder that goes away with the object.
+/// An empty folder that is removed with the object.
 struct Folder {
     fs::path path;
     Folder() {
@@ -136,10 +136,10 @@ struct Outcome {
     Lines printed, messages;
 };
 
-/// Runs the program on a deck that lies in the folder; `limit` in kilobytes, 0 for none.
+/// Runs the program on a deck in the folder; `limit` in kilobytes, 0 for none.
 Outcome run_program(const fs::path& program, const std::string& deck, const std::string& options, int limit,
                     const Folder& folder) {
-    // What the program prints goes elsewhere, so that a limit on file sizes meets only what the deck writes.
+    // Output of the program goes to another folder, so that a limit on file sizes applies only to files of the deck.
     const Folder streams;
     const std::string command =
         "cd '" + folder.path.string() + "' && " + (limit > 0 ? "ulimit -f " + std::to_string(limit) + " && " : "") +
@@ -169,9 +169,8 @@ Outcome run(const fs::path& program, const fs::path& deck, const Expected& expec
     return outcome;
 }
 
-/// Lines of output by the line of the command that printed them, from the echo "name.3dd:12> ...".
-/// What a called file or a function prints belongs to the command of this deck that runs it: the lines of a function
-/// stand above that command.
+/// Lines of output by the line of the command that printed them, from the echo "name.3dd:12> ...". Output of a called file or a function
+/// belongs to the command of this deck that runs it: the lines of a function are above that command.
 struct Printed {
     int line;
     Lines text;
@@ -195,8 +194,8 @@ std::vector<Printed> split(const Lines& output, const std::string& name) {
     return printed;
 }
 
-/// Whether a line holds a number of four digits or more with a point: nobody sees by looking at it that it is right. What
-/// has fewer is mostly what the deck itself has given.
+/// Whether a line has a number of four digits or more with a point: its correctness is not obvious to a reader. Shorter numbers are mostly
+/// input of the deck.
 bool has_golden_number(const std::string& line) {
     static const std::regex number(R"((?:^|[^\w.])(\d*\.\d+))");
     for (std::sregex_iterator at(line.begin(), line.end(), number), end; at != end; ++at) {
@@ -217,7 +216,7 @@ public:
     }
     bool failed() const { return failed_; }
 
-    std::string untried; ///< what could not be compared because a tool is missing
+    std::string untried; ///< comparisons that were skipped because a tool is missing
 
 private:
     bool failed_ = false;
@@ -229,7 +228,7 @@ struct Row {
     bool equal() const { return expected && printed && matches(*expected, *printed); }
 };
 
-/// Lines that belong together stand in one row: the longest common part of both lists decides.
+/// Corresponding lines are in one row, by the longest common subsequence of both lists.
 std::vector<Row> side_by_side(const Lines& expected, const Lines& printed) {
     const std::size_t n = expected.size(), m = printed.size();
     std::vector<std::vector<std::size_t>> common(n + 1, std::vector<std::size_t>(m + 1, 0));
@@ -266,7 +265,7 @@ int end_of(const std::vector<Printed>& printed, std::size_t i) {
     return i + 1 < printed.size() ? printed[i + 1].line : 1 << 30;
 }
 
-/// Golden numbers without a reason beside them.
+/// Golden numbers without a reason.
 void require_reason(Comparison& comparison, const Expected& expected, const Lines& lines, int line, int until) {
     const auto golden = std::ranges::find_if(lines, has_golden_number);
     const auto reason = expected.reasons.lower_bound(line);
@@ -339,7 +338,7 @@ void compare_files(Comparison& comparison, const Expected& expected, const fs::p
     }
 }
 
-/// The line as it was written with "..." in it, when that still fits, else the text itself.
+/// The line with its "..." if it still matches, otherwise the text.
 std::string kept_pattern(const Expected& expected, const std::string& text) {
     for (const auto& [line, patterns] : expected.printed)
         for (const auto& pattern : patterns)
@@ -347,7 +346,7 @@ std::string kept_pattern(const Expected& expected, const std::string& text) {
     return text;
 }
 
-/// The deck with its `;>` lines written again behind the commands that print, unless a number among them has no reason.
+/// The deck with new `;>` lines after the commands that print, unless one of their numbers has no reason.
 void bless(Comparison& comparison, const fs::path& file, const Lines& deck, const Expected& expected,
            const std::vector<Printed>& printed) {
     for (std::size_t i = 0; i < printed.size(); ++i) {
@@ -393,7 +392,7 @@ int test(const fs::path& program, const fs::path& deck_file, bool blessing) {
     compare_files(comparison, expected, folder.path);
     if (!comparison.failed() && !comparison.untried.empty()) {
         std::cout << "skipped: " << comparison.untried << '\n';
-        return 77; // ctest knows it
+        return 77; // ctest counts it as skipped
     }
     if (!comparison.failed()) return 0;
     std::cout << "--- all messages of " << name << '\n';

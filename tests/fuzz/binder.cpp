@@ -1,5 +1,5 @@
-// Statements of a deck against the tables of the language, without and with values behind @names; help and
-// completion of the same text. Nothing is run and no file is read.
+// Statements of a deck with the tables of the language, without and with values for @names; help and completion of the same text. No
+// command is run and no file is read.
 #include "harness.hpp"
 
 #include "lang/commands/language.hpp"
@@ -15,7 +15,7 @@ using namespace kaya;
 
 namespace {
 
-/// What a script could give, by the letters of the expression.
+/// A value from a script, derived from the letters of the expression.
 lang::Value value_of(const std::string& expression, const Place& place) {
     switch (std::hash<std::string>{}(expression) % 7) {
     case 0: return std::monostate{};
@@ -28,7 +28,7 @@ lang::Value value_of(const std::string& expression, const Place& place) {
     }
 }
 
-/// False when there was a mistake in the text.
+/// False if there was an error in the text.
 template <class Action> bool survive(Action action) {
     try {
         action();
@@ -39,8 +39,7 @@ template <class Action> bool survive(Action action) {
     }
 }
 
-/// A text of mistakes only finds no more than a few of them, and takes most of the time: each is compared with all
-/// words of the language.
+/// More errors in one text find no new defects and take most of the time, because each is compared with all words of the language.
 constexpr int most_mistakes = 4;
 
 } // namespace

@@ -1,4 +1,4 @@
-// FISH functions and expressions: what compiles must be Lua that loads. Nothing is run.
+// FISH functions and expressions: the result must be Lua that loads. It is not run.
 #include "harness.hpp"
 
 #include "../unit/script/fake_world.hpp"
@@ -17,7 +17,7 @@ template <class Action> void survive(Action action) {
     try {
         action();
     } catch (const Diagnostic& mistake) {
-        // Our own fault, or Lua that does not load, is a mistake of the translator.
+        // An internal error, or Lua that does not load, is a defect of the translator.
         if (mistake.fault == Fault::own || mistake.message.empty()) std::abort();
         if (render(mistake, true).empty()) std::abort();
     }

@@ -1,4 +1,4 @@
-// Both lexers on any bytes: words must lie inside of their lines.
+// Both lexers on any bytes: words must be within their lines.
 #include "harness.hpp"
 
 #include "lang/fish/lexer.hpp"

@@ -1,4 +1,4 @@
-// Lua of a deck that nobody trusts, on a small world: it runs for a moment, and its state is saved and restored.
+// Untrusted Lua of a deck, on a small world: it runs for a short time, and its state is saved and restored.
 #include "harness.hpp"
 
 #include "../unit/script/fake_world.hpp"
@@ -13,7 +13,7 @@ using namespace kaya;
 
 namespace {
 
-/// Stops the scripts when they have run for too long, as a user does with Ctrl-C.
+/// Stops scripts that run for too long, like Ctrl-C.
 class FinishScripts {
 public:
     explicit FinishScripts(script::Scripts& scripts)

@@ -1,4 +1,4 @@
-// Runs a harness on every file of some folders: what fuzzing has found stays repaired.
+// Runs a harness on every file of some folders: regression tests of former findings.
 #include "harness.hpp"
 
 #include <cstdio>

@@ -48,7 +48,7 @@ struct Good {
     }
 };
 
-/// False when the lines were refused.
+/// False if the lines were refused.
 bool survive(test::Scene& scene, const char* lines) {
     try {
         scene.run(lines);

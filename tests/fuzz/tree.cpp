@@ -1,4 +1,4 @@
-// Bytes as the HDF5 file in a save: whatever can be reached from its root is read, and nothing else is touched.
+// Bytes as the HDF5 file in a save: every object reachable from its root is read, within the bounds of the file.
 #include "harness.hpp"
 
 #include "io/hdf5_format.hpp"
@@ -9,9 +9,9 @@ using namespace kaya;
 
 namespace {
 
-constexpr std::uint64_t most_unpacked = 64 << 20; ///< as the reader of saves, which counts all data together
+constexpr std::uint64_t most_unpacked = 64 << 20; ///< as in the reader of saves, for all data together
 
-/// What the bytes can make of one object: a group with all that is in it, or data.
+/// Reads one object of the file: a group with its contents, or data.
 void read_object(hdf5::Image& image, hdf5::Address header, int depth) {
     constexpr int deepest = 30;
     if (depth > deepest) return;

@@ -1,4 +1,4 @@
-// Crashes before it can be asked anything.
+// Crashes when it is loaded.
 #include "kaya/jmodel.h"
 
 #include <csignal>

@@ -1,4 +1,4 @@
-// Leaves a thread behind that crashes while its library does nothing.
+// Starts a thread that crashes later, outside any call of its library.
 #include "tests/plugins/plugin.hpp"
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Works until a sub-contact has slipped by more than 0.1, and then dies in the way that its property says: 1 a bad address,
-// 2 a whole number divided by zero, 3 abort(), 4 a stack that is full.
+// Works until a sub-contact has slipped by more than 0.1, and then fails as its property says: 1 a bad address, 2 an integer division by
+// zero, 3 abort(), 4 a stack overflow.
 #include "tests/plugins/plugin.hpp"
 
 #include <csignal>
@@ -7,7 +7,7 @@
 
 namespace {
 
-// The compiler must not see that this has no end.
+// Hides the endless recursion from the compiler.
 __attribute__((noinline)) int deeper(volatile int* depth) {
     volatile char room[4096];
     *depth = *depth + 1;

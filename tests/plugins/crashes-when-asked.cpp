@@ -1,4 +1,4 @@
-// Crashes when it is asked for its descriptor.
+// Crashes in the function that returns its descriptor.
 #include "kaya/jmodel.h"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// As a library that was linked with -ffast-math: very small numbers are cut to 0 when it is loaded.
+// Like a library linked with -ffast-math: denormal numbers are flushed to 0 after loading.
 #include "tests/plugins/plugin.hpp"
 
 #if defined(__SSE2__)

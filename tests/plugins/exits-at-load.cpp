@@ -1,4 +1,4 @@
-// Ends the program when it is asked for its descriptor.
+// Ends the program in the function that returns its descriptor.
 #include "kaya/jmodel.h"
 
 #include <cstdlib>

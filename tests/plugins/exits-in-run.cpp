@@ -1,4 +1,4 @@
-// Leaves when its 50th step is run: by exit(), or by _exit() where its stiffness is odd.
+// Ends the program in its 50th step: by exit(), or by _exit() if its stiffness is odd.
 #include "tests/plugins/plugin.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Made for an interface that is too old.
+// Built for an interface that is too old.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

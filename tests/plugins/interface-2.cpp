@@ -1,4 +1,4 @@
-// Made for interface version 2, with the header as it was then: it loads and runs as ever.
+// Built for interface version 2, with its header: it loads and runs.
 #include "tests/plugins/interface-2.h"
 
 #include <cmath>

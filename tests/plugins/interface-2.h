@@ -20,8 +20,8 @@
  * with the plane before `run` is called; and so are three history variables in a row whose names are
  * alike but for their ends -x, -y, -z. Other history variables are plain numbers.
  *
- * Threads. `run` and `initialise` are called from several threads at once, each with rows of its own:
- * they must not write to anything but the columns of the batch. The other functions are called from
+ * Threads. `run` and `initialise` are called from several threads at once, each with its own rows:
+ * they must write only to the columns of the batch. The other functions are called from
  * one thread at a time.
  *
  * Errors. `run` and `initialise` return -1, or the row at which they failed, after writing a sentence
@@ -80,12 +80,12 @@ typedef struct kaya_jobject {
 typedef struct kaya_jobject_functions {
     kaya_jobject* (*clone)(const kaya_jobject* object);
     void (*destroy)(kaya_jobject* object);
-    /* Calls write(sink, bytes, count), as often as it likes, with all that decides how the object goes
-     * on. The same content must always give the same bytes: they are saved, and the hash is made of them. */
+    /* Calls write(sink, bytes, count), any number of times, with the whole state of the object.
+     * The same content must always give the same bytes: they are saved, and the hash is made of them. */
     void (*save)(const kaya_jobject* object, void (*write)(void* sink, const void* bytes, size_t count), void* sink);
 } kaya_jobject_functions;
 
-/* The tables of the deck, as they were when the last command to cycle began. */
+/* The tables of the deck at the start of the last command that cycles. */
 typedef struct kaya_jtables {
     /* The table of that name or number, NULL when there is none; it stays valid while the model is
      * loaded. It may be called from `initialise` and `run`, in any thread. */

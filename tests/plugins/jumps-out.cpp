@@ -1,4 +1,4 @@
-// Jumps to a place that it left long ago, in its 50th step.
+// Calls longjmp to a frame that has returned, in its 50th step.
 #include "tests/plugins/plugin.hpp"
 
 #include <csetjmp>

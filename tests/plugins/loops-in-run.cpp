@@ -1,4 +1,4 @@
-// Does not come back from its 50th step.
+// Does not return from its 50th step.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// As many properties, history variables and states as there may be.
+// The largest numbers of properties, history variables and states.
 #include "tests/plugins/plugin.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Goes wrong in the way that its property says, in the row that stands in normal_disp of row 0.
+// Fails as its property says, in the row given by normal_disp of row 0.
 #include "tests/plugins/plugin.hpp"
 
 #include <cstdio>

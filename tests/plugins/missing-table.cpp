@@ -1,4 +1,4 @@
-// Says that it has properties and gives none.
+// Declares properties without a table.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

@@ -1,4 +1,4 @@
-// Calls a function that nobody has.
+// Calls an undefined function.
 #include "tests/plugins/plugin.hpp"
 
 extern "C" int function_that_nobody_has();

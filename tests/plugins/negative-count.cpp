@@ -1,4 +1,4 @@
-// Says that it has more history variables than there can be.
+// Declares an impossible number of history variables.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

@@ -1,4 +1,4 @@
-// Cannot start a sub-contact.
+// Has no function initialise.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

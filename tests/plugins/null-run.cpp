@@ -1,4 +1,4 @@
-// Has nothing to run.
+// Has no function run.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

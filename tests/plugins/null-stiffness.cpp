@@ -1,4 +1,4 @@
-// Does not say how stiff it is.
+// Has no function max_stiffness.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

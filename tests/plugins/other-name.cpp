@@ -1,4 +1,4 @@
-// The file has one name, the model in it another.
+// The model has another name than its file.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

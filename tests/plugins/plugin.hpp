@@ -1,4 +1,4 @@
-// The parts that the wrong plugins have in common: a model that works, to be made wrong in one place.
+// Common parts of the faulty plugins: a working model, to be changed in one place.
 #pragma once
 
 #include "kaya/jmodel.h"

@@ -1,4 +1,4 @@
-// Rounds upwards and cuts very small numbers to 0 from its first step on, and leaves it so.
+// Sets upward rounding and flushing of denormal numbers in its first step, and does not restore them.
 #include "tests/plugins/plugin.hpp"
 
 #include <cfenv>

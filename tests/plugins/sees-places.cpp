@@ -1,4 +1,4 @@
-// Asks for fields, for places and for the numbers of blocks, and keeps what it got.
+// Uses fields, positions and block numbers, and stores the values it received.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// As soft across the joint as it says, and ten times stiffer along it.
+// Correct normal stiffness, but ten times the reported shear stiffness.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

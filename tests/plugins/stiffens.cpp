@@ -1,4 +1,4 @@
-// Ten times stiffer across the joint under load than it says, and than it is at first touch.
+// Ten times the reported normal stiffness under load, but not at first closure.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

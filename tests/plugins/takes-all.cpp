@@ -1,4 +1,4 @@
-// Takes memory without end in its 50th step.
+// Allocates memory without limit in its 50th step.
 #include "tests/plugins/plugin.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Throws while the descriptor is asked for.
+// Throws in the function that returns its descriptor.
 #include "kaya/jmodel.h"
 
 const kaya_jmodel* kaya_joint_model(void) { throw 7; }

@@ -1,4 +1,4 @@
-// Throws from every function that is called over the interface after loading.
+// Throws from every function of the interface that is called after loading.
 #include "tests/plugins/plugin.hpp"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// More fields than there may be.
+// Has more fields than allowed.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

@@ -1,4 +1,4 @@
-// Says that it has more properties than there can be.
+// Has more properties than allowed.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

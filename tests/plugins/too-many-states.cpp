@@ -1,4 +1,4 @@
-// Has more states than bits are kept for.
+// Has more states than stored bits.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

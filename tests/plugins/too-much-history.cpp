@@ -1,4 +1,4 @@
-// Says that it keeps more numbers than there is room for.
+// Has more history variables than allowed.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

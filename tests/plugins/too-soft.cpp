@@ -1,4 +1,4 @@
-// Says that it is a hundred times softer than it is.
+// Reports 1/100 of its stiffness.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// Asks the processor to stop at a division by 0, and leaves it so.
+// Enables the trap for division by 0, and does not restore it.
 #include "tests/plugins/plugin.hpp"
 
 #include <cfenv>

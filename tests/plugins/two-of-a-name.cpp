@@ -1,4 +1,4 @@
-// Two properties answer to one word.
+// Two properties share a keyword.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

@@ -1,4 +1,4 @@
-// Reports a hundredth of its stiffness, and in shear is stiffer on the way out than on the way back: it makes energy.
+// Reports 1/100 of its stiffness, and in shear is stiffer in loading than in unloading, which creates energy.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

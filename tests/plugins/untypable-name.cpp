@@ -1,4 +1,4 @@
-// Has a name that no deck can hold.
+// Has a name that a deck cannot contain.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

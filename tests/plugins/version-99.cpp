@@ -1,4 +1,4 @@
-// Made for an interface that this program does not have.
+// Built for an interface that this program does not support.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

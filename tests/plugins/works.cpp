@@ -1,4 +1,4 @@
-// Nothing is wrong with it.
+// A correct model.
 #include "tests/plugins/plugin.hpp"
 
 const kaya_jmodel* kaya_joint_model(void) {

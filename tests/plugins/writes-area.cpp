@@ -1,4 +1,4 @@
-// Writes to a column that it may only read.
+// Writes to a read-only column.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// Takes one row more than there are.
+// Processes one row too many.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// Writes to the properties, which all its batches share, when it has run for a while.
+// Writes to the properties, which all its batches share, after some steps.
 #include "tests/plugins/plugin.hpp"
 
 namespace {

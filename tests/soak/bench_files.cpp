@@ -36,7 +36,7 @@ constexpr std::array joint_columns{"normal_stress",          "shear_displacement
 constexpr std::array zone_columns{"xx_strain", "yy_strain", "zz_strain", "xy_strain", "xz_strain", "yz_strain",
                                   "xx_stress", "yy_stress", "zz_stress", "time",      "none"};
 
-/// Of a size that the column is measured in.
+/// Of the magnitude of the column.
 std::string cell(const std::string& column, Chance& c) {
     if (c.heads(0.01)) return c.heads() ? odd_number(c) : odd_word(c);
     const bool stress = column.ends_with("stress") || column.ends_with("stiffness");
@@ -59,7 +59,7 @@ template <class Columns> std::string path(const Columns& known, std::vector<std:
     return text;
 }
 
-/// Values as they are, missing, at limits, odd.
+/// Values that are valid, missing, at limits or odd.
 void give_values(const Model& model, std::vector<std::string>& words, Chance& c) {
     for (const std::string value : model.values) {
         if (c.heads(0.05)) continue;

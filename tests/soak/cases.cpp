@@ -87,7 +87,7 @@ std::string Cases::lines(Chance& c, double odd, int most, bool in_script) const 
 }
 
 Case Cases::decks(Chance& c) const {
-    // Most decks bind, so that they run; in the others each kind of mistake stands.
+    // Most decks bind, so that they run; the others have errors of each kind.
     const double odd = c.heads(0.8) ? 0.15 : 0.6;
     Case one{sample_files(), {}};
     std::string deck = scene(c) + lines(c, odd, 12);

@@ -1,4 +1,4 @@
-// The kinds of cases: what is made by chance, and the command line that uses it.
+// The kinds of cases: random input, and the command line that uses it.
 #pragma once
 
 #include "fish_soup.hpp"
@@ -14,7 +14,7 @@ namespace kaya::soak {
 class Cases {
 public:
     Cases();
-    /// A run whose journal the kind `journals` changes.
+    /// A run whose journal the kind `journals` modifies.
     static Case journal_run();
     void set_journal(std::string text) { journal_ = std::move(text); }
 
@@ -40,7 +40,8 @@ struct Kind {
     std::string_view name;
     std::string_view help;
     Case (Cases::*make)(Chance&) const;
-    double least; ///< part of the cases that must be done, and part that must be refused: others test too little
+    double
+        least; ///< fractions of cases that must end normally and that must be refused; otherwise the test is too weak
 };
 std::span<const Kind> kinds();
 

@@ -18,7 +18,7 @@ bool in_number(char letter) {
            letter == 'e';
 }
 
-/// Where numbers stand, and words, in a text.
+/// Positions of numbers, or of words, in a text.
 std::vector<Piece> pieces(const std::string& text, bool numbers) {
     std::vector<Piece> found;
     for (std::size_t at = 0; at < text.size();) {

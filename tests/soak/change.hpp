@@ -1,4 +1,4 @@
-// A file that somebody has changed: numbers, words, lines and bytes of it, or its end is missing.
+// A modified file: with changed numbers, words, lines or bytes, or truncated.
 #pragma once
 
 #include "values.hpp"

@@ -20,7 +20,7 @@ bool is_number(const std::string& word) {
     return error == std::errc() && end == last;
 }
 
-/// What the scenes of decks.cpp give a name, and files that a case has or that it may write.
+/// Names defined by the scenes of decks.cpp, and files that a case has or may write.
 constexpr std::array names{"low",      "upper",    "out",       "here",      "block.stl", "waves.tab",
                            "part.3dd", "slip.lua", "block.msh", "block.ply", "stone.obj", "crest.pit",
                            "mohr",     "elastic",  "joints",    "zones"};
@@ -34,7 +34,7 @@ std::string within(const lang::Limits& limits, Chance& c) {
     return fmt::format("{:.6g}", edge + (c.heads() ? 0 : c.heads() ? 1e-3 : -1e-3));
 }
 
-/// What ends a session, or throws all of it away, is rarer than the rest: little would come after it.
+/// Commands that end a session or delete its model are rarer, because little would follow them.
 double share(const lang::CommandSpec& command) {
     static constexpr std::array rare{"quit", "new", "return", "pause", "restore", "?"};
     const std::string name = command.name();

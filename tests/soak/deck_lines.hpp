@@ -1,4 +1,4 @@
-// Lines of decks by the tables of the language: any command with arguments that are right, at their limits or odd.
+// Lines of decks from the tables of the language: any command with arguments that are valid, at their limits or odd.
 #pragma once
 
 #include "values.hpp"
@@ -14,10 +14,9 @@ class DeckLines {
 public:
     explicit DeckLines(const lang::Language& language);
 
-    /// A line, or several of a command with a body; `odd` is the part of arguments that are wrong on purpose. Where there is none
-    /// it binds.
+    /// A line, or several for a command with a body; `odd` is the fraction of intentionally wrong arguments. With 0 the line binds.
     std::string line(Chance& c, double odd) const;
-    /// One without a body, fit for the commands of a script.
+    /// A line without a body, for use in scripts.
     std::string short_line(Chance& c, double odd) const;
 
 private:
@@ -32,7 +31,7 @@ private:
 
     const lang::Language& language_;
     std::vector<const lang::CommandSpec*> commands_;
-    std::vector<std::string> words_; ///< of right examples that are no numbers
+    std::vector<std::string> words_; ///< of right examples, without numbers
 };
 
 } // namespace kaya::soak

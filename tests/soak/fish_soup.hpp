@@ -1,4 +1,4 @@
-// Functions of FISH made by chance: every name of the language, on objects of the right kind, of a wrong one, and on dead ones.
+// Random FISH functions: every name of the language, on objects of the right kind, of a wrong kind, and deleted ones.
 #pragma once
 
 #include "deck_lines.hpp"

@@ -1,4 +1,4 @@
-// Chunks of Lua made by chance: its library with odd arguments, fields of objects that live and that are gone, commands and hooks.
+// Random chunks of Lua: its library with odd arguments, fields of live and deleted objects, commands and hooks.
 #pragma once
 
 #include "deck_lines.hpp"
@@ -12,7 +12,7 @@ class LuaSoup {
 public:
     LuaSoup(const Vocabulary& vocabulary, const DeckLines& lines) : vocabulary_(vocabulary), lines_(lines) {}
 
-    /// lua ... endlua; a statement that fails does not keep the next ones from running.
+    /// lua ... endlua; a failing statement does not stop the next ones.
     std::string chunk(Chance& c) const;
 
 private:

@@ -1,6 +1,6 @@
-// soak KIND SEED COUNT [--first N] [--show] [--program FILE] [--keep FOLDER]: cases of a kind made from a seed, each in a process of
-// its own. A finding is a crash, exit status 3, a hang or a word of a sanitizer; the status is 1 when there is one, or when too few
-// cases were done or refused. `--first N --show`, with a COUNT of 1, is one case again. docs: tests/soak/README.md.
+// soak KIND SEED COUNT [--first N] [--show] [--program FILE] [--keep FOLDER]: cases of a kind generated from a seed, each in a separate
+// process. A finding is a crash, exit status 3, a hang or a message of a sanitizer; the status is 1 if there is one, or if too few cases
+// end normally or are refused. `--first N --show`, with a COUNT of 1, repeats one case. docs: tests/soak/README.md.
 #include "cases.hpp"
 
 #include "tests/unit/scratch_folder.hpp"
@@ -59,7 +59,7 @@ Limits limits_of_machine() {
     return limits;
 }
 
-/// Shows what the case said at its end, and keeps its files.
+/// Prints the end of the output of the case, and keeps its files.
 void report(const Order& order, long number, const Case& one, const Verdict& verdict, const fs::path& said) {
     fmt::print("finding: {}: soak {} {} 1 --first {}: kaya {}\n", verdict.finding, order.kind, order.seed, number,
                fmt::join(one.words, " "));
@@ -88,7 +88,7 @@ struct Sums {
     }
 };
 
-/// The journal that the program writes of a run.
+/// The journal of a run.
 std::string journal(const test::ScratchFolder& folder, const Work& work) {
     const fs::path place = folder / "journal";
     const Verdict verdict = trial(Cases::journal_run(), place, folder / "said", limits_of_machine(), work);
@@ -131,7 +131,7 @@ int soak(const Order& order, const Kind& kind) {
     return sums.findings == 0 ? 0 : 1;
 }
 
-/// Shows that a finding is found: work that crashes, fails by its own fault, never ends, or takes all memory.
+/// Shows that findings are detected: work that crashes, fails with an internal error, never ends, or exhausts the memory.
 int proof() {
     const test::ScratchFolder folder;
     Limits limits;
@@ -150,7 +150,7 @@ int proof() {
              std::signal(SIGINT, SIG_IGN);
              for (;;) ::pause();
          }},
-        {"words", [](const auto&) { return std::puts("error: kaya itself failed: so it says") < 0; }},
+        {"words", [](const auto&) { return std::puts("error: internal error: so it says") < 0; }},
     };
     int missed = 0;
     for (const Fault& fault : faults) {

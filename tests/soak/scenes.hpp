@@ -1,4 +1,4 @@
-// Small models that cases begin with, and files that their lines may name.
+// Small initial models of cases, and files that their lines may name.
 #pragma once
 
 #include "trial.hpp"
@@ -6,15 +6,15 @@
 
 namespace kaya::soak {
 
-/// Lines that run without a warning and leave a model, with named ranges, tables, functions and histories.
+/// Lines that run without a warning and create a model, with named ranges, tables, functions and histories.
 std::string scene(Chance& c);
-/// A few cycles, with what a model needs for them.
+/// A few cycles, with the settings that a model needs for them.
 std::string cycles(Chance& c);
 
 struct Sample {
     std::string name, bytes;
 };
-/// A file that is right of each format that the program reads: closed surfaces, grids, grounds, tables, a joint model in Lua.
+/// A valid file of each format that the program reads: closed surfaces, grids, grounds, tables, a joint model in Lua.
 const std::vector<Sample>& samples();
 
 } // namespace kaya::soak

@@ -31,7 +31,7 @@ constexpr std::array parameters{"friction",       "load",    "law",        "'pro
                                 "'jmodel jfric'", "nothing", "friction.x", "''"};
 constexpr std::array results{"speed", "slides", "label", "again"};
 
-/// Of the size that the study needs there; in one of twenty something else.
+/// Of the magnitude that the study needs; in one of twenty cases another value.
 std::string value(Chance& c, double low = 20, double high = 40) {
     if (c.heads(0.95)) return fmt::format("{:.3g}", c.between(low, high));
     static constexpr std::array others{"'mohr'", "true", "[]", "1979-05-27", "{ }"};
@@ -143,7 +143,7 @@ std::string questions(Chance& c) {
     return text;
 }
 
-/// Parameters, design, results and questions that go together.
+/// Consistent parameters, design, results and questions.
 std::string sound_parts(Chance& c) {
     const bool sampled = c.heads();
     std::string text = "[parameters]\n";
@@ -167,7 +167,7 @@ std::string sound_parts(Chance& c) {
     return text + (c.heads(0.6) ? fmt::format("[ask]\n{}\n", c.of(asks)) : "");
 }
 
-/// Parts that are right by chance.
+/// Random parts, valid by chance.
 std::string any_parts(Chance& c) {
     std::string text = "[parameters]\n";
     for (int k = 1 + c.below(2); k > 0; --k)

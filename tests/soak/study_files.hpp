@@ -1,4 +1,4 @@
-// Studies: a deck and a file that says how its parameters vary, with values that are right, at limits and odd.
+// Studies: a deck and its study file, with values that are valid, at limits or odd.
 #pragma once
 
 #include "trial.hpp"
@@ -6,7 +6,7 @@
 
 namespace kaya::soak {
 
-/// The study is the first of the files. Few runs, so that it takes a moment.
+/// The study is the first of the files. Few runs, so that a case is short.
 Case study(Chance& c);
 
 } // namespace kaya::soak

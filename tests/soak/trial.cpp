@@ -35,7 +35,7 @@ void limit(int what, rlim_t most) {
     ::setrlimit(static_cast<__rlimit_resource>(what), &limit);
 }
 
-/// What the child does; it comes back from nowhere.
+/// The work of the child process; it never returns.
 [[noreturn]] void work_alone(const Case& one, const fs::path& folder, const fs::path& said, const Limits& limits,
                              const Work& work) {
     ::setpgid(0, 0);
@@ -52,7 +52,7 @@ void limit(int what, rlim_t most) {
     std::exit(work(one.words));
 }
 
-/// Of its own threads, not of what it has started.
+/// Of its threads, not of its child processes.
 double processor_seconds(pid_t child) {
     clockid_t clock{};
     timespec used{};
@@ -73,7 +73,7 @@ std::string finding(int status, const fs::path& said) {
     const int code = WEXITSTATUS(status);
     if (code > 2) return fmt::format("status {}", code);
     const std::string text = what_it_said(said);
-    for (const char* fault : {"kaya itself failed", "Sanitizer", ": runtime error:", "terminate called", "Assertion"})
+    for (const char* fault : {"internal error:", "Sanitizer", ": runtime error:", "terminate called", "Assertion"})
         if (text.find(fault) != std::string::npos) return fmt::format("it said '{}'", fault);
     return {};
 }
@@ -92,12 +92,12 @@ Verdict trial(const Case& one, const fs::path& folder, const fs::path& said, con
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("no process can be started");
     if (child == 0) work_alone(one, folder, said, limits, work);
-    ::setpgid(child, child); // whoever comes first
+    ::setpgid(child, child); // in parent and child, whichever runs first
     const int handle = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
     if (handle < 0) throw std::runtime_error("this kernel has no pidfd_open");
     Verdict verdict;
     constexpr double idle =
-        30; // times: what waits for others takes no processor time, and others may have the processor
+        30; // times the limit: a waiting process uses no processor time, and the machine may be busy
     for (pollfd ended{handle, POLLIN, 0}; ::poll(&ended, 1, 50) == 0;) {
         const double used = std::max(processor_seconds(child), elapsed() / idle);
         if (used > limits.seconds) {
@@ -109,7 +109,7 @@ Verdict trial(const Case& one, const fs::path& folder, const fs::path& said, con
         }
     }
     ::close(handle);
-    ::kill(-child, SIGKILL); // what it has left; its number is its own until it is waited for
+    ::kill(-child, SIGKILL); // its child processes; the number is valid until it is waited for
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     verdict.seconds = elapsed();

@@ -1,4 +1,4 @@
-// One case: files in an empty folder, the program on them in a process of its own, and what came of it.
+// One case: files in an empty folder, the program run on them in a separate process, and the verdict.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,11 @@ struct Case {
     std::vector<std::string> words; ///< of the command line, without the name of the program
 };
 
-/// The words of a command line done in this process; gives the exit status.
+/// Runs a command line in this process; returns the exit status.
 using Work = std::function<int(std::vector<std::string> words)>;
 
 struct Limits {
-    double asked_after = 2; ///< seconds of a processor until it is asked to stop, as Ctrl-C does
+    double asked_after = 2; ///< processor seconds until it is interrupted, as by Ctrl-C
     double seconds = 20;    ///< until it counts as a hang
     std::size_t megabytes = 4096;
 };
@@ -29,11 +29,11 @@ struct Limits {
 struct Verdict {
     std::string finding; ///< empty: none
     int status = 0;
-    bool was_asked = false; ///< to stop
-    double seconds = 0;     ///< by the clock
+    bool was_asked = false; ///< was interrupted
+    double seconds = 0;     ///< wall time
 };
 
-/// Does `work` in a process whose working folder is `folder`, which is emptied first; what it says goes to the file `said`.
+/// Runs `work` in a process with the working folder `folder`, which is emptied first; its output goes to the file `said`.
 Verdict trial(const Case& one, const std::filesystem::path& folder, const std::filesystem::path& said,
               const Limits& limits, const Work& work);
 

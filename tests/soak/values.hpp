@@ -1,4 +1,4 @@
-// Numbers and words as users give them, and as nobody does.
+// Numbers and words, usual and unusual.
 #pragma once
 
 #include "tests/chance.hpp"
@@ -10,9 +10,9 @@ namespace kaya::soak {
 
 using test::Chance;
 
-/// Zero, huge, tiny, negative, no number at all.
+/// Zero, huge, tiny, negative, or not a number.
 std::string odd_number(Chance& c);
-/// In the size of the models of the cases.
+/// Of the magnitude of the models of the cases.
 std::string plain_number(Chance& c);
 /// A plain one, sometimes an odd one.
 std::string number(Chance& c, double odd = 0.1);

@@ -1,4 +1,4 @@
-// What scripts can name: functions and variables of FISH with what they take, ways to objects, fields of objects for Lua.
+// Names available to scripts: functions and variables of FISH with their arguments, expressions for objects, fields of objects for Lua.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct Vocabulary {
 
     /// Of the program itself.
     Vocabulary();
-    /// The kind whose objects a function takes by its name; null: of none.
+    /// The kind whose objects a function takes as argument; null: none.
     const Kind* kind_of(const std::string& name) const;
 };
 

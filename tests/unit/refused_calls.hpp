@@ -1,4 +1,4 @@
-// A kernel or a file system that lacks something: from now on a system call of this process fails.
+// Simulates a kernel or file system without a feature: from now on a system call of this process fails.
 #pragma once
 
 #include <cerrno>
@@ -14,8 +14,8 @@
 
 namespace kaya::test {
 
-/// The call fails with the error when one of `bits` is set in its argument of that number; with bits 0, always. It cannot be
-/// taken back: for a child process.
+/// The call fails with the error if one of `bits` is set in its argument of that number; with bits 0, always. It cannot be undone: for a
+/// child process.
 inline void refuse_call(long call, int error, unsigned argument = 0, std::uint32_t bits = 0) {
     const auto offset = static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
     sock_filter filter[] = {

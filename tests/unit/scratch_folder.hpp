@@ -1,4 +1,4 @@
-// A folder of its own for one test, removed at its end.
+// A separate folder for one test, removed at its end.
 #pragma once
 
 #include <filesystem>
@@ -49,7 +49,7 @@ inline void put(const std::string& path, const std::string& content) {
     std::ofstream(path, std::ios::binary) << content;
 }
 
-/// While it lives no file can grow beyond a size: writing fails as it does on a full disk.
+/// During its lifetime no file can grow beyond a size: writing fails as on a full disk.
 class SmallDisk {
 public:
     explicit SmallDisk(rlim_t bytes) {

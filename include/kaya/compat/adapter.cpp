@@ -14,8 +14,8 @@ namespace {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/* Values that objects were given, each set once: objects with the same set share it, and whether one must be told of new
- * values is a comparison of two pointers. */
+/* Values that objects were given, each set once: objects with the same set share it, so that a change of values is found by
+ * comparing two pointers. */
 typedef std::shared_ptr<const std::vector<double>> Values;
 
 bool same_values(const std::vector<double>& a, const double* b) {
@@ -185,7 +185,7 @@ template <class Work> bool guarded(char* message, Work work) {
     } catch (const char* thrown) { said = thrown ? thrown : ""; } catch (const wchar_t* thrown) {
         said = kaya_compat::narrow(thrown);
     } catch (int thrown) { said = "it threw the number " + std::to_string(thrown); } catch (...) {
-        said = "it threw what is not a std::exception";
+        said = "it threw something other than a std::exception";
     }
     std::snprintf(message, KAYA_JMODEL_MESSAGE, "%s", said.empty() ? "it gives no reason" : said.c_str());
     return false;

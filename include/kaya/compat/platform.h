@@ -3,7 +3,7 @@
 #ifndef KAYA_COMPAT_PLATFORM_H
 #define KAYA_COMPAT_PLATFORM_H
 
-/* A source may include <cmath> inside a namespace of its own, or use assert() without its header: both do
+/* A source may include <cmath> inside its own namespace, or use assert() without its header: both do
  * no harm when the header has been included here. The .h forms put abs(double) into the global
  * namespace, so that an unqualified abs does not become the one for whole numbers. */
 #include <algorithm>

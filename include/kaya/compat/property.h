@@ -50,7 +50,7 @@ public:
 
     Kind kind() const { return kind_; }
 
-    /* A text that is no number is 0. */
+    /* A text that is not a number is 0. */
     double toDouble() const { return kind_ == Kind::text ? std::strtod(text_.c_str(), nullptr) : number_; }
     Int toInt() const { return static_cast<Int>(whole()); }
     UInt toUInt() const { return static_cast<UInt>(whole()); }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a joint model sees of a sub-contact, and gives back.
+/* Input of a joint model about a sub-contact, and its output.
  *
  * Opening is positive in normal_disp_, compression in normal_force_; forces are forces, not stresses;
  * shear vectors are in global axes and lie in the plane of the contact. normal_disp_ and shear_disp_ are

@@ -75,7 +75,7 @@ template <std::size_t n>
 
 /// Angle in degrees of a tangent from 0 on.
 [[gnu::always_inline]] inline double arctangent_in_degrees(double x) {
-    // The smaller one of the angle and what it lacks of 90 degrees, and of this what is beyond 45 degrees: at most 22.5.
+    // The smaller of the angle and its complement to 90 degrees, less 45 degrees where it is above 22.5: at most 22.5 degrees.
     const bool steep = x > 1;
     const double t = steep ? 1 / x : x;
     const bool beyond = t > std::numbers::sqrt2 - 1;

@@ -33,14 +33,14 @@ inline kaya_jbatch rows_of(const kaya_jbatch& all, std::size_t first, std::size_
     return rows;
 }
 
-/// Calls run(batch) with the rows that share the properties of the batch, and with each of the others by itself and its
-/// own. Field k of the law has the name of property `property_of_field[k]`. `check` is that of the law: what it says about
-/// values of a row is the row's failure. Without columns of fields all rows share the properties.
+/// Calls run(batch) with the rows that share the properties of the batch, and separately for each row with its own properties. Field k of
+/// the law has the name of property `property_of_field[k]`. `check` is the check of the law: its message about the values of a row is the
+/// failure of that row. Without columns of fields all rows share the properties.
 template <std::size_t property_count, std::size_t history_count, std::size_t field_count, class Check, class Run>
 ptrdiff_t by_properties(kaya_jbatch* batch, const std::size_t (&property_of_field)[field_count], Check check, Run run) {
     if (batch->field == nullptr) return run(batch);
     const auto is_own = [](double own, double common) { return own != common && (own == own || common == common); };
-    bool any = false; // column by column and without a way out, so that they are vector loops
+    bool any = false; // column by column without an early exit, so that these are vector loops
     for (std::size_t k = 0; k < field_count; ++k) {
         const double* column = batch->field[k];
         const double common = batch->properties[property_of_field[k]];

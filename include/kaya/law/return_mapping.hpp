@@ -38,14 +38,14 @@ struct Springs {
                                                          double cohesion, double tan_friction, double tan_dilation) {
     const double excess = trial_shear - std::max(0.0, cohesion + trial_normal * tan_friction);
     const double slip = std::max(0.0, excess) / (k.shear + k.normal * tan_friction * tan_dilation);
-    // Beyond that the shear would turn round: the strength is 0 there.
+    // Beyond that the shear would reverse: the strength is 0 there.
     const double kept = std::min(slip, trial_shear / k.shear);
     const double opening = tan_dilation * kept;
     return {trial_normal + k.normal * opening, trial_shear - k.shear * kept, kept, opening};
 }
 
-/// Any strength(normal, slip) that is not below 0 and is continuous: (1) by the root of the difference, which lies between no
-/// slip and all of the trial.
+/// Any continuous strength(normal, slip) that is not negative: solves (1) by the root of the difference, between no slip and the slip that
+/// takes up the whole trial.
 template <class Strength>
 Returned return_to(Strength strength, double trial_normal, double trial_shear, Springs k, double tan_dilation) {
     const auto normal_at = [&](double slip) { return trial_normal + k.normal * tan_dilation * slip; };

@@ -8,8 +8,7 @@
 
 namespace kaya::joints {
 
-/// `found` is false when the function has the same sign at both ends, or is no number there; x is then the end with the
-/// smaller value.
+/// `found` is false when the function has the same sign at both ends, or is not finite there; x is then the end with the smaller value.
 struct Root {
     double x;
     bool found;
@@ -41,7 +40,7 @@ template <class Function> Root bracketed_root(Function f, double a, double b, do
         constexpr double few_bits = 2 * std::numeric_limits<double>::epsilon();
         const double near = few_bits * std::abs(best) + 0.5 * tolerance, width = std::abs(b - a);
         if (near >= 0.5 * width) return {best, true};
-        // Whether the inverse parabola through the three places stays between them.
+        // Whether the inverse parabola through the three points stays between them.
         const double along = (a - b) / (c - b), rise = (at_a - at_b) / (at_c - at_b);
         part = 0.5;
         if (1 - std::sqrt(1 - along) < rise && rise < std::sqrt(along))

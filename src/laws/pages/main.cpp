@@ -1,6 +1,6 @@
-// joint_pages MODELS PAGES [--check]: puts the tables of properties and of history of every joint model in the folder
-// MODELS, or of every zone model where that is called `zones`, into its page in the folder PAGES. The rest of a page is written by people and kept. With --check nothing is
-// written, and the status is 1 when a page does not agree with its model.
+// joint_pages MODELS PAGES [--check]: puts the tables of properties and of history of every joint model in the folder MODELS, or of every
+// zone model if the folder is called `zones`, into its page in the folder PAGES. The rest of a page is written by hand and kept. With
+// --check nothing is written, and the status is 1 when a page does not agree with its model.
 #include "base/generated_files.hpp"
 #include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
@@ -56,8 +56,8 @@ Lines lines_of(const std::string& text) {
     return lines;
 }
 
-/// The page with the first table of a section replaced, or put under the heading if the section has none. Throws
-/// kaya::Diagnostic when there is no such heading.
+/// The page with the first table of a section replaced, or added under the heading if the section has none. Throws kaya::Diagnostic when
+/// the heading is missing.
 Lines with_table(const Lines& page, const std::string& heading, const Lines& table, const fs::path& file) {
     const auto is_row = [](const std::string& line) { return line.starts_with("|"); };
     const auto head = std::find(page.begin(), page.end(), heading);
@@ -79,7 +79,7 @@ Lines with_table(const Lines& page, const std::string& heading, const Lines& tab
     return made;
 }
 
-/// The models of a folder. `registry` keeps them.
+/// The models of a folder. `registry` owns them.
 std::vector<const LawTable*> models_in(const fs::path& folder, kaya::JointRegistry& registry) {
     registry.set_path({folder});
     std::vector<const LawTable*> models;

@@ -37,7 +37,7 @@ enum Property {
 };
 
 constexpr kaya_jproperty properties[] = {
-    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first touch, k_ni", NAN, 0, INFINITY, 0},
+    {"stiffness-normal", "jkn kn kni", "stress/length", "normal stiffness at first contact, k_ni", NAN, 0, INFINITY, 0},
     {"stiffness-shear", "jks ks kj", "stress/length", "shear stiffness at a normal stress of 1 MPa, K_j", NAN, 0,
      INFINITY, 0},
     {"friction-residual", "resfriction jrfric", "angle", "residual angle of friction, phi_r", NAN, 0, 69, 0},
@@ -66,9 +66,9 @@ enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, history_c
 constexpr kaya_jhistory history[] = {
     {"closure", "length", "closure of the joint; negative: how far it is open"},
     {"mobilised", "length", "shear displacement spent on the mobilised curve"},
-    {"reversal-x", "stress", "shear stress at which the motion last turned back"},
-    {"reversal-y", "stress", "shear stress at which the motion last turned back"},
-    {"reversal-z", "stress", "shear stress at which the motion last turned back"},
+    {"reversal-x", "stress", "shear stress at the last reversal of the motion"},
+    {"reversal-y", "stress", "shear stress at the last reversal of the motion"},
+    {"reversal-z", "stress", "shear stress at the last reversal of the motion"},
 };
 static_assert(std::size(history) == history_count);
 
@@ -78,7 +78,7 @@ constexpr kaya_jfield fields[] = {
     {"jcso", "stress", "wall strength, where it differs", 0},
     {"sigmac", "stress", "uniaxial compressive strength of the rock, where it differs", 0},
     {"friction-residual", "angle", "residual angle of friction, where it differs", 0},
-    {"stiffness-normal", "stress/length", "normal stiffness at first touch, where it differs", 0},
+    {"stiffness-normal", "stress/length", "normal stiffness at first contact, where it differs", 0},
     {"stiffness-shear", "stress/length", "shear stiffness at a normal stress of 1 MPa, where it differs", 0},
 };
 constexpr size_t field_count = std::size(fields);
@@ -112,7 +112,7 @@ Given given(const double* p) {
             p[strength_factor]};
 }
 
-/// What the normal stress decides.
+/// Values that depend on the normal stress.
 struct Strength {
     double stress, ruff, stiffness, peak;
 };
@@ -132,12 +132,12 @@ struct Strength {
     // K_j sigma_n^n_j (2.28), sigma_n in MPa; 0 when open, where the logarithm was cut.
     const double power_of_stress = exponential(law.stiffness_exponent * (log_stress + logarithm(law.per_mpa)));
     const double given = stress > 0 ? law.shear_stiffness * power_of_stress : 0;
-    // Unloading with (2.28) gives back at most 0.773 tau^2/K, loading along the curve takes at least
-    // tau^2/(2 rise): with K at least twice the rise no cycle makes energy.
+    // Unloading with (2.28) returns at most 0.773 tau^2/K, loading along the curve takes at least tau^2/(2 rise): with K at least twice the
+    // rise no cycle creates energy.
     return {stress, ruff, std::max(given, 2 * law.part * steepest_rise(law, stress, ruff, whole)), law.part * whole};
 }
 
-/// The shear path of one step, in stresses: where it starts and how far it goes.
+/// The shear path of one step, in stresses: its start and its length.
 struct Path {
     double start_x, start_y, start_z;    ///< shear stress before
     double motion_x, motion_y, motion_z; ///< shear displacement increment
@@ -152,7 +152,7 @@ struct Path {
     double free_closure;                 ///< closure without dilation
 };
 
-/// The elastic trial and what of the motion is spent on the mobilised curve.
+/// The elastic trial, and the part of the motion along the mobilised curve.
 struct Trial {
     double kept; ///< part of the stress before that is left
     double x, y, z, size;
@@ -176,9 +176,9 @@ template <bool thesis>
     Trial t;
     t.limit0 = mobilised_strength<thesis>(law, s, path.before, path.fallen);
     t.limit1 = mobilised_strength<thesis>(law, s, path.after, path.fallen);
-    // A normal stress that falls takes shear stress with its stiffness; one that rises adds none.
+    // A decreasing normal stress reduces the shear stress with its stiffness; an increasing one adds none.
     t.kept = std::min(1.0, s.stiffness / std::max(path.stiffness, tiny));
-    // On the curve the trial is at least as steep as the curve, so that the strength is what limits it.
+    // On the curve the trial is at least as steep as the curve, so that the strength limits it.
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
     const double left = 1 - law.half_failure_ratio * path.swing * t.kept / std::max(s.peak, tiny);
     const double hyperbola = std::max(0.0, left);
@@ -246,12 +246,12 @@ template <bool thesis> [[gnu::always_inline]] inline Path path_of(const Rows& r,
     path.from_x = turns ? path.start_x : r.turn_x[i];
     path.from_y = turns ? path.start_y : r.turn_y[i];
     path.from_z = turns ? path.start_z : r.turn_z[i];
-    path.stiffness = r.shear_stiffness[i]; // as it was left by the step before, or by initialise
+    path.stiffness = r.shear_stiffness[i]; // of the step before, or of initialise
     path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
     const double was_on_curve = (r.states[i] & is_unloading) != 0 ? 0 : 1;
     path.on_curve = turns ? 0 : was_on_curve;
 
-    // Dilation can keep a joint closed whose sides move apart; it cannot close an open one.
+    // Dilation can keep a joint closed whose sides separate; it cannot close an open one.
     const double closed = r.closures[i], most_closed = closed < path.free_closure ? path.free_closure : closed;
     path.motion = most_closed > 0 ? motion : 0;
     path.before = mobilised_at<thesis>(law, path.spent_before);
@@ -274,11 +274,11 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
     const double scale = size / std::max(trial, tiny);
     const double end_x = last.x * scale, end_y = last.y * scale, end_z = last.z * scale;
 
-    // What is put in and neither stored in the springs nor spent on dilation.
+    // Work that is neither stored in the springs nor spent on dilation.
     const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
     const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
                                   (path.start_z + end_z) * path.motion_z);
-    // Where there is no spring nothing is stored, whatever force was put there.
+    // Without a spring no energy is stored, whatever force was set.
     const double before = path.stiffness, now = strength.stiffness;
     const double stored_after = now > 0 ? 0.5 * size * size / std::max(now, tiny) : 0;
     const double stored_before = before > 0 ? 0.5 * old_square / std::max(before, tiny) : 0;
@@ -295,7 +295,7 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
     r.closures[i] = new_closure;
     r.spent_before[i] = after;
 
-    // After a separation the joint loads as it reloads: it keeps what it has spent.
+    // After a separation the joint loads along its reloading curve: the mobilised part is kept.
     const double closes = new_closure > 0 ? 1 : 0;
     const double worn = path.spent_before > 0 ? 0 : 1;
     const double reaches = last.excess > 0 ? 1 : path.on_curve;
@@ -359,7 +359,7 @@ ptrdiff_t initialise_alike(kaya_jbatch* batch) {
         const Strength strength = strength_at(law, log_jcs, closed);
         const double shear_stress =
             per_area * std::hypot(batch->shear_force[0][i], batch->shear_force[1][i], batch->shear_force[2][i]);
-        // A shear force that is there must have been mobilised.
+        // An existing shear force must have been mobilised.
         double& spent = batch->history[mobilised][i];
         spent = std::max(spent, displacement_of_stress(law, strength, shear_stress));
         batch->normal_stiffness[i] = normal_tangent(law, closed);
@@ -373,7 +373,7 @@ const char* check(const double* p) {
         Property property;
         const char* message;
     } positive[] = {
-        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first touch"},
+        {stiffness_normal, "stiffness-normal (jkn, k_ni) is 0: give the stiffness of the joint at first contact"},
         {stiffness_shear, "stiffness-shear (jks, K_j) is 0: give the shear stiffness of the joint at 1 MPa"},
         {jrco, "jrco is 0: a joint without roughness has no closure curve, use jmodel mohr for it"},
         {jcso, "jcso is 0: give the wall strength of the joint"},

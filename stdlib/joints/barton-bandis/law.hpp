@@ -11,7 +11,7 @@
 
 namespace kaya::joints::barton_bandis {
 
-/// What the user gives, in the deck's units.
+/// Input of the user, in the deck's units.
 struct Given {
     double stiffness_normal, stiffness_shear, stiffness_exponent, failure_ratio;
     double residual_friction;
@@ -40,7 +40,7 @@ struct Law {
     double residual_friction, jrc, jcs, roughest, lowest_stress;
     double part; ///< of the shear strength that is left
     double peak_displacement, per_peak, radians_per_degree_and_peak;
-    // What Koçal's listing does and this model does not unless it is told to.
+    // Options of Koçal's listing, which this model uses only on request.
     bool stepped;         ///< B of Table 2.2 is held from each row to the next
     bool hyperbolic;      ///< the stress climbs with (2.28) and not along the mobilised curve
     bool falls;           ///< the strength is the residual one after the first slip
@@ -90,7 +90,7 @@ struct Law {
            law.knee_stiffness * std::max(0.0, closure - law.knee_closure);
 }
 
-/// Its tangent (2.23); that of first touch while open.
+/// Its tangent (2.23); while open the tangent at closure 0.
 [[gnu::always_inline]] inline double normal_tangent(const Law& law, double closure) {
     const double rest = 1 - std::clamp(closure, 0.0, law.knee_closure) / law.maximum_closure;
     return law.initial_stiffness / (rest * rest);
@@ -133,12 +133,12 @@ template <bool in_steps> [[gnu::always_inline]] inline double mobilised_friction
     return 0.75 / 0.20 * std::clamp(x, 0.0, 0.20) + 0.25 / 0.10 * std::clamp(x - 0.20, 0.0, 0.10);
 }
 
-/// What of friction and roughness is mobilised at a displacement.
+/// Mobilised friction and roughness at a displacement.
 struct Mobilised {
     double friction, roughness;
 };
 
-/// `thesis`: whether Law's choices are looked at; without them the loop over rows is a third shorter.
+/// `thesis`: whether the options of Koçal's listing apply; without them the loop over rows is a third shorter.
 template <bool thesis> [[gnu::always_inline]] inline Mobilised mobilised_at(const Law& law, double displacement) {
     const double x = displacement * law.per_peak;
     Mobilised m{mobilised_friction<false>(x), mobilised_roughness<false>(x)};

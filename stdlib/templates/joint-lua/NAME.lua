@@ -1,7 +1,7 @@
 -- @NAME@: springs in both directions and Coulomb's friction. Change it into what you need.
 -- docs/joint-models-in-lua.md is the manual; signs are those of kaya/jmodel.h: compression and opening are positive.
 
--- One step of one sub-contact: s is the sub-contact, p its properties, h what is kept of it.
+-- One step of one sub-contact: s is the sub-contact, p its properties, h its history.
 local function run(s, p, h)
     -- No tension is carried.
     s.normal_force = math.max(0, s.normal_force - p.stiffness_normal * s.area * s.normal_disp_inc)

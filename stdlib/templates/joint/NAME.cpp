@@ -1,5 +1,5 @@
-// @NAME@: springs in both directions and Coulomb's friction. Change it into what you need.
-// kaya/jmodel.h is the manual: what each column is, which signs it has, what may be left out.
+// @NAME@: springs in both directions and Coulomb's friction. Change it into what you need. kaya/jmodel.h is the manual: the columns, their
+// signs, and which members are optional.
 #include "kaya/jmodel.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Values come to run() in the order of the table; the enum gives them names.
+// run() gets the values in the order of the table; the enum names them.
 enum { stiffness_normal, stiffness_shear, friction, property_count };
 
 constexpr kaya_jproperty properties[] = {
@@ -20,7 +20,7 @@ constexpr kaya_jproperty properties[] = {
 };
 static_assert(std::size(properties) == property_count);
 
-// What is kept of each sub-contact from cycle to cycle; it starts as 0, and is saved.
+// History of each sub-contact: kept from cycle to cycle, initially 0, and saved.
 enum { slip, history_count };
 
 constexpr kaya_jhistory history[] = {{"slip", "length", "shear displacement beyond the limit, added up"}};

@@ -1,5 +1,5 @@
-// @NAME@: elastic up to a strength in shear (von Mises), then perfectly plastic. Change it into what you need.
-// kaya/zmodel.h is the manual: what each column is, which signs it has, what may be left out.
+// @NAME@: elastic up to a strength in shear (von Mises), then perfectly plastic. Change it into what you need. kaya/zmodel.h is the manual:
+// the columns, their signs, and which members are optional.
 #include "kaya/zmodel.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace {
 
-// Values come to run() in the order of the table; the enum gives them names.
+// run() gets the values in the order of the table; the enum names them.
 enum { bulk, shear, strength, property_count };
 
 constexpr kaya_zproperty properties[] = {
@@ -18,7 +18,7 @@ constexpr kaya_zproperty properties[] = {
 };
 static_assert(std::size(properties) == property_count);
 
-// What is kept of each zone from cycle to cycle; it starts as 0, and is saved.
+// History of each zone: kept from cycle to cycle, initially 0, and saved.
 enum { plastic_shear, history_count };
 
 constexpr kaya_jhistory history[] = {{"plastic-shear", "-", "plastic shear strain so far"}};

@@ -1,6 +1,6 @@
 #ifndef __JMODELMEMORY_H
 #define __JMODELMEMORY_H
-// A joint model in the manner of 3DEC 7: header and source, the class exported, members in a struct of their own, what it keeps
+// A joint model in the style of 3DEC 7: header and source, an exported class, members in a separate struct, its state
 // written to the save file as bytes.
 #ifndef __JOINTMODEL_H
 #include "jmodels/src/jointmodel.h"

@@ -1,6 +1,6 @@
-// What sources do that a strict compiler on another system does not like: no version.txt beside it, `using namespace
+// Constructs that a strict compiler on another system rejects: no version.txt next to the source, `using namespace
 // std`, std::string where the base has its own text, headers inside the namespace, assert and abs without their headers,
-// a ratio with an older list of arguments, overrides without const, an exception of its own kind, a name with blanks.
+// a ratio with an older list of arguments, overrides without const, its own kind of exception, a name with blanks.
 #include "jmodels/src/jointmodel.h"
 #include "jmodels/src/state.h"
 #include "version.txt"

@@ -1,5 +1,4 @@
--- Where a model stands: a point of the model x goes to the place t + s R x. R turns, and mirrors where its determinant
--- is -1.
+-- Placement of a model: a point x of the model is mapped to t + s R x. R is a rotation, with a reflection if its determinant is -1.
 local place = {}
 place.__index = place
 
@@ -10,12 +9,12 @@ function place.new(turn, shift, scale)
     local r = self.turn
     local rows = {}
     for i = 1, 3 do rows[i] = vector(r[i][1], r[i][2], r[i][3]) end
-    -- +1, or -1 of a mirror: moments and spins take this factor besides the turn.
+    -- +1, or -1 for a reflection: an additional factor of moments and spins.
     self.hand = rows[1]:cross(rows[2]):dot(rows[3]) > 0 and 1 or -1
     return setmetatable(self, place)
 end
 
--- The turn about an axis by an angle in degrees (Rodrigues).
+-- The rotation about an axis by an angle in degrees (Rodrigues).
 function place.about(axis, degrees)
     local n = axis:unit()
     local c, s = math.cos(math.rad(degrees)), math.sin(math.rad(degrees))
@@ -27,7 +26,7 @@ function place.about(axis, degrees)
     }
 end
 
--- The turn that takes the unit vector `from` to the unit vector `to` by the shortest way.
+-- The smallest rotation from the unit vector `from` to the unit vector `to`.
 function place.between(from, to)
     local axis, cosine = from:cross(to), from:dot(to)
     if axis:length() < 1e-12 then

@@ -1,5 +1,5 @@
--- Rows of a family: what was expected beside what came out. Every row is printed, good or not, and `done` fails when one
--- of them was bad, so that one run shows all that is wrong.
+-- Rows of a family: expected and actual values. Every row is printed, and `done` fails if one of them is bad, so that one run shows all
+-- errors.
 --
 --     row | case | quantity | expected | got | tolerance | good
 local rows = { good = 0, bad = 0 }
@@ -10,13 +10,13 @@ local function row(case, quantity, expected, got, tolerance, good)
     return good
 end
 
--- The error is measured by what is expected, which must not be 0. A value that is no number is never good.
+-- The error is relative to the expected value, which must not be 0. NaN is never good.
 function rows.relative(case, quantity, got, expected, tolerance)
     return row(case, quantity, ("%.7g"):format(expected), got, ("%.2g of it"):format(tolerance),
         math.abs(got - expected) <= tolerance * math.abs(expected))
 end
 
--- The error is measured in the quantity's own unit.
+-- The error is in the unit of the quantity.
 function rows.absolute(case, quantity, got, expected, tolerance)
     return row(case, quantity, ("%.7g"):format(expected), got, ("%.2g"):format(tolerance), math.abs(got - expected) <= tolerance)
 end
@@ -29,7 +29,7 @@ function rows.at_least(case, quantity, got, limit)
     return row(case, quantity, (">= %.4g"):format(limit), got, "0", got >= limit)
 end
 
--- Runs a case; an error in it is a bad row, and the cases after it still run. Hooks of `scene.watch` are taken away.
+-- Runs a case; an error in it is a bad row, and later cases still run. Removes hooks of `scene.watch`.
 function rows.case(name, run)
     local before = rows.good + rows.bad
     local well, message = pcall(run)
@@ -42,7 +42,7 @@ function rows.case(name, run)
     require("parts.scene").forget()
 end
 
--- The largest value of many cases of a kind; each stands in a note, so that a bad one can be found.
+-- The largest value of many cases of a kind; each is printed in a note, so that a bad one can be found.
 local worst, order = {}, {}
 
 function rows.collect(kind, what, value, limit, name)
@@ -64,7 +64,7 @@ function rows.collected()
     end
 end
 
--- Runs case after case; those that the program could not run are counted.
+-- Runs cases in order; cases that the program could not run are counted.
 function rows.cases(from, to, run)
     local failing = {}
     for i = from, to do
@@ -78,7 +78,7 @@ function rows.cases(from, to, run)
     rows.at_most("all cases", "cases that the program could not run", #failing, 0)
 end
 
--- The last line of every deck. Without a row nothing was tested.
+-- The last line of every deck. Without a row the test fails.
 function rows.done()
     print(("rows | %d good | %d bad"):format(rows.good, rows.bad))
     if rows.bad > 0 then error(("%d of %d rows are bad"):format(rows.bad, rows.bad + rows.good), 2) end

@@ -1,9 +1,9 @@
--- A scene of rigid blocks: made, watched and forgotten again, so that one deck runs many of them.
+-- A scene of rigid blocks: created, observed and deleted again, so that one deck runs many of them.
 local scene = { density = 2000, gravity = 9.81 }
 
 local watches = {}
 
--- Takes hooks of the scene before away. `damping` is the line behind `damp`.
+-- Removes hooks of the previous scene. `damping` is the text after `damp`.
 function scene.forget()
     for _, watch in ipairs(watches) do hook.remove(watch) end
     watches = {}
@@ -14,12 +14,12 @@ function scene.clear(damping)
     if count("block") > 0 then command "delete" end
     command "reset time energy disp jdisp\ndamp none\ndamp contact 0\ngravity 0 0 -9.81"
     command("damp " .. (damping or "none"))
-    -- -D fraction=0.05 shows what of an error is the step's.
+    -- -D fraction=0.05 shows the influence of the step on an error.
     if fraction then command(("fraction %.17g"):format(fraction)) end
     command(("prop mat 1 density %.17g"):format(scene.density))
 end
 
--- To be given when the blocks stand.
+-- To be called after the blocks are created.
 function scene.joints(kn, ks, friction, law)
     scene.kn, scene.ks = kn, ks
     command(("jmodel model %s\njmodel jkn %.17g jks %.17g"):format(law or "mohr", kn, ks))
@@ -45,7 +45,7 @@ function scene.hold(block) command(("fix range id %d"):format(block.id)) end
 
 function scene.run(time) command(("cycle time %.17g"):format(time)) end
 
--- Twice the kinetic energy of rotation of a rigid block, from what stands in its fields.
+-- Twice the kinetic energy of rotation of a rigid block, from its fields.
 local function spin_square(b)
     local w, i = b.rotational_velocity, b.inertia
     return i.x * w.x ^ 2 + i.y * w.y ^ 2 + i.z * w.z ^ 2 -
@@ -57,7 +57,7 @@ function scene.kinetic(b)
     return 0.5 * scene.density * b.volume * v:dot(v) + 0.5 * spin_square(b)
 end
 
--- What all contacts together do to a block.
+-- Total contact force on a block.
 function scene.contact_force(block)
     local force = vector(0, 0, 0)
     for c in contacts() do
@@ -69,7 +69,7 @@ end
 
 local function velocity(block, point) return block.velocity + block.rotational_velocity:cross(point - block.position) end
 
--- The step that has brought the blocks to where they are; model.time_step may be another already.
+-- The step of the last motion; model.time_step may already have changed.
 local clock = { cycle = -1 }
 local function last_step()
     if model.cycle ~= clock.cycle then
@@ -79,7 +79,7 @@ local function last_step()
     return clock.step
 end
 
--- What the springs of all contacts do to the blocks beside them in a step.
+-- Work of the springs of all contacts on their blocks in a step.
 local function contact_work()
     local power = 0.0
     for s in sub_contacts() do
@@ -99,10 +99,9 @@ local function account()
     }
 end
 
--- The error of the account without what is only a matter of the moment: kinetic energy stands half a step before the work of
--- contacts, which differ by half of what contacts do in a step. That is the power of their springs; or, where dashpots act,
--- what the kinetic energy of the next step gains and gravity, loads and damping of the motion do not explain. An account that
--- is taken at one moment needs none of it.
+-- The error of the account without the phase difference of its terms: kinetic energy is half a step before the work of contacts, and the
+-- difference is half of the work of contacts in a step. That is the power of their springs or, with dashpots, the gain of kinetic energy in
+-- the next step that gravity, loads and damping do not explain. An account taken at one instant does not need this correction.
 local function least_error(now, after)
     local gained = after.kinetic - now.kinetic - (after.gravity - now.gravity) - (after.boundary - now.boundary)
     local least = now.error
@@ -114,22 +113,22 @@ local function least_error(now, after)
     return least
 end
 
--- Energy of the blocks `moving` in every cycle, from the moment of the call. The program's own account counts too, but
--- what decides is kinetic energy and height, which need no account:
---     kinetic + potential <= what was there, in springs too, + what drivers put in,
--- since what contacts store is never below 0. Velocities stand half a step before places; at the place half a step before,
--- kinetic + potential of a free flight is constant to rounding. `driven` are blocks that move as prescribed; what they put in is
--- the force of the contacts on them times the way, with the sign turned.
+-- Energy of the blocks `moving` in every cycle, from the call on. The program's account is tested too, but the main criterion is kinetic
+-- energy and height, which need no account:
+--     kinetic + potential <= initial energy, of springs too, + work of prescribed motion,
+-- because the energy stored in contacts is never negative. Velocities are half a step before positions; with positions half a step earlier,
+-- kinetic + potential of a free flight is constant to rounding. `driven` are blocks with prescribed motion; their work is minus the contact
+-- force on them times the displacement.
 function scene.energy(moving, driven, every)
     local result = { excess = -math.huge, error = 0, stored = math.huge, largest = 0, put_in = 0, fastest = 0 }
-    -- Heights count from where each block is, so that the numbers stay small beside what is looked for.
+    -- Heights are relative to the initial position of each block, so that numbers are small relative to the differences.
     local from, weight, start = {}, {}, 0
     local g = model.gravity
     for i, b in ipairs(moving) do
         from[i], weight[i] = b.position, g * (scene.density * b.volume)
         start = start + scene.kinetic(b)
     end
-    -- Springs that carry force from the start may give back what they hold.
+    -- Springs with an initial force may return their energy.
     result.preload = 0
     for s in sub_contacts() do
         if s.area > 0 then
@@ -175,21 +174,21 @@ function scene.energy(moving, driven, every)
         cycles = cycles + 1
         looked = cycles % (every or 1) == 0 and account() or nil
     end)
-    -- What the errors are measured by: the largest energy that the scene has had, kinetic, stored, fallen or put in.
+    -- The scale of errors: the largest energy of the scene so far, kinetic, stored, potential or supplied.
     function result.scale()
         return math.max(result.largest, start, math.abs(result.put_in), -result.deepest_potential)
     end
     return result
 end
 
--- The three rows of energy of a case, each within a thousandth of the largest energy.
+-- The three energy rows of a case, each within 0.1 % of the largest energy.
 function scene.energy_rows(case, energy)
     local rows = require "parts.rows"
     local scale = energy.scale()
     rows.at_most(case, "kinetic and potential energy above what was there and put in, over the largest energy",
         energy.excess / scale, 1e-3)
     rows.at_least(case, "least energy stored in joints over the largest energy", energy.stored / scale, -1e-3)
-    rows.absolute(case, "energy not accounted for, over the largest energy", energy.error / scale, 0, 1e-3)
+    rows.absolute(case, "residual energy over the largest energy", energy.error / scale, 0, 1e-3)
 end
 
 return scene

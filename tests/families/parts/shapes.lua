@@ -1,10 +1,10 @@
--- Convex bodies as lists of corners and faces, made at any place, and how deep two of them lie in each other.
+-- Convex bodies as lists of corners and faces, at any position, and the depth of overlap of two of them.
 local place = require "parts.place"
 local shapes = {}
 
 local function shape(points, faces) return { points = points, faces = faces } end
 
--- A polygon in the plane x z, drawn out along y; any convex one.
+-- A convex polygon in the plane x z, extruded along y.
 function shapes.prism(polygon, y0, y1)
     local points, n = {}, #polygon
     for i, p in ipairs(polygon) do
@@ -24,7 +24,7 @@ function shapes.box(a, b, c)
     return shapes.prism({ { -a / 2, -c / 2 }, { a / 2, -c / 2 }, { a / 2, c / 2 }, { -a / 2, c / 2 } }, -b / 2, b / 2)
 end
 
--- Corners on the circle; a flat lies below.
+-- Corners on the circle; a flat is at the bottom.
 function shapes.drum(flats, radius, width)
     local polygon = {}
     for i = 1, flats do
@@ -106,7 +106,7 @@ function shapes.moved(s, where)
     return shape(points, s.faces)
 end
 
--- The shape shrunk about its middle until no corner is farther from it than `reach`.
+-- The shape scaled about its middle so that no corner is farther from it than `reach`.
 function shapes.within(s, reach)
     local middle, farthest = shapes.middle(s.points), 0
     for _, p in ipairs(s.points) do farthest = math.max(farthest, (p - middle):length()) end
@@ -115,7 +115,7 @@ function shapes.within(s, reach)
     return shape(points, s.faces)
 end
 
--- Makes the block of a shape that stands where it is meant to, and finds the gridpoint of each corner.
+-- Creates the block of a placed shape, and finds the gridpoint of each corner.
 function shapes.build(s)
     local words, middle = { "poly" }, shapes.middle(s.points)
     for _, face in ipairs(s.faces) do
@@ -133,7 +133,7 @@ function shapes.build(s)
     return body
 end
 
--- The gridpoints at the corners of a body where it was made; others once it has got zones.
+-- The gridpoints at the initial corners of a body; they change when it is zoned.
 function shapes.find_corners(body)
     for i, p in ipairs(body.shape.points) do
         local nearest_way = math.huge
@@ -159,7 +159,7 @@ function shapes.lowest(body)
     return low
 end
 
--- Ends of edges, one for each direction. A rigid body keeps them, so they are found once.
+-- Ends of edges, one for each direction. They are constant in a rigid body, so they are computed once.
 local function edge_directions(s)
     if s.directions then return s.directions end
     local known = {}
@@ -192,9 +192,8 @@ local function reach(points, axis)
     return low, high
 end
 
--- The least way along which one body must move to be free of the other, negative where they do not touch: separating axes
--- are normals of faces and cross products of edges (Gottschalk, Lin and Manocha 1996). Who looks for ways above `enough`
--- gets any way that is no longer where there is one.
+-- The smallest translation that separates the two bodies, negative if they are apart: separating axes are normals of faces and cross
+-- products of edges (Gottschalk, Lin and Manocha 1996). If it is at most `enough`, any translation up to `enough` may be returned.
 function shapes.overlap(one, other, enough)
     enough = math.max(enough or 0, 0)
     local a, b = shapes.points_now(one), shapes.points_now(other)
@@ -217,7 +216,7 @@ function shapes.overlap(one, other, enough)
     return least
 end
 
--- A turn drawn evenly from all turns: a random unit quaternion (Shoemake 1992).
+-- A uniformly distributed rotation: a random unit quaternion (Shoemake 1992).
 function shapes.random_turn(random)
     local u, v, w = random(), 2 * math.pi * random(), 2 * math.pi * random()
     local a, b = math.sqrt(1 - u), math.sqrt(u)

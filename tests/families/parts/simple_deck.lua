@@ -1,6 +1,6 @@
--- Reads a deck of a simple sort and writes it for another place, other units, another order of its blocks and other first
--- corners of their faces. It knows poly brick, prism and face, jset of one joint, gravity, fix and free of whole blocks, prop,
--- jmodel, apply of loads, initialize of velocities, damp, facetri, fraction, solve and cycle; a line that it does not know is an error.
+-- Reads a simple deck and writes it for another position, other units, another order of its blocks and other first corners of their faces.
+-- It accepts poly brick, prism and face, jset of one joint, gravity, fix and free of whole blocks, prop, jmodel, apply of loads, initialize
+-- of velocities, damp, facetri, fraction, solve and cycle; any other line is an error.
 local place, shapes = require "parts.place", require "parts.shapes"
 local simple_deck = {}
 
@@ -39,7 +39,7 @@ local function text_of(words)
     return table.concat(texts, " ")
 end
 
--- Words with a number behind them; its unit.
+-- Words followed by a number; its unit.
 local scalars = {
     property = {
         prop = "number", property = "number", mat = "number", density = "density", dens = "density", k = "stress", bulk = "stress",
@@ -82,12 +82,12 @@ local function damping(words, twin)
         for i, word in ipairs(words) do result[i] = word end
         return { text_of(result) }
     end
-    -- A fraction, a frequency, and perhaps one of the two parts.
+    -- A fraction, a frequency, and optionally one of the two terms.
     local frequency = words[3] * simple_deck.factor(twin, "frequency")
     return { text_of { "damp", words[2], frequency, table.unpack(words, 4) } }
 end
 
--- What stands behind `range`, as one range for each line to be written. A box is looked up by the centroids.
+-- The text after `range`, as one range for each output line. A box is evaluated by centroids.
 local function ranges(words, twin, built)
     local at
     for i, word in ipairs(words) do if word == "range" then at = i end end
@@ -109,7 +109,7 @@ local function ranges(words, twin, built)
     return lines, at - 1
 end
 
--- Vectors that are written by their components.
+-- Vectors given by components.
 local components = {
     xload = { "force", "x", "load" }, yload = { "force", "y", "load" }, zload = { "force", "z", "load" },
     xmoment = { "moment", "x", "moment", true }, ymoment = { "moment", "y", "moment", true }, zmoment = { "moment", "z", "moment", true },
@@ -176,7 +176,7 @@ local function joint_set(words, twin)
         math.deg(math.atan(n.x, n.y)) % 360, p.x, p.y, p.z, rest) }
 end
 
--- A block as corners and faces, and the words of its numbers.
+-- A block as corners and faces, and the keywords of its numbers.
 local function polyhedron(words)
     local options, kind, loops = "", nil, {}
     local i = 2
@@ -235,7 +235,7 @@ local function block(words, twin)
         end
         loops = turned
     end
-    -- Faces run clockwise as seen from outside.
+    -- Faces are clockwise seen from outside.
     local middle, n = vector(0, 0, 0), 0
     for _, loop in ipairs(loops) do for _, p in ipairs(loop) do middle, n = middle + p, n + 1 end end
     middle = middle / n
@@ -260,8 +260,8 @@ local writers = {
     fraction = scaled, solve = scaled, cycle = scaled,
 }
 
--- Calls `run` with each line of the twin. `before_cycles` is called before the first line that moves the model; `built()` gives
--- the blocks that there are, with id and centroid in the deck's own place.
+-- Calls `run` with each line of the twin. `before_cycles` is called before the first line that moves the model; `built()` returns the
+-- present blocks, with id and centroid in the coordinates of the deck.
 function simple_deck.play(statements, twin, run, built, before_cycles)
     local order = {}
     for i = 1, #statements do order[i] = i end

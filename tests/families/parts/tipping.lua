@@ -1,10 +1,10 @@
--- A block b x h on a slope of angle a that tips about its lower edge, by the equations of a rigid body that turns about a
--- fixed line. Axes: x down the slope, z its normal; t the angle it has turned by, R from the edge to the centroid:
+-- A block b x h on a slope of angle a that tips about its lower edge, by the equations of a rigid body that rotates about a fixed line.
+-- Axes: x down the slope, z its normal; t the angle of rotation, R from the edge to the centroid:
 --     I t'' = m g (h/2 sin(a + t) - b/2 cos(a + t)) ,   I = m (b^2 + h^2)/3
 --     N = m (g cos a + z''_c) ,   S = m (g sin a - x''_c)
 local tipping = {}
 
--- State at the angle t with the spin w: spin's growth, forces on the edge.
+-- State at the angle t with the spin w: angular acceleration, forces on the edge.
 function tipping.at(p, t, w)
     local g, m, b, h, a = 9.81, p.mass, p.b, p.h, p.slope
     local growth = 3 * g * (h * math.sin(a + t) - b * math.cos(a + t)) / (2 * (b * b + h * h))
@@ -54,8 +54,8 @@ function tipping.needed(p, angle, from)
     return most
 end
 
--- The block on its base, 1 m wide, turned by the angle `from` about the lower edge at (b, 0); gravity is turned instead of
--- the base. Gives the block, a gridpoint of the edge, and a function of the angle.
+-- The block on its base, 1 m wide, rotated by the angle `from` about the lower edge at (b, 0); gravity is inclined instead of the base.
+-- Returns the block, a gridpoint of the edge, and a function for the angle.
 function tipping.build(p, kn, friction, from)
     local scene, shapes, place = require "parts.scene", require "parts.shapes", require "parts.place"
     local b, h = p.b, p.h
@@ -70,10 +70,10 @@ function tipping.build(p, kn, friction, from)
     return body.block, toe, function() return math.atan(heel.z - toe.z, toe.x - heel.x) end
 end
 
--- The floor under the area of a touch: a hundredth of the mean face of the block, which is the smaller one.
+-- The minimum area of a contact: 1/100 of the mean face of the block, which is the smaller one.
 function tipping.least_area(p) return 0.01 * (2 * p.b * p.h + 2 * p.h + 2 * p.b) / 6 end
 
--- Forces of the first moment on the sub-contacts at the two corners of the edge.
+-- Initial forces on the sub-contacts at the two corners of the edge.
 function tipping.set_forces(p)
     local _, n, s = tipping.at(p, 0, 0)
     local points = {}
@@ -84,8 +84,8 @@ function tipping.set_forces(p)
     for _, point in ipairs(points) do point.normal_force, point.x_shear_force = n / 2, s / 2 end
 end
 
--- Sets the block down on its edge, guided, with the force N that it has there when it is let go, whatever depth the edge takes;
--- then lets it go with the shear force S on what touches.
+-- Places the block on its edge, guided, with the force N at its release, for any depth of the edge; then releases it with the shear force S
+-- on the closed sub-contacts.
 function tipping.set_down(p, block, from)
     local _, n, s = tipping.at(p, from, 0)
     local slope = model.gravity

@@ -1,6 +1,6 @@
--- What a touch explains. The least area of a touch is a hundredth of the mean face area, of the block with the smaller faces:
+-- Bounds of a contact. Its minimum area is 1/100 of the mean face area of the block with the smaller faces:
 --     k = kn A_min
--- and a touch with more area is stiffer.
+-- A contact with more area is stiffer.
 local shapes = require "parts.shapes"
 local touch = {}
 
@@ -10,8 +10,8 @@ function touch.stiffness(kn, one, other)
     return 0.01 * area * kn
 end
 
--- Depth to which a mass behind a spring goes that arrives with the speed u and is pressed by F: k d^2/2 = m u^2/2 + F d. At
--- rest, u = 0, that is twice the static closure: a weight that is let go.
+-- Depth of a mass on a spring that arrives with the speed u under the force F: k d^2/2 = m u^2/2 + F d. With u = 0 it is twice the static
+-- closure: a suddenly released weight.
 function touch.depth(k, m, u, F) return (F + math.sqrt(F * F + k * m * u * u)) / k end
 
 return touch

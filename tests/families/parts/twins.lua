@@ -1,5 +1,4 @@
--- Runs a simple deck as it is and as eight twins that must behave alike, and compares displacements and forces, brought back
--- to the deck's own place and units.
+-- Runs a simple deck and its eight twins, and compares displacements and forces in the coordinates and units of the deck.
 local place, rows, simple_deck = require "parts.place", require "parts.rows", require "parts.simple_deck"
 local twins = {}
 
@@ -23,14 +22,14 @@ local function complete(twin)
     return twin
 end
 
--- Runs a twin. What comes back: blocks with centroid and corners before, displacements of corners, forces of pairs of blocks, in the
--- place and units of the deck.
+-- Runs a twin. Result: blocks with initial centroid and corners, displacements of corners, forces of pairs of blocks, in the coordinates
+-- and units of the deck.
 local function run(statements, twin)
     require("parts.scene").forget()
     if count("block") > 0 then command "delete" end
     command "reset time energy disp jdisp damp\ndamp contact 0\ndamp local 0.8\ngravity 0 0 0\nfraction 0.25"
     if fraction then command(("fraction %.17g"):format(fraction)) end
-    -- What the program does in every eighth or hundredth cycle it does in the same cycles of each run.
+    -- Aligns the cycle count, so that tasks of every eighth or hundredth cycle run in the same cycles of each run.
     command(("poly brick 0 1 0 1 0 1\nprop mat 1 density 1\nfix\ncycle %d\ndelete\nreset time energy disp jdisp damp"):format(
         14400 - model.cycle % 14400))
     local result, number = { blocks = {} }, {}
@@ -75,7 +74,7 @@ local function nearest_of(items, at)
     return best, least
 end
 
--- Largest difference of displacements and of forces, and the largest of each in the deck itself.
+-- Largest difference of displacements and of forces, and the largest of each in the deck.
 local function differences(own, other)
     local same, way, most_way = {}, 0, 0
     if #own.blocks ~= #other.blocks then error(("%d blocks instead of %d"):format(#other.blocks, #own.blocks), 0) end
@@ -104,9 +103,8 @@ local function differences(own, other)
     return way, most_way, force, most_force
 end
 
--- `tolerance` of the largest displacement and force. A place x from the origin is known to 2^-52 x, and so are closures, whose errors
--- a lever makes larger: 16 of them are allowed besides. `check`,
--- if given, gets what came out of the deck itself and of each twin.
+-- `tolerance` is relative to the largest displacement and force. A position x has the precision 2^-52 x, and so have closures, with errors
+-- that a lever amplifies: 16 of them are allowed in addition. `check`, if given, receives the results of the deck and of each twin.
 function twins.compare(name, text, tolerance, check)
     local statements = simple_deck.read(text)
     local own = run(statements, complete { name = "itself", plain = true })

@@ -1,4 +1,4 @@
-// Does not come back when it is loaded.
+// Does not return when it is loaded.
 #include "kaya/jmodel.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // Modified Cam-clay (Roscoe and Burland 1968), written from kaya/zmodel.h and docs/writing-a-zone-model.md alone. Volume strains are
-// natural ones: ln p falls by lambda or kappa per unit of them. Signs inside: pressure p and its plastic volume strain x in
-// compression. Yield surface q^2/M^2 + p (p - pc) = 0, flow along its normal, pc grows by dx/(lambda - kappa).
+// logarithmic: ln p decreases by lambda or kappa per unit. Internal signs: pressure p and its plastic volume strain x in compression. Yield
+// surface q^2/M^2 + p (p - pc) = 0, associated flow, pc increases by dx/(lambda - kappa).
 #include "kaya/zmodel.h"
 
 #include <algorithm>
@@ -20,12 +20,12 @@ constexpr kaya_zproperty properties[] = {
 };
 constexpr kaya_jhistory history[] = {{"preconsolidation", "stress", "pressure at the end of the yield surface"}};
 
-/// Where an elastic trial ends on the yield surface.
+/// Return of an elastic trial to the yield surface.
 struct Return {
     double p_trial, q_trial, pc_before, m, shear, lambda, kappa;
     double p = p_trial, q = q_trial, pc = pc_before;
 
-    double at(double x) { // below 0 where too little has flowed
+    double at(double x) { // negative for too little flow
         p = p_trial * std::exp(-x / kappa);
         pc = pc_before * std::exp(x / (lambda - kappa));
         q = m * std::sqrt(p * std::max(0.0, pc - p));
@@ -36,11 +36,11 @@ struct Return {
         double low = std::min((ratio + std::log(2.0)) * per_log, 0.0),
                high = std::max(0.0, (ratio + std::log(2.0)) * per_log);
         if (low == 0) low = std::max(0.0, ratio * per_log);
-        // q grows as the root of what p lacks to pc: by the root of x - low the function is smooth.
+        // q varies with the root of pc - p: as a function of the root of x - low the residual is smooth.
         double from = 0, to = std::sqrt(high - low), at_from = at(low), at_to = at(high), x = low;
-        const bool sheared = q_trial > 1e-7 * p_trial; // else p is that of the end of the surface to the last digit
-        for (int i = 0, last = 0; sheared && i < 100 && at_from * at_to < 0;
-             ++i) { // regula falsi in the way of Illinois
+        const bool sheared =
+            q_trial > 1e-7 * p_trial; // otherwise p is that of the end of the surface to the last digit
+        for (int i = 0, last = 0; sheared && i < 100 && at_from * at_to < 0; ++i) { // regula falsi, Illinois variant
             const double root = (from * at_to - to * at_from) / (at_to - at_from);
             x = low + root * root;
             const double here = at(x);

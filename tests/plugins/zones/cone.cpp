@@ -1,5 +1,5 @@
 // Drucker-Prager's cone (Drucker and Prager 1952), written from kaya/zmodel.h and docs/writing-a-zone-model.md alone: sqrt(J2) + q p = k
-// with the mean stress p, tension positive; flow with the slope `dilation`, and back to the tip of the cone from beyond it.
+// with the mean stress p, tension positive; flow with the slope `dilation`, and return to the apex from beyond it.
 #include "kaya/zmodel.h"
 
 #include <cmath>

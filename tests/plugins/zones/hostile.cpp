@@ -1,4 +1,4 @@
-// An elastic zone model that does harm in the way that its property `what` says, some of it when it has run for 50 steps.
+// An elastic zone model that does harm as its property `what` says, in some cases after 50 steps.
 #include "stdlib/zones/zone.hpp"
 
 #include <cfenv>
@@ -41,7 +41,7 @@ constexpr std::array<kaya_jhistory, 1> history{{{"steps", "-", "steps run"}}};
 
 What what_of(const double* p) { return static_cast<What>(static_cast<int>(p[2])); }
 
-// The compiler must not see that this has no end.
+// Hides the endless recursion from the compiler.
 __attribute__((noinline)) int deeper(volatile int* depth) {
     volatile char room[4096];
     *depth = *depth + 1;

@@ -1,5 +1,5 @@
-// A zone model that does what its property `what` says: 1 throws, 2 gives a stress that is no number, 3 a row that is not
-// there, 4 fails with a sentence, 5 a history that is no number; else it does nothing.
+// A zone model that fails as its property `what` says: 1 throws, 2 returns NaN stress, 3 returns an invalid row, 4 fails with a sentence, 5
+// returns NaN history; otherwise it does nothing.
 #include "stdlib/zones/zone.hpp"
 
 #include <cstdio>

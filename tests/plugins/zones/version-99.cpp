@@ -1,4 +1,4 @@
-// A zone model that was built for another interface.
+// A zone model built for another interface.
 #include "stdlib/zones/zone.hpp"
 
 namespace {

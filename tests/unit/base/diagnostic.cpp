@@ -31,7 +31,7 @@ TEST(Render, ShowsFileLineColumnAndUnderline) {
               "       |      ^^^^ did you mean 'brick'?");
 }
 
-TEST(Render, WithoutAPlaceTheHintStandsBelow) {
+TEST(Render, WithoutAPlaceTheHintIsPrintedBelow) {
     EXPECT_EQ(render(Diagnostic("the disk is full", "free some space")), "error: the disk is full\n  free some space");
 }
 
@@ -71,14 +71,14 @@ TEST(Render, PlaceBehindTheEndOfTheLineIsUnderlined) {
     EXPECT_NE(text.find("\n       |     ^"), std::string::npos) << text;
 }
 
-TEST(Render, LineThatIsNotThereShowsTheMessageOnly) {
+TEST(Render, MissingLineShowsTheMessageOnly) {
     Place place = place_in("poly", 1, 1);
     place.line = 9;
     EXPECT_EQ(render(unknown_word(place)),
               "tunnel.3dd:9:1: error: 'brik' is not a kind of poly\n  did you mean 'brick'?");
 }
 
-TEST(Render, ColourTouchesTheKindOnly) { EXPECT_EQ(render(Diagnostic("no"), true), "\033[31merror\033[0m: no"); }
+TEST(Render, ColourChangesTheKindOnly) { EXPECT_EQ(render(Diagnostic("no"), true), "\033[31merror\033[0m: no"); }
 
 TEST(Diagnostic, FirstPlaceStays) {
     Diagnostic d("no");

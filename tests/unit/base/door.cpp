@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using test::content_of;
 using test::put;
 
-/// work/ is allowed, out/ lies beside it. With openat2 and without.
+/// work/ is allowed, out/ is next to it. With and without openat2.
 class DoorTest : public testing::TestWithParam<bool> {
 protected:
     DoorTest() : folder(fs::canonical(scratch.path())), work(folder / "work"), out(folder / "out") {
@@ -33,7 +33,7 @@ protected:
     }
     ~DoorTest() override { door::set_gate(nullptr); }
 
-    /// In a process of its own, which has openat2 or not. Its exit status: 0 when no check failed.
+    /// In a separate process, with or without openat2. Its exit status is 0 if no check failed.
     int in_child(const std::function<void()>& action) const {
         const pid_t child = ::fork();
         if (child == 0) {
@@ -58,7 +58,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Kernels, DoorTest, testing::Bool());
 
-TEST_P(DoorTest, OpensWhatLiesInItsFoldersAndLinksThatStayThere) {
+TEST_P(DoorTest, OpensFilesInItsFoldersAndLinksWithinThem) {
     fs::create_symlink("../mine", work / "sub/link");
     EXPECT_EQ(in_child([&] {
                   EXPECT_EQ(read_whole_file(work / "mine"), "mine");
@@ -75,7 +75,7 @@ TEST_P(DoorTest, OpensWhatLiesInItsFoldersAndLinksThatStayThere) {
               0);
 }
 
-TEST_P(DoorTest, RefusesWhatLeadsOutForEachUse) {
+TEST_P(DoorTest, RefusesPathsOutsideForEachUse) {
     fs::create_symlink(out / "victim", work / "link");
     fs::create_symlink("../out/none", work / "dangling");
     fs::create_symlink("../out", work / "folder");
@@ -119,15 +119,15 @@ TEST_P(DoorTest, RemovesLinksAndNotTheirTargets) {
     EXPECT_EQ(content_of(out / "victim"), "secret");
 }
 
-// Somebody else changes the names all the time: between the question and the opening there is no moment in which that helps.
-TEST_P(DoorTest, NamesThatChangeMeanwhileLeadNowhereElse) {
+// Another process changes the names continuously: no change between the check and the opening leads outside.
+TEST_P(DoorTest, NamesChangedDuringOpeningLeadNowhereElse) {
     fs::create_directories(work / "real");
     put(work / "real/file", "mine");
     fs::create_symlink(out, work / "out-link");
     put(out / "file", "secret");
     const pid_t changer = ::fork();
     if (changer == 0)
-        for (;;) { // sub/ is a folder of its own, then a link out, then the folder again
+        for (;;) { // sub/ is a folder, then a link out, then a folder again
             ::rename((work / "sub").c_str(), (work / "kept").c_str());
             ::rename((work / "out-link").c_str(), (work / "sub").c_str());
             ::rename((work / "sub").c_str(), (work / "out-link").c_str());
@@ -141,7 +141,7 @@ TEST_P(DoorTest, NamesThatChangeMeanwhileLeadNowhereElse) {
                 const door::Stream stream = door::open_stream(work / "sub/appended", Use::write, "a");
                 if (k % 10 == 0) write_whole_file(work / "sub/written", "x");
                 door::remove(work / "sub/file2");
-            } catch (const Diagnostic&) { // refused, or it is not there at this moment
+            } catch (const Diagnostic&) { // refused, or missing at this moment
             }
         }
     });

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// work/ is the folder of the run, secret/ lies beside it.
+/// work/ is the folder of the run, secret/ is next to it.
 class GateTest : public testing::Test {
 protected:
     GateTest() {
@@ -33,7 +33,7 @@ protected:
 
     static void write(const fs::path& file, const std::string& text = "text") { std::ofstream(file) << text; }
 
-    /// The code of the refusal; empty when it is let through.
+    /// The code of the refusal; empty if it is permitted.
     template <class Ask> static std::string refused(Ask ask) {
         try {
             ask();
@@ -62,20 +62,20 @@ TEST(Sha256, GivesTheDigestsOfTheStandard) {
     EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST_F(GateTest, LetsThroughWhatLiesBelowItsFolders) {
+TEST_F(GateTest, AllowsPathsBelowItsFolders) {
     EXPECT_EQ(read(work / "a/b.txt"), "");
     EXPECT_EQ(written(work / "new.csv"), "");
     EXPECT_EQ(written(work / "../work/new.csv"), "");
 }
 
-TEST_F(GateTest, RefusesWhatLiesElsewhereHoweverItIsWritten) {
+TEST_F(GateTest, RefusesOtherPathsInAnySpelling) {
     for (const auto* path : {"../secret/file", "a/../../secret/file", "../secret/none", "../work2/file"}) {
         EXPECT_EQ(read(work / path), "file-outside") << path;
         EXPECT_EQ(written(work / path), "file-outside") << path;
     }
 }
 
-TEST_F(GateTest, FollowsLinksAlsoThoseThatDangle) {
+TEST_F(GateTest, FollowsLinksIncludingDanglingOnes) {
     fs::create_symlink("../secret", work / "folder");
     fs::create_symlink("../secret/none", work / "dangling");
     fs::create_symlink("dangling", work / "twice");

@@ -36,7 +36,7 @@ TEST(Hash, OrderCounts) {
     EXPECT_NE(digest("ab"), digest("ba"));
 }
 
-// Otherwise the column of one table could grow at the cost of the next without a trace.
+// Otherwise one column could become longer at the expense of the next without a change of the hash.
 TEST(Hash, BorderBetweenTextsCounts) {
     kaya::Hash one, other;
     one.add("ab");

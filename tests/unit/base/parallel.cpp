@@ -13,7 +13,7 @@ namespace {
 
 using namespace kaya;
 
-/// Runs a test's body with each number of threads, and leaves one thread behind.
+/// Runs the body of a test with each number of threads, and restores one thread.
 template <class Body> void with_threads(Body body) {
     for (const int count : {1, 2, 4}) {
         set_threads(count);
@@ -68,7 +68,7 @@ TEST(Parallel, ExceptionOfTheLowestChunkIsRethrown) {
     });
 }
 
-// The numbers span 16 decades, so that another order of additions gives other bits.
+// The numbers span 16 decades, so that another order of additions changes the bits.
 TEST(Reduce, SumHasTheSameBitsForAnyNumberOfThreads) {
     std::vector<double> numbers(5000);
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -112,7 +112,7 @@ int leaves(int levels) {
         4, 1, 0, [&](std::size_t, std::size_t) { return leaves(levels - 1); }, [](int& sum, int part) { sum += part; });
 }
 
-TEST(Reduce, StandsInsideOfItself) {
+TEST(Reduce, MayBeNested) {
     with_threads([] { EXPECT_EQ(leaves(4), 256) << threads() << " threads"; });
 }
 

@@ -28,7 +28,7 @@ Diagnostic caught(const std::function<void()>& action) {
     return Diagnostic("nothing was thrown");
 }
 
-/// Runs it in a process of its own, which lacks files without a name if asked. Gives the process.
+/// Runs the action in a separate process, without unnamed files if requested. Returns the process.
 template <class Action> pid_t in_child(bool nameless, const Action& action) {
     const pid_t child = ::fork();
     if (child != 0) return child;
@@ -46,7 +46,7 @@ int status_of(pid_t child) {
     return status;
 }
 
-/// A file that a killed run has left in the folder.
+/// A file of a killed run in the folder.
 std::string left_over(const ScratchFolder& folder) {
     put(folder / "draft", "half");
     struct stat info {};
@@ -56,13 +56,13 @@ std::string left_over(const ScratchFolder& folder) {
     return name;
 }
 
-/// File systems with and without files that have no name.
+/// File systems with and without unnamed files.
 class EachFileSystem : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(WholeFile, EachFileSystem, testing::Bool());
 
 } // namespace
 
-TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
+TEST(WholeFile, WrittenBytesAreReadAndNoOtherFileRemains) {
     const ScratchFolder folder;
     std::string content = "line\n";
     content.push_back('\0');
@@ -74,8 +74,8 @@ TEST(WholeFile, WhatIsWrittenIsReadBackAndNothingElseIsLeft) {
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-// Each process looks for what killed ones have left before its first file in a folder, just as the others write theirs.
-TEST(WholeFile, ProcessesThatWriteIntoANewFolderAtOnceDoNotSweepEachOthersFiles) {
+// Each process removes files of killed runs before its first file in a folder, while the others write theirs.
+TEST(WholeFile, ProcessesWritingIntoANewFolderKeepEachOthersFiles) {
     const ScratchFolder scratch;
     for (int round = 0; round < 100; ++round) {
         const std::string folder = scratch / ("f" + std::to_string(round));
@@ -112,14 +112,14 @@ TEST_P(EachFileSystem, AFileIsWrittenReplacedAndKeptWhenTheDiskIsFull) {
         write_whole_file(folder / "a.csv", "second");
         const SmallDisk disk(1000);
         EXPECT_THAT(caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); }).hint,
-                    HasSubstr("as it was"));
+                    HasSubstr("is unchanged"));
     });
     EXPECT_EQ(status_of(child), 0);
     EXPECT_EQ(content_of(folder / "a.csv"), "second");
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) {
+TEST_P(EachFileSystem, AKilledWriterLeavesACompleteFileAndTheNextRemovesTheRest) {
     const ScratchFolder folder;
     const std::string old_text(100'000, 'o'), new_text(200'000, 'n');
     for (int kill = 0; kill < 20; ++kill) {
@@ -138,10 +138,10 @@ TEST_P(EachFileSystem, AKilledWriterLeavesAWholeFileAndNothingElseAfterTheNext) 
     EXPECT_EQ(folder.file_count(), 1u);
 }
 
-TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
+TEST(WholeFile, OnlyUnfinishedFilesOfKayaAreRemoved) {
     const ScratchFolder folder;
     const std::string left = left_over(folder), written = left_over(folder), other = left_over(folder) + ".bak";
-    std::filesystem::copy_file(left, other); // the number in the name of a copy is that of another file
+    std::filesystem::copy_file(left, other); // the number in the name of a copy is the inode of another file
     std::filesystem::copy_file(left, folder / ".kaya-1.unfinished");
     for (const auto* name : {"results.kaya-backup", "a.csv.kaya-AbCdEf", ".kaya-notes", ".kaya-.unfinished"})
         put(folder / name, "precious");
@@ -150,7 +150,7 @@ TEST(WholeFile, OnlyWhatKayaLeftIsSwept) {
     const auto before = folder.file_count();
     EXPECT_EQ(status_of(in_child(true, [&] { write_whole_file(folder / "a.csv", "text"); })), 0);
     ::close(writer);
-    // One came, and two that were left went: that of `other` was not locked.
+    // One file was added, and two old ones were removed: that of `other` was not locked.
     EXPECT_EQ(folder.file_count(), before + 1 - 2);
     EXPECT_FALSE(std::filesystem::exists(left));
     EXPECT_TRUE(std::filesystem::exists(written));
@@ -167,7 +167,7 @@ TEST(WholeFile, AFullDiskLeavesTheFileFromBefore) {
         d = caught([&] { write_whole_file(folder / "a.csv", std::string(5000, 'x')); });
     }
     EXPECT_THAT(d.message, HasSubstr("cannot write '" + (folder / "a.csv") + "'"));
-    EXPECT_THAT(d.hint, HasSubstr("as it was"));
+    EXPECT_THAT(d.hint, HasSubstr("is unchanged"));
     EXPECT_EQ(d.fault, Fault::run);
     EXPECT_EQ(content_of(folder / "a.csv"), "from before");
     EXPECT_EQ(folder.file_count(), 1u);

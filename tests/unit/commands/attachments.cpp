@@ -1,4 +1,4 @@
-// Sub-contacts know the gridpoints that they lie on, whatever becomes of the blocks around them.
+// Sub-contacts keep valid references to their gridpoints when the blocks around them change.
 #include "running.hpp"
 
 namespace kaya {
@@ -6,7 +6,7 @@ namespace {
 
 class Attachments : public Running {
 protected:
-    /// Three bricks on a long one, and one far away that was made first.
+    /// Three bricks on a long one, and a distant one created first.
     void make() {
         session().joints.set_path({KAYA_TEST_JOINTS});
         run("poly brick 50 51 0 1 0 1 region 9\n"
@@ -19,7 +19,7 @@ protected:
         ASSERT_GT(model().sub_contacts.size(), 0u);
     }
 
-    /// Sides that are attached, and whether all of them lie on gridpoints of their own block, near to their place.
+    /// The number of attached sides; checks that all of them refer to nearby gridpoints of their own block.
     std::size_t attached() {
         std::size_t count = 0;
         const auto& points = model().sub_contacts;
@@ -59,7 +59,7 @@ TEST_F(Attachments, FacesOfContactsFollowToo) {
     }
 }
 
-TEST_F(Attachments, OfABlockWithAnotherShapeAreGoneUntilItsContactsAreLookedAt) {
+TEST_F(Attachments, OfABlockWithANewShapeAreDeletedUntilItsContactsAreSearched) {
     make();
     const std::size_t before = attached();
     run("gen edge 0.5 range x 0 1 z 0 1\n");

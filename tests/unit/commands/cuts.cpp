@@ -1,4 +1,4 @@
-// jset as a deck gives it: what is conserved, what follows from the seed, what pieces take over.
+// jset in a deck: conservation, dependence on the seed, properties of pieces.
 #include "geometry/polyhedron.hpp"
 #include "model/build.hpp"
 #include "running.hpp"
@@ -62,7 +62,7 @@ TEST_F(Cuts, NoCutLeavesAnEdgeShorterThanTheTolerance) {
     EXPECT_GE(shortest_edge("tolerance 0.1"), 0.1);
     EXPECT_GT(model().blocks.size(), 100u);
     EXPECT_THAT(said(), HasSubstr("not made: too near to a corner of the block (tolerance 0.1)"));
-    // A cut through a corner is none that passes near to it.
+    // A cut through a corner is not one that passes near it.
     run("delete\npoly brick 0 1 0 1 0 1\njset dip 45 dd 90 org 0 0 1 tolerance 0.2\n");
     EXPECT_EQ(model().blocks.size(), 2u);
 }
@@ -95,7 +95,7 @@ TEST_F(Cuts, SetsAreNumberedAndKeptOnFaces) {
     EXPECT_EQ(*std::max_element(model().faces.joint_set.begin(), model().faces.joint_set.end()), 10);
 }
 
-TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
+TEST_F(Cuts, PiecesKeepTheMotionOfTheBlock) {
     run("poly brick 0 2 0 1 0 1 reg 4 mat 2\ngroup block a");
     auto& blocks = model().blocks;
     blocks.velocity[0] = {1, 0, 0};
@@ -111,7 +111,7 @@ TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
         EXPECT_EQ(model().group_names[blocks.group[b]], "a");
         EXPECT_EQ(blocks.fixed[b], fix_z);
         load += blocks.load[b];
-        // The velocity at the old centroid (1, 0.5, 0.5), seen from the piece.
+        // The velocity at the old centroid (1, 0.5, 0.5), relative to the piece.
         const Vec3 arm = Vec3(1, 0.5, 0.5) - blocks.centroid[b];
         EXPECT_LT((blocks.velocity[b] + Vec3(0, 0, 2).cross(arm) - Vec3(1, 0, 0)).norm(), 1e-14);
     }
@@ -120,7 +120,7 @@ TEST_F(Cuts, PiecesMoveOnAsTheBlockDid) {
     EXPECT_EQ(blocks.number[1], 2);
 }
 
-TEST_F(Cuts, OneLineSaysWhatWasDone) {
+TEST_F(Cuts, OneLineReportsTheCuts) {
     run("poly brick 0 1\npoly brick 5 6 0 1 0 1\njset org 0 0 .5 range x 0 1\njset org 0 0 .5000001");
     EXPECT_THAT(said(), HasSubstr("joint set 1: 1 block cut into 2, 0 left whole"));
     EXPECT_THAT(said(), HasSubstr("joint set 2: 1 block cut into 2, 2 left whole; 1 cut was not made: a piece would "
@@ -133,7 +133,7 @@ TEST_F(Cuts, BlocksWithZonesAreLeftOut) {
     EXPECT_EQ(model().blocks.size(), 3u);
 }
 
-TEST_F(Cuts, OneWishToStopEndsALongCutAndLeavesTheModelAsItWas) {
+TEST_F(Cuts, OneInterruptEndsALongCutAndLeavesTheModelUnchanged) {
     run("poly brick 0 1 0 1 0 1\npoly brick 1 2 0 1 0 1\n");
     const std::uint64_t before = state_hash(model());
     for (const std::string line : {"jset dip 30 dd 40 spacing 4e-5 num 20000 org 1 .5 .5", "densify 1000 1000 2"}) {

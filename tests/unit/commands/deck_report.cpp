@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A folder with decks that goes away.
+/// A temporary folder with decks.
 class DeckReportTest : public testing::Test {
 protected:
     void write(const char* name, const std::string& text) { test::put(folder_ / name, text); }
@@ -58,7 +58,7 @@ TEST_F(DeckReportTest, EachKindOfLineIsNamed) {
     EXPECT_FALSE(found.can_run());
 }
 
-TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreLookedAt) {
+TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreChecked) {
     write("a.3dd", "call b\ndef f\n  loop i (1, 2)\n    if i = 1\n      command\n        gen egde 1\n"
                    "        poly brick [i] @j\n        save [name].sav\n      endcommand\n    endif\n  endloop\nend\n");
     write("b.3dd", "bound xvle 1\n");
@@ -68,7 +68,7 @@ TEST_F(DeckReportTest, CalledFilesAndCommandsInsideFunctionsAreLookedAt) {
                                    "a.3dd: 6 statements: 4 run, 2 unknown");
 }
 
-TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
+TEST_F(DeckReportTest, NamesThatAreNeverDefinedAreUnknown) {
     write("a.3dd",
           "def build_wall(n)\n  height = n\n  command\n    gen edge @n\n  endcommand\nend\nset @load = 1\n[depth = 3]\n"
           "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
@@ -80,7 +80,7 @@ TEST_F(DeckReportTest, NamesThatNothingMakesAreUnknown) {
               "a.3dd: 8 statements: 5 run, 3 unknown");
 }
 
-TEST_F(DeckReportTest, WhatIsReadAndNeverSetOrSetAndNeverReadIsDoubtful) {
+TEST_F(DeckReportTest, NamesOnlyReadOrOnlySetAreDoubtful) {
     write(
         "a.3dd",
         "def f\n  local here = frction\n  friction = 30\n  frictoin = 25\n  f = friction + here + depht(2)\n  intialise\nend\n"
@@ -91,7 +91,7 @@ TEST_F(DeckReportTest, WhatIsReadAndNeverSetOrSetAndNeverReadIsDoubtful) {
               "a.3dd:2:16: warning: nothing in this deck sets 'frction': it is 0; did you mean 'friction'?\n"
               "a.3dd:4:3: warning: nothing in this deck reads 'frictoin', which is set here; did you mean 'friction'?\n"
               "a.3dd:5:25: warning: 'depht' is neither a function nor an array\n"
-              "a.3dd:6:3: warning: 'intialise' is no function: this line does nothing; did you mean 'initialise'?\n"
+              "a.3dd:6:3: warning: 'intialise' is not a function: this line does nothing; did you mean 'initialise'?\n"
               "a.3dd:12:1: warning: nothing in this deck reads 'loadin', which is set here; did you mean 'loading'?\n"
               "a.3dd: 5 statements: 5 run, 5 warnings");
     EXPECT_TRUE(found.can_run());
@@ -113,7 +113,7 @@ TEST_F(DeckReportTest, CallsAreCounted) {
                                              "a.3dd: 5 statements: 2 run, 3 wrong");
 }
 
-TEST_F(DeckReportTest, NamesInsideCommandBlocksAreLookedAt) {
+TEST_F(DeckReportTest, NamesInsideCommandBlocksAreChecked) {
     write(
         "a.3dd",
         "def f\n  local mine = 1\n  command\n    cycle @mine\n    cycle @sum\n    cycle @smu\n  endcommand\n  sum = 2\nend\n@f\n");
@@ -134,7 +134,7 @@ TEST_F(DeckReportTest, LuaIsReadBeforeItRuns) {
     EXPECT_THAT(report("b.3dd").text("b.3dd"), HasSubstr("tools.lua:3:1: wrong: Lua cannot read this: "));
 }
 
-TEST_F(DeckReportTest, FilesOfTablesAreLookedFor) {
+TEST_F(DeckReportTest, FilesOfTablesAreSearched) {
     write("a.3dd", "table 1 read wave.tab\n");
     EXPECT_THAT(report("a.3dd").text("a.3dd"), HasSubstr("a.3dd:1:14: wrong: there is no table file 'wave.tab'"));
     write("wave.tab", "wave\n2 0.1\n0\n1\n");
@@ -154,7 +154,7 @@ TEST_F(DeckReportTest, NamesMayComeFromLuaAndFromSavedModels) {
     EXPECT_TRUE(report("c.3dd").can_run());
 }
 
-TEST_F(DeckReportTest, NamesOfFishThatAreNotThereAreToldApart) {
+TEST_F(DeckReportTest, FishNamesWithoutSupportAreCountedAsSuch) {
     write("a.3dd", "def f\n  a = cable_head\nend\n");
     EXPECT_EQ(report("a.3dd").count(Outlook::not_supported), 1u);
 }
@@ -174,7 +174,7 @@ TEST_F(DeckReportTest, AllMistakesOfALongDeckAreCounted) {
     EXPECT_EQ(report("a.3dd").count(Outlook::unknown), 100u);
 }
 
-TEST_F(DeckReportTest, ADeckThatIsNotThereIsAMistake) { EXPECT_THROW(report("none.3dd"), Diagnostic); }
+TEST_F(DeckReportTest, AMissingDeckIsAMistake) { EXPECT_THROW(report("none.3dd"), Diagnostic); }
 
 TEST(Decks, ThatRunAreCheckedAsSuch) {
     int count = 0;
@@ -187,7 +187,7 @@ TEST(Decks, ThatRunAreCheckedAsSuch) {
     EXPECT_GT(count, 30);
 }
 
-/// Names of the commands that a file binds to, those inside of functions and of called files too.
+/// Names of the commands that a file binds to, including those in functions and called files.
 void gather(const lang::BoundFile& file, const lang::BareNames& bare, std::set<std::string>& names) {
     for (const auto& step : file.steps) {
         names.insert(step.command.spec->name());

@@ -1,4 +1,4 @@
-// Whether the account of energy agrees with what is there.
+// The energy account compared with the energy of the model.
 #include "running.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@ class EnergyAccount : public Running {
 protected:
     EnergyAccount() { session().joints.set_path({KAYA_TEST_JOINTS}); }
 
-    /// In the springs of all sub-contacts, normal and shear stiffness 1e8; of overlaps by their energy.
+    /// Energy of the springs of all sub-contacts, normal and shear stiffness 1e8; of overlaps by their energy.
     double in_springs() {
         const auto& s = model().sub_contacts;
         const auto& contacts = model().contacts;
@@ -27,7 +27,7 @@ protected:
     }
 };
 
-TEST_F(EnergyAccount, StoredInJointsIsWhatIsInTheSpringsWhenContactsHaveComeGoneAndTurned) {
+TEST_F(EnergyAccount, JointEnergyIsThatOfTheSpringsAfterContactsWereCreatedDeletedAndRotated) {
     run("poly brick -3 3 -3 3 -1 0\nfix\n"
         "poly brick -1.5 -0.5 -0.5 0.5 0.1 1.1\npoly brick -0.4 0.6 -0.4 0.6 0.15 1.15\n"
         "poly brick -1.2 -0.2 -0.3 0.7 1.3 2.3\npoly brick 0.1 1.1 -0.7 0.3 1.4 2.4\n"
@@ -35,7 +35,7 @@ TEST_F(EnergyAccount, StoredInJointsIsWhatIsInTheSpringsWhenContactsHaveComeGone
         "cycle time 0.9");
     const Energy& energy = model().energy;
     EXPECT_GT(in_springs(), 0);
-    // Shear springs of what rolls are booked by the area of the moment.
+    // Shear springs of rolling contacts are accounted with the current area.
     EXPECT_NEAR(energy.joint_stored(), in_springs(), 0.005 * energy.supplied());
     EXPECT_LT(std::abs(energy.error()), 0.01 * energy.supplied());
 }

@@ -1,4 +1,4 @@
-// Every right example of the command tables runs, in a small model that has what the examples speak of.
+// Every right example of the command tables runs, in a small model that has the objects of the examples.
 #include "commands/session.hpp"
 #include "lang/commands/language.hpp"
 #include "tests/unit/scratch_folder.hpp"
@@ -99,7 +99,7 @@ private:
     fs::path before_;
 };
 
-/// What the examples read, in the current folder.
+/// Input files of the examples, in the current folder.
 void write_inputs(const std::function<void(const char*, const std::string&)>& write) {
     for (const char* name : {"wall.dat", "second part.3dd", "part"}) write(name, "list time\n");
     write("hill.xyz", "-100 -100 0.4\n100 -100 0.5\n100 100 0.6\n-100 100 0.5\n");
@@ -120,10 +120,10 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write("average.lua", "average = 1\n");
 }
 
-/// What an example needs besides.
+/// Additional lines that an example needs.
 std::string before(std::string_view example) {
     if (example.find("jcso") != std::string_view::npos) return "jmodel model barton-bandis\n";
-    if (example.starts_with("limit")) // a slope of its own
+    if (example.starts_with("limit")) // a separate slope
         return "delete\npoly brick 20 30 0 1 20 25\npoly prism a (30,0,20) (30,0,25) (50,0,35) (50,0,20) b (30,1,20) (30,1,25) (50,1,35) (50,1,20)\n"
                "poly brick 50 70 0 1 20 35\nprop mat 1 density 2000 bcoh 3e3 bfric 19.6\ngravity 0 0 -10\n";
     if (example.starts_with("insitu topo")) return "gravity 0 0 -9.81\n";

@@ -1,4 +1,4 @@
-// Names of modes of failure, of motions that are known: each body as it is, mirrored, turned about the vertical and far away.
+// Modes of failure of known motions: each body unchanged, mirrored, rotated about the vertical and far away.
 #include "commands/failure_mode.hpp"
 
 #include "running.hpp"
@@ -12,7 +12,7 @@
 namespace kaya {
 namespace {
 
-/// Places of a body are turned (or mirrored), then shifted.
+/// Positions of a body are rotated (or mirrored), then shifted.
 struct Twin {
     const char* name;
     Mat3 turn;
@@ -30,7 +30,7 @@ protected:
 
     FailureModes() { session().joints.set_path({KAYA_TEST_JOINTS}); }
 
-    /// A prism over a polygon that is seen from the side of `along` clockwise or not, as `poly prism` takes both.
+    /// A prism over a polygon, clockwise or anticlockwise seen from `along`, because `poly prism` accepts both.
     Row prism(const std::vector<Vec3>& polygon, const Vec3& along) {
         std::string line = "poly prism";
         for (const auto& [side, way] : {std::pair<const char*, Vec3>{" a", Vec3::Zero()}, {" b", along}}) {
@@ -121,7 +121,7 @@ TEST_P(FailureModes, ColumnsToppleAndPushTheLowestOut) {
     EXPECT_EQ(name(), "toppling");
 }
 
-TEST_P(FailureModes, ColumnsLeanBackAndTheirFeetGoOut) {
+TEST_P(FailureModes, ColumnsLeanBackAndTheirFeetMoveOut) {
     const auto all = columns();
     begin();
     for (std::size_t n = 0; n < all.size(); ++n)
@@ -149,7 +149,7 @@ TEST_P(FailureModes, AColumnTipsAlone) {
     EXPECT_EQ(name(0), "toppling");
 }
 
-/// Rock that turns about a centre high above, across a joint that stays closed.
+/// Rock that rotates about a centre high above, across a joint that remains closed.
 TEST_P(FailureModes, RockYieldsAlongACircle) {
     const Row low = brick(0, 20, 0, 10), high = brick(0, 20, 10, 20);
     begin("gen edge 2");

@@ -1,4 +1,4 @@
-// Fields of Lua with one letter wrong: the right one is proposed in nine of ten cases.
+// Fields of Lua with one wrong letter: the right one is proposed in nine of ten cases.
 #include "one_letter_slips.hpp"
 #include "running.hpp"
 
@@ -33,7 +33,7 @@ TEST_F(FieldSlips, NineOfTenGetTheRightProposal) {
         for (const auto& field : fields) {
             ++names;
             for (const auto& slip : one_letter_slips(field.name, random)) {
-                if (known.contains(slip)) continue; // another field: nobody asks
+                if (known.contains(slip)) continue; // another field: no proposal
                 ++asked;
                 const std::string near = proposal(fields, slip);
                 if (near == field.name) ++right;

@@ -1,5 +1,5 @@
-// docs/fields.md, the page with every field of every kind of object, is made of the tables. KAYA_BLESS=1 in the environment
-// writes it anew.
+// docs/fields.md, the page with every field of every kind of object, is generated from the tables. KAYA_BLESS=1 in the environment writes
+// it again.
 #include "running.hpp"
 
 #include "model/field.hpp"
@@ -44,7 +44,7 @@ const char* kind_of(const FieldValue& value) {
 
 class FieldsPage : public Running {
 protected:
-    /// Two blocks, one with zones, that touch, with a structure of each kind.
+    /// Two adjacent blocks, one with zones, with a structure of each kind.
     void make_model() {
         session().joints.set_path({KAYA_TEST_JOINTS});
         run("poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\ngen edge 2 range z 1 2\nprop mat 1 dens 2000 k 1e9 g 1e9\n"

@@ -1,4 +1,4 @@
-// The list of names in docs/fish.md is that of the program. KAYA_BLESS=1 in the environment writes it anew.
+// The list of names in docs/fish.md is that of the program. KAYA_BLESS=1 in the environment writes it again.
 #include "one_letter_slips.hpp"
 #include "running.hpp"
 
@@ -77,7 +77,7 @@ TEST_F(FishNames, NoNameIsBothKnownAndRefused) {
         EXPECT_EQ(fish::find_reserved(name), nullptr) << name;
 }
 
-TEST_F(FishNames, EveryRefusedNameIsAnErrorWhereItStands) {
+TEST_F(FishNames, EveryRefusedNameIsAnErrorAtItsPosition) {
     for (const auto& reserved : fish::reserved_names()) {
         if (reserved.name.back() == '*') continue;
         const Diagnostic problem = mistake(fmt::format("def f\n  x = {}\nend\n", reserved.name));
@@ -98,7 +98,7 @@ TEST_F(FishNames, ASlipOfOneLetterGetsTheRightProposal) {
     std::string missed;
     for (const auto& name : names)
         for (const auto& typed : one_letter_slips(name, random)) {
-            if (std::ranges::binary_search(names, typed)) continue; // another name: nobody asks
+            if (std::ranges::binary_search(names, typed)) continue; // another name: no proposal
             const auto near = fish::nearest_name(typed, candidates);
             ++asked;
             if (near == name) ++right;

@@ -6,7 +6,7 @@
 namespace kaya {
 namespace {
 
-TEST(FittedText, BreaksBetweenWordsAndGoesOnIndented) {
+TEST(FittedText, BreaksBetweenWordsAndContinuesIndented) {
     EXPECT_EQ(fitted("note: one of: stress, xgradient, ygradient, range", 24),
               "note: one of: stress,\n    xgradient,\n    ygradient, range");
     EXPECT_EQ(fitted("short\nand short", 24), "short\nand short");

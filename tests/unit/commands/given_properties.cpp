@@ -14,7 +14,7 @@ TEST(GivenProperties, ReplaceValuesByAnySpellingOfTheWord) {
     given.give("prop 1 jfric", 30, {});
     given.give("property mat 1 K", 5e9, {});
     given.give("jmodel kn", 1e8, {});
-    given.give("prop 1 jfriction", 99, {}); // the first value of a name counts
+    given.give("prop 1 jfriction", 99, {}); // the first value of a name applies
     const auto items = given.replaced(Items{{"jfriction", 20, {}}, {"bulk", 1, {}}, {"density", 7, {}}}, 1);
     EXPECT_EQ(items[0].value, 30);
     EXPECT_EQ(items[1].value, 5e9);

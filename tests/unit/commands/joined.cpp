@@ -1,4 +1,4 @@
-// Joined blocks: what they do together, and how they come apart.
+// Joined blocks: their common motion, and their separation.
 #include "running.hpp"
 
 #include "model/joined.hpp"
@@ -40,7 +40,7 @@ TEST_F(Joined, PiecesPutTogetherSpinAsTheWholeBlockDoes) {
     run("new\npoly brick 0 2 0 1 0 1.5");
     start();
     corner();
-    // The angular momentum of the whole, known before its first step.
+    // The angular momentum of the body, known before its first step.
     const double mass = 3000;
     model().blocks.mass[0] = mass;
     const Vec3 momentum = mass / 3.0 * (model().blocks.inertia[0] * Vec3(0.1, 3, 0.2));
@@ -70,7 +70,7 @@ TEST_F(Joined, PiecesPutTogetherSpinAsTheWholeBlockDoes) {
     EXPECT_LT((model().blocks.angular_momentum[0] - momentum).norm(), 1e-9 * momentum.norm());
 }
 
-TEST_F(Joined, BlocksThatDoNotTouchStayApart) {
+TEST_F(Joined, BlocksWithoutContactStaySeparate) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 3 4 0 1 0 1\npoly brick 3 4 1 2 1 2\njoin");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{1, 1, 0, 0}));
     EXPECT_THAT(said(), HasSubstr("2 blocks joined to 1 body"));
@@ -78,7 +78,7 @@ TEST_F(Joined, BlocksThatDoNotTouchStayApart) {
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0, 0, 0}));
 }
 
-/// A bar of joined blocks with zones, held at one end and pulled at the other; it has come to rest.
+/// A bar of joined blocks with zones, fixed at one end and pulled at the other, at rest.
 constexpr const char* pulled_bar =
     "gen edge 0.5\nprop mat 1 dens 2500 bulk 1e9 shear 0.75e9\n"
     "bound xvel 0 range x 0\nbound yvel 0 range x 0 y 0 z 0\nbound zvel 0 range x 0 y 0 z 0\n"
@@ -102,15 +102,15 @@ TEST_F(Joined, BlocksWithZonesAreTiedAndAreAsLongAsOneBlock) {
     EXPECT_GT(model().ties.size(), 0u);
     run("list contacts");
     EXPECT_THAT(printed(), HasSubstr("no contacts"));
-    EXPECT_EQ(session().warnings, 0u); // `jmodel` is for joints to come
-    // Taken apart it is a joint, which has no tension.
+    EXPECT_EQ(session().warnings, 0u); // `jmodel` applies to future joints
+    // Separated it is a joint, without tension.
     run("join off\njmodel model mohr jkn 1e10 jks 1e10\ncycle 10");
     EXPECT_EQ(model().ties.size(), 0u);
     EXPECT_GT(model().sub_contacts.size(), 0u);
     for (std::size_t s = 0; s < model().sub_contacts.size(); ++s) EXPECT_EQ(model().sub_contacts.normal_force[s], 0);
 }
 
-TEST_F(Joined, WhatIsLeftOfABodyWithZonesIsOneBodyOnlyWhereItIsTied) {
+TEST_F(Joined, RemainsOfABodyWithZonesAreOneBodyOnlyWhereTied) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\npoly brick 3 4 0 1 0 1\ngen edge 1\njoin\n"
         "prop mat 1 dens 2500 bulk 1e9 shear 0.75e9\ncycle 1\ndelete range x 1 2\ncycle 1");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));
@@ -125,7 +125,7 @@ TEST_F(Joined, WhatIsLeftOfABodyWithZonesIsOneBodyOnlyWhereItIsTied) {
     EXPECT_EQ(model().contacts.size(), 0u);
 }
 
-TEST_F(Joined, WhatIsExcavatedIsTiedNoLongerAndComesBackOnItsOwn) {
+TEST_F(Joined, AnExcavatedBlockIsUntiedAndReturnsUntied) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\ngen edge 1\njoin\n"
         "prop mat 1 dens 2500 bulk 1e9 shear 0.75e9\ncycle 1\nexcavate range x 2 3\ncycle 1");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{1, 1}));
@@ -136,7 +136,7 @@ TEST_F(Joined, WhatIsExcavatedIsTiedNoLongerAndComesBackOnItsOwn) {
     EXPECT_EQ(model().contacts.size(), 1u);
 }
 
-TEST_F(Joined, ArmsOfABodyThatComeToTouchMakeAJoint) {
+TEST_F(Joined, ArmsOfABodyInContactFormAJoint) {
     run("poly brick 0 1 0 1 0 0.49\npoly brick 0 1 0 1 0.51 1\npoly brick 1 2 0 1 0 1\ngen edge 0.5\njoin\n"
         "prop mat 1 dens 2500 bulk 1e7 shear 0.75e7\njmodel model elastic jkn 1e9 jks 1e9\nfix range x 1 2\n"
         "bound zvel 0.5 range x 0 z 0 0.49\nbound zvel -0.5 range x 0 z 0.51 1\ncycle 1");
@@ -152,7 +152,7 @@ TEST_F(Joined, ArmsOfABodyThatComeToTouchMakeAJoint) {
 }
 
 TEST_F(Joined, AConcaveSolidCanHaveZones) {
-    // An L of two convex parts under its own weight stands on its foot as one piece.
+    // An L of two convex parts stands on its foot as one body under its weight.
     run("poly prism a 0 0 0 2 0 0 2 0 1 1 0 1 1 0 2 0 0 2 b 0 1 0 2 1 0 2 1 1 1 1 1 1 1 2 0 1 2\ngen edge 0.5\n"
         "prop mat 1 dens 2500 bulk 1e8 shear 0.6e8\nbound zvel 0 range z 0\nbound xvel 0 range z 0\nbound yvel 0 range z 0\n"
         "gravity 0 0 -10\nsolve ratio 1e-5");
@@ -160,7 +160,7 @@ TEST_F(Joined, AConcaveSolidCanHaveZones) {
     double weight = 0;
     for (std::size_t g = 0; g < model().gridpoints.size(); ++g) weight += 10 * model().gridpoints.mass[g];
     EXPECT_NEAR(weight, 3 * 2500 * 10, 1e-6 * weight);
-    // A part that is not held by the others would be far away.
+    // A part that is not tied to the others would be far away.
     double farthest = 0;
     for (const Vec3& way : model().gridpoints.displacement) farthest = std::max(farthest, way.norm());
     EXPECT_GT(farthest, 1e-5);
@@ -178,7 +178,7 @@ TEST_F(Joined, AConcaveSolidIsOneBody) {
     EXPECT_NEAR(volume, 3, 1e-12);
 }
 
-TEST_F(Joined, ACutPartsABodyOnItsTwoSides) {
+TEST_F(Joined, ACutSeparatesABodyAtThePlane) {
     // A bar of three bricks, cut across the middle of the second.
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\njoin\njset dip 90 dd 90 org 1.5 0 0");
     ASSERT_EQ(model().blocks.size(), 4u);
@@ -188,7 +188,7 @@ TEST_F(Joined, ACutPartsABodyOnItsTwoSides) {
             EXPECT_EQ(joined(model(), static_cast<Row>(a), static_cast<Row>(b)), (c[a].x() < 1.5) == (c[b].x() < 1.5));
 }
 
-TEST_F(Joined, WhatIsLeftOfABodyStaysJoinedWhereItTouches) {
+TEST_F(Joined, RemainsOfABodyStayJoinedWhereInContact) {
     run("poly brick 0 1\npoly brick 1 2 0 1 0 1\npoly brick 2 3 0 1 0 1\npoly brick 3 4 0 1 0 1\njoin\n"
         "delete range x 1 2");
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 3, 3}));
@@ -199,7 +199,7 @@ TEST_F(Joined, ABodyHasZonesAsAWholeOrNotAtAll) {
     EXPECT_THAT(mistake("join").message, HasSubstr("block 1 has zones and block 2 has none"));
     EXPECT_EQ(model().blocks.body, (std::vector<std::int32_t>{0, 0}));
     run("new\npoly brick 0 1\npoly brick 1 2 0 1 0 1\njoin");
-    run("prop mat 1 dens 2000 k 1e9 g 1e9\ngen edge 1 range x 0 1"); // one part after the other
+    run("prop mat 1 dens 2000 k 1e9 g 1e9\ngen edge 1 range x 0 1"); // the parts in turn
     EXPECT_THAT(mistake("cycle 1").message,
                 HasSubstr("block 1 has zones, and block 2, to which it is joined, has none"));
     run("gen edge 1\ncycle 1");

@@ -1,4 +1,4 @@
-// The same joint model three times: native, in the dialect of 3DEC 9, in Lua; and what a Lua file may do wrong.
+// The same joint model three times: native, in the dialect of 3DEC 9, in Lua; and errors of Lua files.
 #include "base/diagnostic.hpp"
 #include "commands/lua_joint_models.hpp"
 #include "laws/batch.hpp"
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Rows of one model, moved alike but for the size of their steps.
+/// Rows of one model with the same motion, scaled differently.
 struct Rows {
     Rows(const JointModel& of, const std::map<std::string, double>& given, std::size_t n)
         : model(of), object(of.keeps_objects() ? n : 0) {
@@ -120,7 +120,7 @@ TEST(JointTwins, NativeDialectAndLuaGiveTheSameCurve) {
     double largest_shear = 0;
     bool opened = false;
     for (int i = 0; i < 3000; ++i) {
-        // Closing, shear to and fro with a drift, pulled open at the end of each 1000 and closed again.
+        // Closing, alternating shear with a drift, opened at the end of each 1000 and closed again.
         const double open = i % 1000 < 100 ? -2e-6 : i % 1000 > 900 ? 4e-6 : 1e-8 * std::sin(0.1 * i);
         for (auto& twin : twins)
             ASSERT_FALSE(twin->step(open, 1e-6 * std::cos(0.01 * i) + 1e-7, 3e-7 * std::sin(0.013 * i)));

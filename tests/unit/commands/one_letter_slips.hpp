@@ -1,4 +1,4 @@
-// Words with one letter wrong, as fingers make them.
+// Typing errors: words with one wrong letter.
 #pragma once
 
 #include <random>

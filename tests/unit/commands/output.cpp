@@ -10,7 +10,7 @@
 namespace kaya {
 namespace {
 
-/// A stream of the C library that keeps what is written to it.
+/// A stream of the C library that stores its output.
 class Catch {
 public:
     Catch() : stream_(std::tmpfile()) {}
@@ -43,11 +43,11 @@ protected:
 
     Catch results, messages;
     Output output{results.stream(), messages.stream()};
-    // Of this process: the tests of a fixture run at the same time.
+    // With the number of this process, because tests run in parallel.
     std::string log = testing::TempDir() + "kaya_output_test_" + std::to_string(::getpid()) + ".log";
 };
 
-TEST_F(OutputTest, ResultsAndMessagesGoTheirOwnWays) {
+TEST_F(OutputTest, ResultsAndMessagesGoToSeparateStreams) {
     output.print("x = 1");
     output.print("two\nlines\n");
     output.message(Diagnostic("it is so", "do this"));
@@ -75,7 +75,7 @@ TEST_F(OutputTest, ALogIsAppendedTo) {
     EXPECT_EQ(log_text(), "again\nagain\n");
 }
 
-TEST_F(OutputTest, ALogInAFolderThatIsNotThereIsRefused) {
+TEST_F(OutputTest, ALogInAMissingFolderIsRefused) {
     EXPECT_THROW(output.start_log(testing::TempDir() + "no_such_folder/kaya.log"), Diagnostic);
     EXPECT_FALSE(output.logging());
 }

@@ -12,7 +12,7 @@ TEST(DurationText, MinutesAndHours) {
     EXPECT_EQ(duration_text(4000), "1:06:40");
 }
 
-TEST(Progress, FinishSaysWhatWasDone) {
+TEST(Progress, FinishReportsTheRun) {
     std::FILE* stream = std::tmpfile();
     {
         Output output(stream, stream);

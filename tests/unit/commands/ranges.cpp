@@ -31,8 +31,8 @@ RangeElement named(Kind kind, const std::string& name) {
 lang::RangePhrase both(std::vector<RangeElement> elements) { return {std::move(elements), false, {}}; }
 lang::RangePhrase either(std::vector<RangeElement> elements) { return {std::move(elements), true, {}}; }
 
-/// Three unit cubes in a row along x: regions 7, 8, 8; materials 1, 2, 1; the last one is of group Arch.
-/// Two contacts, entered by hand, between neighbours.
+/// Three unit cubes in a row along x: regions 7, 8, 8; materials 1, 2, 1; the last one is in the group Arch. Two contacts between
+/// neighbours, entered by hand.
 class RangesTest : public testing::Test {
 protected:
     RangesTest() {

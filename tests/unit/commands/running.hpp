@@ -1,4 +1,4 @@
-// A session whose output is kept, fed with lines of a deck.
+// A session that runs lines of a deck and stores its output.
 #pragma once
 
 #include "commands/session.hpp"
@@ -23,7 +23,7 @@ protected:
 
     void run(const std::string& text) { session_->interpreter.run_text(text, "test.3dd"); }
 
-    /// The mistake that running the text ends with; its message is "" when there was none.
+    /// The error that ends the text; its message is "" if there is none.
     Diagnostic mistake(const std::string& text) {
         try {
             run(text);

@@ -38,7 +38,7 @@ NamedRanges sample() {
             {"whole", {{between, listed}, false, {}, true}}};
 }
 
-TEST(SavedRanges, ComeBackWithEveryBit) {
+TEST(SavedRanges, AreRestoredBitByBit) {
     const NamedRanges back = ranges_from_text(ranges_text(sample()));
     ASSERT_EQ(back.size(), 4u);
     EXPECT_EQ(back.at("slab").elements[0].kind, Kind::z);
@@ -63,7 +63,7 @@ TEST(SavedRanges, ComeBackWithEveryBit) {
 
 TEST(SavedRanges, ATextThatIsCutOffIsRefused) {
     const std::string text = ranges_text(sample());
-    // The last character is a line end, which nothing needs.
+    // The last character is an optional line end.
     for (std::size_t length = 0; length + 1 < text.size(); ++length)
         EXPECT_THROW(ranges_from_text(text.substr(0, length)), Diagnostic) << length;
 }

@@ -88,7 +88,7 @@ TEST_F(MaterialsTest, TheyMayComeOnTwoLines) {
     EXPECT_DOUBLE_EQ(model().materials.at(1).shear, 4);
 }
 
-TEST_F(MaterialsTest, ThePairThatCameLastCounts) {
+TEST_F(MaterialsTest, TheLastPairApplies) {
     run("prop mat 1 ymod 10 prat 0.25 k 3 g 2\n");
     EXPECT_EQ(model().materials.at(1).bulk, 3);
     EXPECT_TRUE(std::isnan(model().materials.at(1).young));

@@ -1,4 +1,4 @@
-// What is left of shear that loading has locked into joints, and what sliding makes of a model.
+// Residual shear from loading in joints, and the effect of sliding on a model.
 #include "commands/slip.hpp"
 
 #include "running.hpp"
@@ -12,7 +12,7 @@ class Slips : public Running {
 protected:
     Slips() { session().joints.set_path({KAYA_TEST_JOINTS}); }
 
-    /// A block that stands on another, pressed and sheared everywhere.
+    /// A block on another, with normal and shear stress everywhere.
     void build() {
         run("poly brick 0 4 0 4 -1 0\npoly brick 0 4 0 4 0 2\nfix range z -1 0\nprop mat 1 density 2500\n"
             "gravity 2 0 -10\njmodel model mohr jkn 1e9 jks 1e9 jfric 45\ndamp local\nsolve");
@@ -20,7 +20,7 @@ protected:
         ASSERT_GE(rows_, 4);
     }
 
-    /// Some have slipped by a millimetre, a hundred times their shear stress over stiffness.
+    /// Lets some sub-contacts slip by a millimetre, a hundred times their shear stress over stiffness.
     void slip(Row first, Row end) {
         auto& subs = model().sub_contacts;
         for (Row i = first; i < end; ++i) subs.frictional_work[i] += 1e-3 * subs.shear_force[i].norm();
@@ -29,7 +29,7 @@ protected:
     Row rows_ = 0;
 };
 
-TEST_F(Slips, JointsThatStayDoNotHoldUpTheMeasure) {
+TEST_F(Slips, OnlyJointsThatSlippedAreListed) {
     build();
     const Slip before(model());
     EXPECT_FALSE(before.has_turned_shear(model()));
@@ -38,7 +38,7 @@ TEST_F(Slips, JointsThatStayDoNotHoldUpTheMeasure) {
     EXPECT_EQ(static_cast<Row>(before.rows(model()).size()), rows_ / 2);
 }
 
-TEST_F(Slips, ZonesThatForgetKeepTheStressesOfCellsThatBend) {
+TEST_F(Slips, ForgettingSlipKeepsTheStressesOfBendingCells) {
     run("poly brick 0 4 0 1 0 1\ngen quad ndiv 4 1 1\nprop mat 1 density 2500 young 1e8 prat 0.25\nbound xvel 0 yvel 0 zvel 0 range x -0.1 0.1\n"
         "gravity 0 0 -10\ndamp local\ncycle 1");
     const Model start = model();

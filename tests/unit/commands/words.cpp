@@ -1,4 +1,4 @@
-// Words that stand in a table of the language and in one of the model: the two say the same.
+// Words that are in a table of the language and in one of the model: both tables agree.
 #include "lang/commands/language.hpp"
 #include "lang/commands/property_words.hpp"
 #include "laws/joint_model.hpp"

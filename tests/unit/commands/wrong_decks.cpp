@@ -1,4 +1,4 @@
-// The decks of tests/wrong: every mistake with its exact place, message and advice.
+// The decks of tests/wrong: every error with its exact position, message and hint.
 #include "commands/session.hpp"
 #include "lang/commands/language.hpp"
 
@@ -17,14 +17,14 @@ const fs::path folder = KAYA_WRONG_DECKS;
 
 using Lines = std::vector<std::string>;
 
-/// Carets and what follows them: an expectation about the line above.
+/// Carets and the text after them: an expectation about the line above.
 bool is_expectation(const std::string& line) {
     const auto caret = line.find_first_not_of(" \t");
     return caret != std::string::npos && line[caret] == '^';
 }
 
-/// A hint that shows a few words of a long list goes without them: a new word of the language changes no file here. Which are
-/// shown is tested in interp/suggestions.cpp, and that the help has all in interp/help.cpp.
+/// Replaces the words in a hint that shows a few of a long list, so that a new word of the language changes no file here.
+/// interp/suggestions.cpp tests the words shown, interp/help.cpp the complete list in the help.
 std::string without_words(const std::string& hint) {
     constexpr std::string_view before = "expected: ", after = ", ...; 'kaya help ";
     const auto end = hint.find(after);
@@ -32,7 +32,7 @@ std::string without_words(const std::string& hint) {
     return std::string(before) + hint.substr(end + 2);
 }
 
-/// The carets below a line, as far to the right as the place, tabs kept.
+/// The carets below a line, at the column of the error, with tabs preserved.
 std::string carets(const Diagnostic& d, const std::string& line) {
     std::string text;
     for (int i = 0; i < d.place.column - 1; ++i) {
@@ -44,7 +44,7 @@ std::string carets(const Diagnostic& d, const std::string& line) {
     return text;
 }
 
-/// The deck with what kaya says about it.
+/// The deck with the messages of kaya.
 Lines annotated(const Lines& deck) {
     std::string text;
     for (const auto& line : deck) text += line + "\n";

@@ -1,4 +1,4 @@
-// Mistakes in the text of a function, each with its place and words; and what generated Lua looks like.
+// Errors in the text of a function, each with its position and words; and the generated Lua.
 #include "lang/fish/compiler.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ Place place_of(const std::string& text, int line = 1) {
     return {source, line, 1, 1};
 }
 
-/// A world with sin, a pointer function, a quantity that can only be read, and nothing else.
+/// A world with sin, a pointer function and a read-only quantity.
 Meaning meaning(std::string_view name) {
     if (name == "sin") return {NameKind::built_in, 1, 1, false};
     if (name == "max") return {NameKind::built_in, 1, 20, false};
@@ -44,7 +44,7 @@ struct Mistake {
 
 const Mistake mistakes[] = {
     {"def f\n a = 1\n", 1, 1, 3, "the function 'f' has no 'end'",
-     "write 'end' on a line of its own after its last statement"},
+     "write 'end' on a separate line after its last statement"},
     {"def\nend", 1, 4, 1, "expected the name of the function, found the end of the line", ""},
     {"def 3f\nend", 1, 5, 1, "'3f' is neither a number nor a name", "a name must not begin with a digit"},
     {"f\nend", 1, 1, 1, "a FISH function begins with 'def'", ""},
@@ -52,8 +52,8 @@ const Mistake mistakes[] = {
     {"def f(f)\nend", 1, 7, 1, "an argument has the name of its function", "give it another name"},
     {"def f(a\nend", 1, 8, 1, "expected ')' for the arguments of the function, found the end of the line", ""},
     {"def f x\nend", 1, 7, 1, "'x' is left over after the head of the function", "one statement stands on one line"},
-    {"def f(x)\n whilestepping\nend", 1, 1, 3, "'f' runs in every cycle, so nobody gives it its arguments",
-     "take the arguments away, or 'whilestepping'"},
+    {"def f(x)\n whilestepping\nend", 1, 1, 3, "'f' runs in every cycle and cannot have arguments",
+     "remove the arguments, or 'whilestepping'"},
     {"def f\nend\nmore", 3, 1, 4, "there is more text after the 'end' of the function", ""},
     {"def f\nend f", 2, 5, 1, "'f' is left over after 'end'", "one statement stands on one line"},
     {"def f\n a = (1 + 2\nend", 2, 12, 1, "expected ')' for the parenthesis, found the end of the line", ""},
@@ -72,16 +72,15 @@ const Mistake mistakes[] = {
     {"def f\n a = 1e999\nend", 2, 6, 5, "1e999 is beyond the range of numbers", ""},
     {"def f\n 3 = a\nend", 2, 2, 1, "expected a statement, found '3'", ""},
     {"def f\n b c\nend", 2, 4, 1, "expected '=' after 'b', found 'c'", ""},
-    {"def f\n a = 1 &\n", 2, 1, 8, "the line goes on after its last mark, but the text ends here",
-     "take the '&' or '...' away"},
+    {"def f\n a = 1 &\n", 2, 1, 8, "the last line ends with a continuation mark", "remove the '&' or '...'"},
     {"def f\n if a > 1 then b = 2\n endif\nend", 2, 16, 1, "'b' is left over after the condition",
      "one statement stands on one line"},
     {"def f\n if then\n endif\nend", 2, 5, 4, "expected a value, found 'then'", ""},
-    {"def f\n if a\nend", 3, 1, 3, "'end' stands where 'endif' must close the 'if' of line 2", ""},
+    {"def f\n if a\nend", 3, 1, 3, "expected 'endif' to close the 'if' of line 2, found 'end'", ""},
     {"def f\n if a\n else\n else\n endif\nend", 4, 2, 4, "a second 'else' in one 'if'", ""},
     {"def f\n endif\nend", 2, 2, 5, "'endif' closes nothing: no block is open here", ""},
     {"def f\n then\nend", 2, 2, 4, "'then' cannot begin a statement", ""},
-    {"def f\n loop while a\n endif\nend", 3, 2, 5, "'endif' stands where 'endloop' must close the 'loop' of line 2",
+    {"def f\n loop while a\n endif\nend", 3, 2, 5, "expected 'endloop' to close the 'loop' of line 2, found 'endif'",
      ""},
     {"def f\n loop while a\n", 2, 2, 4, "this 'loop' has no 'endloop'", ""},
     {"def f\n loop i (1)\n endloop\nend", 2, 7, 1, "a loop needs two limits, and a step if wanted; this one has 1",
@@ -107,16 +106,16 @@ const Mistake mistakes[] = {
     {"def f\n array a\nend", 2, 8, 1, "the array 'a' has no size", "write a(n) or a(n,m)"},
     {"def f\n array 3\nend", 2, 8, 1, "expected the name of an array, found '3'", ""},
     {"def f\n local 3\nend", 2, 8, 1, "expected the name of a variable, found '3'", ""},
-    // What only the meaning of names can tell.
+    // Errors that depend on the meaning of names.
     {"def f\n sin = 3\nend", 2, 2, 3, "'sin' can be read, not set", ""},
     {"def f\n time = 3\nend", 2, 2, 4, "'time' can be read, not set", "use another name for the variable"},
     {"def f\n a = sin(1,2)\nend", 2, 6, 3, "'sin' takes 1 argument, here it is given 2", ""},
     {"def f\n a = max()\nend", 2, 6, 3, "'max' takes 1 to 20 arguments, here it is given none", ""},
     {"def f\n a = helper(1)\nend", 2, 6, 6, "'helper' takes 2 arguments, here it is given 1", ""},
-    {"def f\n helper = 1\nend", 2, 2, 6, "'helper' is a function: a value cannot be given to it here",
+    {"def f\n helper = 1\nend", 2, 2, 6, "'helper' is a function: it cannot be assigned here",
      "use another name for the variable"},
     {"def f\n gp_xvel = 1\nend", 2, 2, 7, "'gp_xvel' takes 1 argument, here it is given none", ""},
-    {"def f\n f(3) = 2\nend", 2, 2, 1, "'f' is this function: a value cannot be given to a call of it", ""},
+    {"def f\n f(3) = 2\nend", 2, 2, 1, "'f' is this function: a call of it cannot be assigned", ""},
     {"def f\n a() = 2\nend", 2, 2, 1, "'a()' names no element of an array", ""},
 };
 
@@ -195,7 +194,7 @@ TEST(FishCompiler, ArithmeticIsPlainLuaWhereBothAgree) {
     EXPECT_THAT(expression("while + time"), HasSubstr("return G[\"while\"] + A_time() end"));
 }
 
-TEST(FishCompiler, AFunctionTellsWhatItUses) {
+TEST(FishCompiler, AFunctionListsTheNamesItUses) {
     const std::string text = "def f(a)\n local b\n b = c(1) + sin(a)\n command\n hist @d [g]\n endcommand\n f = e\nend";
     const Function function = read_function(text, place_of(text));
     EXPECT_EQ(function.name, "f");

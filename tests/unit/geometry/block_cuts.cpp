@@ -26,7 +26,7 @@ Volumes volumes_of(const TunnelCut& cut) {
     return volumes;
 }
 
-/// A pentagon, like a horseshoe, in the plane y.
+/// A horseshoe-shaped pentagon in the plane y.
 std::vector<Vec3> horseshoe(double y) { return {{-1, y, -1}, {1, y, -1}, {1, y, 0.5}, {0, y, 1}, {-1, y, 0.5}}; }
 
 } // namespace
@@ -41,7 +41,7 @@ TEST(CutTunnel, TakesTheOutlineOutOfOneBlock) {
     EXPECT_EQ(result.blocks.pieces.back().polyhedron.faces.back().joint_set, 3);
 }
 
-TEST(CutTunnel, LeavesBlocksWholeThatItDoesNotMeet) {
+TEST(CutTunnel, LeavesBlocksOutsideItUncut) {
     const std::vector<Polyhedron> blocks{make_brick({5, 0, 5}, {6, 1, 6}), make_brick({-0.5, 0, -0.5}, {0.5, 1, 0}),
                                          make_brick({0, 0, 0}, {3, 1, 0.5}), make_brick({1, 0, -1}, {2, 1, 0})};
     const TunnelCut result = cut_tunnel(blocks, {horseshoe(-1), horseshoe(5)});

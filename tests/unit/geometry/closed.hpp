@@ -1,4 +1,4 @@
-// What tests ask of every polyhedron: each half-edge has exactly one partner, and it is convex.
+// Requirements of every polyhedron: each half-edge has exactly one partner, and it is convex.
 #pragma once
 
 #include "geometry/polyhedron.hpp"
@@ -25,7 +25,7 @@ inline bool closed(const Polyhedron& p) {
     return std::find(used.begin(), used.end(), false) == used.end() && p.faces.size() > 3;
 }
 
-/// The farthest that a vertex lies outside the plane of a face.
+/// The largest distance of a vertex outside the plane of a face.
 inline double worst_bulge(const Polyhedron& p) {
     double worst = 0;
     for (const auto& face : p.faces) {
@@ -35,7 +35,7 @@ inline double worst_bulge(const Polyhedron& p) {
     return worst;
 }
 
-/// The farthest that a vertex of a face lies off its plane.
+/// The largest distance of a vertex of a face from its plane.
 inline double worst_warp(const Polyhedron& p) {
     double worst = 0;
     for (const auto& face : p.faces) {

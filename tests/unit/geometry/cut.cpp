@@ -28,7 +28,7 @@ std::vector<Vec3> corners(const Polyhedron& p, const Polyhedron::Face& face) {
     return result;
 }
 
-/// Cuts every piece by the plane; pieces that it misses stay.
+/// Cuts every piece by the plane; pieces that it misses are unchanged.
 void cut_all(std::vector<Polyhedron>& pieces, const Plane& plane, int joint_set = 1) {
     const std::size_t count = pieces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -39,7 +39,7 @@ void cut_all(std::vector<Polyhedron>& pieces, const Plane& plane, int joint_set 
     }
 }
 
-/// Volume and first moment of all pieces against those of the whole.
+/// Compares volume and first moment of all pieces with those of the whole.
 void expect_conserved(const std::vector<Polyhedron>& pieces, const MassProperties& whole, double size) {
     double volume = 0;
     Vec3 moment = Vec3::Zero();
@@ -76,7 +76,7 @@ TEST(Cut, HalvesABrickAndSharesTheFaceBitForBit) {
     expect_conserved({parts.above, parts.below}, mass_properties(brick), 3);
 }
 
-TEST(Cut, SaysOnWhichSideAPolyhedronLiesThatThePlaneMissesOrTouches) {
+TEST(Cut, ReportsTheSideOfAPolyhedronThatThePlaneMissesOrTouches) {
     const Polyhedron brick = make_brick({0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(cut(brick, {Vec3::UnitZ(), {0, 0, -1}}, 1).outcome, CutOutcome::above);
     EXPECT_EQ(cut(brick, {Vec3::UnitZ(), {0, 0, 2}}, 1).outcome, CutOutcome::below);
@@ -107,7 +107,7 @@ TEST(Cut, RefusesAPieceThinnerThanAllowedAndLeavesTheBlockWhole) {
     EXPECT_EQ(plate.outcome, CutOutcome::sliver);
     EXPECT_TRUE(plate.above.faces.empty());
     EXPECT_EQ(cut(brick, {Vec3::UnitZ(), {0, 0, 0.98}}, 1, 0.01).outcome, CutOutcome::cut);
-    // A wedge is deep below its plane, but the tip that a second plane cuts off is a needle.
+    // A wedge is thick below its plane, but the tip cut off by a second plane is a needle.
     const Cut wedge = cut(brick, {normal_from_dip(10, 90), {0, 0, 0.2}}, 1, 0.01);
     ASSERT_EQ(wedge.outcome, CutOutcome::cut);
     EXPECT_EQ(cut(wedge.above, {Vec3::UnitZ(), {0, 0, 0.05}}, 1, 0.01).outcome, CutOutcome::cut);
@@ -125,8 +125,8 @@ TEST(Cut, ANeedleDeepBelowThePlaneIsASliver) {
 }
 
 TEST(Cut, NeighboursKeepSharingTheirEdges) {
-    // Two bricks side by side, given with different corner order, cut by the same oblique planes: the
-    // corners on the common side must be the same numbers.
+    // Two adjacent bricks with different corner order, cut by the same oblique planes: the corners on the common side must be the same
+    // numbers.
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
         std::vector<Polyhedron> left{make_brick({0, 0, 0}, {1, 1.1, 1.2})};
@@ -165,7 +165,7 @@ TEST(Cut, KeepsVolumeAndMomentsThroughRandomCuts) {
 }
 
 TEST(Cut, PlanesThroughOneLineAndOnePointLeaveNoSplinters) {
-    // The hardest case for rounded vertices: all planes meet in one point, some in one line.
+    // The hardest case for rounded vertices: all planes intersect in one point, some in one line.
     Random random(3);
     for (int trial = 0; trial < 50; ++trial) {
         const Vec3 hub(0.3 * random.symmetric(), 0.3 * random.symmetric(), 0.3 * random.symmetric());

@@ -1,4 +1,4 @@
-// Blocks that are cut again and again.
+// Blocks cut repeatedly.
 #pragma once
 
 #include "geometry/cut.hpp"
@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-/// Cuts all blocks by a joint set: those that are cut give way to their pieces.
+/// Cuts all blocks by a joint set and replaces cut blocks by their pieces.
 inline void cut_rock(std::vector<Polyhedron>& blocks, const JointSet& set) {
     const CutBlocks cut = cut_blocks(blocks, set, 1e-3);
     std::vector<Polyhedron> next;

@@ -15,13 +15,13 @@ EdgeField field() { return {2, {1, 2, 3}, 0.2, 1, 4}; }
 
 } // namespace
 
-TEST(EdgeField, GrowsFromTheCentreToWhatItIsFarAway) {
+TEST(EdgeField, GrowsFromTheCentreToTheFarValue) {
     const Vec3 along = Vec3(1, -2, 2) / 3;
     const auto at = [&](double r) { return field().at(field().center + r * along); };
     EXPECT_NEAR(at(0), 0.2, 1e-12);
     EXPECT_NEAR(at(1), 0.4, 1e-12);
     EXPECT_NEAR(at(4), 1, 1e-12);
-    EXPECT_NEAR(at(6), 1.5, 1e-12); // a quarter of the way, since 0.2 is less
+    EXPECT_NEAR(at(6), 1.5, 1e-12); // a quarter of the distance, because 0.2 is less
     EXPECT_NEAR(at(8), 2, 1e-12);
     EXPECT_EQ(at(100), 2);
     const EdgeField coarse(0.5, {0, 0, 0}, 4, 2, 1); // finer outside
@@ -45,7 +45,7 @@ TEST(EdgeField, AnEdgeIsDividedAsTheFieldSaysFromBothItsEnds) {
     }
 }
 
-TEST(EdgeField, CountsCubesNearTheCentreWithoutLookingAtAllOfThem) {
+TEST(EdgeField, CountsCubesNearTheCentreWithoutVisitingAll) {
     // In a ball of radius 4: the integral of 4 pi r^2 / (0.2 + 0.2 r)^3, which is 500 pi (ln 5 - 2 + 1/5 * 2 + 12/25).
     const double u = 5, exact = 500 * M_PI * (std::log(u) + 2 / u - 1 / (2 * u * u) - 1.5);
     double sum = 0; // of shells, as a check of the closed form
@@ -60,7 +60,7 @@ TEST(EdgeField, CountsCubesNearTheCentreWithoutLookingAtAllOfThem) {
     EXPECT_NEAR(EdgeField(0.5).cubes_in(cube), 4096, 1e-6);
 }
 
-TEST(EdgeField, RefusesWhatIsNoLength) {
+TEST(EdgeField, RefusesInvalidLengths) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     for (const double wrong : {0.0, -1.0, nan, inf}) {
         EXPECT_THROW(EdgeField(wrong).check(), Diagnostic) << wrong;

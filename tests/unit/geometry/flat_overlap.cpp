@@ -1,4 +1,4 @@
-// Faces that lie on each other: the wedge over a polygon against the clip of whole bodies, and its gradient.
+// Overlapping faces: the wedge over a polygon compared with the clip of whole bodies, and its gradient.
 #include "geometry/flat_overlap.hpp"
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ std::vector<Vec3> random_polygon(std::mt19937& random) {
     return polygon;
 }
 
-/// Block 1 below a plane, block 2 above it, turned and sunk a little; both are seen in turned axes.
+/// Block 1 below a plane, block 2 above it, slightly rotated and overlapping; both in rotated axes.
 struct Case {
     ConvexFace one, two;
     Mat3 axes;
@@ -118,7 +118,7 @@ TEST_P(FlatOverlaps, PushAsTheirEnergyChanges) {
         }
         const double of_volume = k < 3 ? volume.force[k] : volume.moment[k - 3],
                      of_depth = k < 3 ? depth.force[k] : depth.moment[k - 3];
-        // What is left out is as the closure over the size.
+        // The omitted term is of the order of the closure over the size.
         EXPECT_NEAR((volumes[0] - volumes[1]) / (2 * step), of_volume, 3e-3 * volume.force.norm()) << k;
         EXPECT_NEAR((depths[0] - depths[1]) / (2 * step), of_depth,
                     3e-3 * depth.force.norm() + 3 * step * step / deepest)

@@ -1,4 +1,4 @@
-// Meshes whose edges vary: fields, coarse blocks beside fine ones, rows of cells that get wider.
+// Meshes with variable edges: fields, coarse blocks adjacent to fine ones, rows of growing cells.
 #include "geometry/mesh_plan.hpp"
 
 #include "geometry/shapes.hpp"
@@ -24,7 +24,7 @@ double worst_angle_of(const TetMesh& mesh) {
     return std::min(angles.smallest, 180 - angles.largest);
 }
 
-/// Mean edge of tetrahedra over what a field asks for, nearer to a place than a distance, and beyond another.
+/// Mean edge of tetrahedra over the value of the field, nearer to a point than a distance, and beyond another.
 std::array<double, 2> edges_over_field(const std::vector<TetMesh>& meshes, const EdgeField& field, double near,
                                        double far) {
     std::array<double, 2> sum{}, count{};
@@ -61,7 +61,7 @@ TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
         const Shared shared = shared_faces(blocks, meshes);
         EXPECT_EQ(shared.matching, shared.faces) << seed;
         EXPECT_GT(shared.faces, 20) << seed;
-        for (std::size_t b = 0; b < blocks.size(); ++b) // points of faces lie in them
+        for (std::size_t b = 0; b < blocks.size(); ++b) // points of faces are in their planes
             for (const auto& t : meshes[b].boundary)
                 for (const int p : t.points) {
                     const auto& face = blocks[b].faces[t.face];
@@ -117,7 +117,7 @@ TEST(GradedMesh, CellsOfBricksAreGradedAlike) {
         EXPECT_EQ(shared.matching, 2);
         EXPECT_EQ(meshes.front().per_cell, 6);
         EXPECT_EQ(meshes.back().per_cell, 6);
-        // Along the row cells grow from block to block, and in the first of them; across it all have the same number.
+        // Along the row cells grow between blocks, and within the first of them; across it all have the same number.
         EXPECT_GE(meshes.front().tetrahedra.size(), 2 * meshes.back().tetrahedra.size());
         double least = 1e9, most = 0;
         for (const auto& t : meshes.front().tetrahedra) {
@@ -128,8 +128,8 @@ TEST(GradedMesh, CellsOfBricksAreGradedAlike) {
     }
 }
 
-TEST(GradedMesh, ACoarseBlockBesideAFineOneGrowsFromItsFace) {
-    // A pyramid with its square side on a cube that has zones of an eighth of its edges.
+TEST(GradedMesh, ACoarseBlockNextToAFineOneGrowsFromItsFace) {
+    // A pyramid with its square face on a cube that has zones of an eighth of its edges.
     Polyhedron cube = make_brick({0, 0, 0}, {4, 4, 1});
     for (const Mat3& turn : turns())
         for (const double far : {0.0, 1e6}) {
@@ -146,13 +146,13 @@ TEST(GradedMesh, ACoarseBlockBesideAFineOneGrowsFromItsFace) {
             EXPECT_EQ(shared.faces, 1);
             EXPECT_EQ(shared.matching, 1);
             EXPECT_GT(worst_angle_of(meshes[1]), 10);
-            // As many as the face has triangles, and a few layers of growing size: not as many as fine ones everywhere.
+            // As many zones as the face has triangles, and a few layers of growing size: fewer than with a fine mesh everywhere.
             EXPECT_LT(meshes[1].tetrahedra.size(), 9000u);
             EXPECT_GT(meshes[1].tetrahedra.size(), 1000u);
         }
 }
 
-TEST(GradedMesh, RowsThatGetWiderAreCutInRowsOfTheirOwn) {
+TEST(GradedMesh, WideningRowsAreCutSeparately) {
     TunnelBlocks tunnel;
     tunnel.radius = 1;
     tunnel.begin = 0;

@@ -1,4 +1,4 @@
-// Ground surfaces: heights, files, and blocks that they cut.
+// Ground surfaces: heights, files, and cut blocks.
 #include "geometry/ground.hpp"
 #include "geometry/ground_cuts.hpp"
 
@@ -41,7 +41,7 @@ struct Volumes {
     std::size_t pieces = 0;
 };
 
-/// Cuts a brick and looks whether its pieces fill it, are sound, and lie where they are said to lie.
+/// Cuts a brick and checks that its pieces fill it, are valid, and are on their side of the surface.
 Volumes cut_brick(const Ground& ground, const Vec3& low, const Vec3& high) {
     const Polyhedron brick = make_brick(low, high);
     const GroundCut cut = cut_by_ground({brick}, ground, 3, 1e-6 * (high - low).norm());
@@ -54,7 +54,7 @@ Volumes cut_brick(const Ground& ground, const Vec3& low, const Vec3& high) {
         (cut.above[i] ? volumes.above : volumes.below) += mass.volume;
         const double height = ground.height_beyond(mass.centroid.x(), mass.centroid.y());
         EXPECT_EQ(cut.above[i], mass.centroid.z() > height) << "piece " << i << " at " << mass.centroid.transpose();
-        // No corner lies on the other side.
+        // No corner is on the other side.
         for (const Vec3& v : piece.vertices) {
             const double over = v.z() - ground.height_beyond(v.x(), v.y());
             EXPECT_GE(cut.above[i] ? over : -over, -1e-5 * (high - low).norm())
@@ -66,7 +66,7 @@ Volumes cut_brick(const Ground& ground, const Vec3& low, const Vec3& high) {
     return volumes;
 }
 
-/// Volume below the surface over a brick's plan, by sampling.
+/// Volume below the surface over the plan of a brick, by sampling.
 double volume_below(const Ground& ground, const Vec3& low, const Vec3& high, int n = 400) {
     double sum = 0;
     for (int i = 0; i < n; ++i)
@@ -91,7 +91,7 @@ TEST(Ground, HeightsAreLinearInTrianglesAndGoOnBeyondTheRim) {
 TEST(Ground, OfOverhangsTheHighestCounts) {
     const Ground ground({{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0, 0, 4}, {2, 0, 4}, {0, 2, 4}},
                         {{0, 1, 2}, {3, 4, 5}, {0, 1, 4}});
-    EXPECT_EQ(ground.triangles().size(), 2u); // the upright one is left out
+    EXPECT_EQ(ground.triangles().size(), 2u); // the vertical one is ignored
     EXPECT_DOUBLE_EQ(*ground.height(0.5, 0.5), 4);
 }
 
@@ -114,7 +114,7 @@ TEST(Ground, CutsABrickAtAFlatSlopeAsASingleJointWould) {
 }
 
 TEST(Ground, AnOpenCutNeedsFewPieces) {
-    // Floor, slope and top: a profile along x. Deep rock stays whole.
+    // Floor, slope and top: a profile along x. Deep rock is not cut.
     std::vector<std::vector<Vec3>> lines;
     for (const double x : {-50.0, 0.0, 20.0, 60.0})
         lines.push_back({{x, -50, x <= 0 ? 0.0 : 10}, {x, 50, x <= 0 ? 0.0 : 10}});

@@ -18,7 +18,7 @@ std::string message_of(const JointSet& set) {
     return {};
 }
 
-/// Cuts in place: pieces take the place of their parents.
+/// Cuts in place: pieces replace their parents.
 void cut_in_place(std::vector<Polyhedron>& blocks, const JointSet& set) {
     CutBlocks result = cut_blocks(blocks, set);
     std::vector<Polyhedron> next;
@@ -40,7 +40,7 @@ TEST(JointSet, BareSetIsOneHorizontalPlaneThroughTheOrigin) {
     EXPECT_EQ(planes[0].origin, Vec3(0, 0, 0));
 }
 
-TEST(JointSet, StandsSymmetricallyAboutTheOrigin) {
+TEST(JointSet, IsSymmetricAboutTheOrigin) {
     JointSet set;
     set.dip = 90;
     set.dip_direction = 90;
@@ -133,7 +133,7 @@ TEST(JointSet, PersistenceLeavesAShareOfBlocksWhole) {
     const CutBlocks result = cut_blocks(blocks, set);
     EXPECT_NEAR(static_cast<double>(result.parents.size()), 600, 80);
     EXPECT_EQ(cut_blocks(blocks, set).parents, result.parents);
-    // A block's fate does not hang on the blocks behind it.
+    // The cut of a block does not depend on later blocks.
     blocks.resize(1000);
     const auto fewer = cut_blocks(blocks, set).parents;
     EXPECT_TRUE(std::equal(fewer.begin(), fewer.end(), result.parents.begin()));

@@ -28,7 +28,7 @@ double mean_edge(const TetMesh& m) {
     return sum / static_cast<double>(edges.size());
 }
 
-/// A cube of rock of edge 4 cut by three sets that scatter as the pattern does.
+/// A cube of rock of edge 4 cut by three sets with the scatter of the pattern.
 std::vector<Polyhedron> jointed_rock(const JointSet& pattern, double thinnest) {
     std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};
     for (const auto& [dip, direction, id] : {std::tuple{20., 80., 1}, {70., 170., 2}, {65., 275., 3}}) {
@@ -148,8 +148,8 @@ TEST(Mesh, RefusesEdgesThatMakeNoSense) {
     EXPECT_EQ(message(1e-5), "an edge length of 1e-05 makes some 1.5e+16 zones in one block");
 }
 
-TEST(Mesh, SplintersThatJointsLeaveAreFilledToo) {
-    // Without a limit of thickness the joints cut splinters and corners as small as chance will have it.
+TEST(Mesh, SplintersBetweenJointsAreFilledToo) {
+    // Without a limit of thickness the joints cut arbitrarily small splinters and corners.
     JointSet pattern;
     pattern.dip_deviation = pattern.dip_direction_deviation = 10;
     pattern.spacing_deviation = 0.5;

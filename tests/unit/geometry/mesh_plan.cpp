@@ -61,7 +61,7 @@ TEST(MeshPlan, TheOrderOfBlocksDoesNotMatter) {
 }
 
 TEST(MeshPlan, CellsGoOnFromBlockToBlock) {
-    // The cells around a tunnel: sectors are wider outside than inside, and each is turned against the next.
+    // The cells around a tunnel: sectors are wider outside than inside, and adjacent ones are rotated.
     TunnelBlocks tunnel;
     tunnel.radius = 1;
     tunnel.boundary = 2;
@@ -90,10 +90,10 @@ TEST(MeshPlan, OtherBlocksTakeTheFacesOfCells) {
     EXPECT_EQ(shared.matching, 1);
 }
 
-TEST(MeshPlan, BadBlocksAreMendedAndThoseBesideThemStayFair) {
+TEST(MeshPlan, BadBlocksAreImprovedAndTheirNeighboursStayFair) {
     const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     const Mat3 mirrored = Vec3(-1, 1, 1).asDiagonal();
-    constexpr double fair = 18; // of a block that a neighbour takes room from, degrees
+    constexpr double fair = 18; // of a block that loses room to a neighbour, degrees
     int better = 0, divided = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed)
         for (const double edge : {0.5, 1.2}) {
@@ -122,7 +122,7 @@ TEST(MeshPlan, BadBlocksAreMendedAndThoseBesideThemStayFair) {
     EXPECT_GT(divided, 5);
 }
 
-TEST(MeshPlan, FacesThatAreThereStayWhenBlocksAreMended) {
+TEST(MeshPlan, ExistingFacesStayWhenBlocksAreImproved) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         std::vector<Polyhedron> blocks = rock(seed);
         const std::size_t half = blocks.size() / 2;
@@ -140,8 +140,8 @@ TEST(MeshPlan, FacesThatAreThereStayWhenBlocksAreMended) {
     }
 }
 
-TEST(MeshPlan, FacesThatAreThereAreTakenOver) {
-    // A wedge and a cube, fine; then their neighbours, coarse: the wedge's mirror image, and a cube below.
+TEST(MeshPlan, ExistingFacesAreReused) {
+    // A fine wedge and cube; then their coarse neighbours: the mirror image of the wedge, and a cube below.
     std::vector<Polyhedron> fine{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
     std::vector<Polyhedron> coarse{
         make_prism({{1, 0, 0}, {1, 0, -1}, {1.8, 0, 0}}, {{1, 1, 0}, {1, 1, -1}, {1.8, 1, 0}}).parts.front(),

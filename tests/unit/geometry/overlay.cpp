@@ -6,7 +6,7 @@ using namespace kaya;
 
 namespace {
 
-/// A polygon cut in triangles from its first corner.
+/// A polygon divided into triangles from its first corner.
 PlaneMesh fan(std::vector<Vec2> corners) {
     PlaneMesh mesh;
     for (int k = 1; k + 1 < static_cast<int>(corners.size()); ++k) mesh.triangles.push_back({0, k, k + 1});
@@ -34,7 +34,7 @@ struct Moments {
     }
 };
 
-/// Its diagonal passes by what lies on it here.
+/// A rectangle whose diagonal does not cross the other polygon.
 const PlaneMesh wide = fan({{-9, -9}, {9, -9}, {9, 2}, {-9, 2}});
 
 } // namespace
@@ -56,7 +56,7 @@ TEST(BalanceAreas, GivesTheCornersOfARectangleAQuarterEach) {
 }
 
 TEST(BalanceAreas, KeepsSumAndCentreAndComesNearerToTheSecondMomentsOfTheOverlap) {
-    // Two rectangles, one turned against the other: an octagon-like overlap with crossings of diagonals.
+    // Two rectangles, one rotated: an octagonal overlap with intersections of diagonals.
     Overlay laid =
         laid_over(fan({{0, 0}, {2, 0}, {2, 1}, {0, 1}}), fan({{0.3, -0.4}, {1.9, 0.2}, {1.5, 1.4}, {-0.1, 0.8}}), 1e-9);
     const Moments before(laid);

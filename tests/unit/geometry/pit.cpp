@@ -1,4 +1,4 @@
-// Walls of pits: heights against distances from the crest, ramps, families of the same pit, and designs that cannot be.
+// Walls of pits: heights compared with distances from the crest, ramps, families of the same pit, and impossible designs.
 #include "geometry/pit.hpp"
 
 #include "base/diagnostic.hpp"
@@ -33,7 +33,7 @@ PitDesign with_ramp(bool clockwise = false) {
     return design;
 }
 
-/// By counting benches: how deep the wall is at a distance from the crest.
+/// Depth of the wall at a distance from the crest, by counting benches.
 double depth_at(const PitDesign& design, double distance) {
     const double face = design.bench / std::tan(design.angle * std::numbers::pi / 180);
     double depth = 0;
@@ -55,7 +55,7 @@ double plan_area(const Ground& ground) {
     return sum;
 }
 
-/// Calls visit for places within the box of an outline.
+/// Calls visit for points within the box of an outline.
 void at_places(const std::vector<Vec3>& outline, const std::function<void(double, double)>& visit) {
     Vec3 low = outline.front(), high = low;
     for (const Vec3& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -91,7 +91,7 @@ TEST(Pit, ACornerThatBendsInward) {
     at_places(bent, [&](double x, double y) {
         if (x < 250 && y > 250) return;
         double distance = std::min({x, y, 500 - x, 500 - y});
-        // Faces meet on straight lines at the corner that bends inward, too: they are not rounded.
+        // Faces meet on straight lines at the re-entrant corner, too: they are not rounded.
         distance = std::min(distance, x > 250 && y > 250 ? x - 250 : x > 250 ? std::max(x - 250, 250 - y) : 250 - y);
         ASSERT_NEAR(ground.height(x, y).value_or(NAN), 50 - depth_at(design, distance), 1e-4) << x << ' ' << y;
     });
@@ -112,18 +112,18 @@ TEST(Pit, FromTheToeItIsTheSamePit) {
     });
 }
 
-TEST(Pit, TheRampGoesDownAsAskedAndIsAsWideAsAsked) {
+TEST(Pit, TheRampHasTheRequestedGradeAndWidth) {
     const PitDesign design = with_ramp();
     const Ground ground = pit_surface(rectangle, design);
     EXPECT_NEAR(plan_area(ground), 300000, 1e-3);
     const Ground bare = pit_surface(rectangle, four_benches());
-    // It begins to go down 20 m behind its start; 100 m on it has gone down by 10 m, on the first face.
+    // It begins to descend 20 m after its start; 100 m farther it is 10 m lower, on the first face.
     const double face = 10 / std::tan(65 * std::numbers::pi / 180);
     for (const double across : {0.01, 10.0, 19.99})
         EXPECT_NEAR(ground.height(320, face + across).value_or(NAN), 290, 1e-4) << across;
     EXPECT_NEAR(ground.height(320, face - 0.5).value_or(NAN), 290 + 0.5 * std::tan(65 * std::numbers::pi / 180), 1e-4);
     EXPECT_LT(ground.height(320, face + 20.5).value_or(NAN), 290 - 1);
-    // Level around the corner, and nowhere a step: no slope is steeper than a face, but for the start, where it runs across.
+    // Level around the corner, and without steps: no slope is steeper than a face, except at the start, where it crosses the face.
     const double steepest = 1.5 * std::tan(65 * std::numbers::pi / 180);
     at_places(rectangle, [&](double x, double y) {
         const double z = ground.height(x, y).value_or(NAN);
@@ -131,7 +131,7 @@ TEST(Pit, TheRampGoesDownAsAskedAndIsAsWideAsAsked) {
         ASSERT_NEAR(ground.height(x, y + 0.01).value_or(NAN), z, 0.01 * steepest) << x << ' ' << y;
         ASSERT_GE(z, bare.height(x, y).value_or(NAN) - 1e-4) << "a ramp moves the wall inward";
     });
-    // Before its start the wall is as it was.
+    // Before its start the wall is unchanged.
     EXPECT_NEAR(ground.height(190, 30).value_or(NAN), bare.height(190, 30).value_or(NAN), 1e-6);
 }
 
@@ -205,7 +205,7 @@ TEST(Pit, DesignsThatCannotBe) {
     EXPECT_THAT(message_of(rectangle, design), HasSubstr("cannot begin here"));
     design = four_benches();
     design.toe = true;
-    // A notch of 20 m closes on the way outward.
+    // A notch of 20 m vanishes in the outward construction.
     EXPECT_THAT(message_of({{0, 0, 0},
                             {300, 0, 0},
                             {300, 300, 0},
@@ -233,7 +233,7 @@ TEST(Pit, FilesThatAreWrongNameTheLine) {
                 1e-9);
     EXPECT_EQ(message_of_text("bench 15\n" + outline), "a.pit: a pit needs the angle of its faces");
     EXPECT_EQ(message_of_text("angle 65\n" + outline), "a.pit: a pit needs the height of its benches");
-    EXPECT_EQ(message_of_text("bench 15\nbnech 2"), "a.pit:2: 'bnech' is no word of a pit");
+    EXPECT_EQ(message_of_text("bench 15\nbnech 2"), "a.pit:2: 'bnech' is not a word of a pit");
     EXPECT_EQ(message_of_text("bench tall"), "a.pit:1: 'tall' is not a number");
     EXPECT_EQ(message_of_text("bench 15\nberm -1"), "a.pit:2: berm must be greater than 0, not -1");
     EXPECT_EQ(message_of_text("bench 15 15"), "a.pit:1: 2 words after 'bench', and there must be 1");

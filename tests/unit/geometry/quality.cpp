@@ -18,7 +18,7 @@ std::vector<Ailment> ailments(const Polyhedron& p, double mean_volume = 1) {
     return ailments_of(block_quality(p), mean_volume);
 }
 
-/// Coordinates as files have them.
+/// Coordinates rounded as in files.
 Polyhedron rounded(Polyhedron block, double digits) {
     const double unit = std::pow(10, -digits);
     for (Vec3& v : block.vertices) v = (v / unit).array().round() * unit;

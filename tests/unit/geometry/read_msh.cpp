@@ -67,7 +67,7 @@ TEST(ReadMsh, AHexahedronIsSixZones) {
     EXPECT_DOUBLE_EQ(volume_of(grid), 8);
 }
 
-TEST(ReadMsh, PartsThatDoNotHangTogetherAreBlocksOfTheirOwn) {
+TEST(ReadMsh, SeparatePartsAreSeparateBlocks) {
     const std::string nodes = "8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n11 5 0 0\n12 6 0 0\n13 5 1 0\n14 5 0 1\n";
     const Grid3d grid = read_msh(old_file(nodes, "2\n1 4 2 0 1 1 2 3 4\n2 4 2 0 1 11 12 13 14\n"), "a.msh");
     EXPECT_EQ(grid.blocks.size(), 2u);
@@ -76,7 +76,7 @@ TEST(ReadMsh, PartsThatDoNotHangTogetherAreBlocksOfTheirOwn) {
 
 TEST(ReadMsh, MistakesAreNamedWithTheirLine) {
     const std::string tet = "4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
-    EXPECT_EQ(message_of(""), "a.msh, line 1: the file ends where '$MeshFormat' should stand");
+    EXPECT_EQ(message_of(""), "a.msh, line 1: the file ends before '$MeshFormat'");
     EXPECT_EQ(message_of("$MeshFormat\n3 0 8\n"), "a.msh, line 2: the version is '3'; 2.2 and 4.1 are read");
     EXPECT_EQ(message_of("$MeshFormat\n4.1 1 8\n"), "a.msh, line 2: the file is binary, and is read as text only");
     EXPECT_EQ(message_of(old_file(tet, "0\n")), "a.msh, line 14: there is no tetrahedron and no hexahedron in it");
@@ -87,14 +87,14 @@ TEST(ReadMsh, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(message_of(old_file(tet, "1\n1 11 2 0 1 1 2 3 4\n")),
               "a.msh, line 13: element 1 is a second-order tetrahedron");
     EXPECT_EQ(message_of(old_file("1\n1 0 nan 0\n", "0\n")),
-              "a.msh, line 6: 'nan' is not a number, where a coordinate should stand");
+              "a.msh, line 6: 'nan' is not a number: expected a coordinate");
     EXPECT_EQ(message_of(old_file("2\n1 0 0 0\n1 0 0 1\n", "0\n")), "a.msh, line 7: node 1 is defined twice");
     EXPECT_EQ(message_of(old_file("-1\n", "0\n")), "a.msh, line 5: the number of nodes is -1");
     EXPECT_EQ(message_of(old_file(cube, "1\n1 5 2 4 1 1 3 2 4 5 6 7 8\n")),
               "a.msh, line 17: hexahedron 1 has no volume");
 }
 
-/// Every part of a file that is cut off, and files with numbers that were changed, are refused or read: nothing else.
+/// Every truncated file, and files with changed numbers, are either refused or read.
 TEST(ReadMsh, BrokenFilesAreRefused) {
     for (std::size_t size = 0; size + 40 < two_tetrahedra.size(); ++size)
         EXPECT_NE(message_of(two_tetrahedra.substr(0, size)), "accepted") << size;

@@ -37,7 +37,7 @@ TEST(Shapes, PrismOverATriangle) {
     ASSERT_EQ(prism.parts.size(), 1u);
     EXPECT_EQ(prism.parts[0].faces.size(), 5u);
     EXPECT_DOUBLE_EQ(volume_of(prism.parts), 1.5);
-    // Either polygon may come first and run either way.
+    // The polygons may be in either order and orientation.
     EXPECT_DOUBLE_EQ(volume_of(make_prism({{0, 0, 3}, {0, 1, 3}, {1, 0, 3}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).parts),
                      1.5);
 }
@@ -50,15 +50,15 @@ TEST(Shapes, PrismMayBeAWedge) {
 }
 
 TEST(Shapes, WarpedSidesBecomeTrianglesThatNeighboursShare) {
-    // The roof is turned against the floor; 0.2 of warp as in real decks.
+    // The roof is rotated relative to the floor; a warp of 0.2 as in real decks.
     const std::vector<Vec3> floor{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     const std::vector<Vec3> roof{{0.2, 0, 4}, {4.2, 0, 4}, {4, 4, 4}, {0, 4, 4}};
     const Solid left = make_prism(floor, roof);
     const std::vector<Vec3> floor2{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}};
     const std::vector<Vec3> roof2{{4.2, 0, 4}, {8, 0, 4}, {8, 4, 4}, {4, 4, 4}};
     const Solid right = make_prism(floor2, roof2);
-    // The slab of 8 x 4 x 4 without the corner at its west side, which is 0.2*4*4/6 or twice that, as the
-    // diagonal there runs. Whichever way it runs in the side between, the two must fill the rest exactly.
+    // The slab of 8 x 4 x 4 without the corner at its west side, which is 0.2*4*4/6 or twice that, depending on the diagonal. For either
+    // diagonal in the side between, the two must fill the rest exactly.
     const double missing = 128 - volume_of(left.parts) - volume_of(right.parts);
     EXPECT_TRUE(std::abs(missing - 0.2 * 16 / 6) < 1e-12 || std::abs(missing - 0.2 * 16 / 3) < 1e-12) << missing;
     EXPECT_GT(left.parts.size() + right.parts.size(), 2u); // one of them is concave along that diagonal
@@ -81,7 +81,7 @@ TEST(Shapes, PrismRefusesPolygonsThatDoNotMatch) {
 }
 
 TEST(Shapes, PrismWithATwistIsRefused) {
-    // The second polygon runs on from the opposite corner: the sides cross in the middle.
+    // The second polygon continues from the opposite corner: the sides cross in the middle.
     const std::string message = message_of([] {
         make_prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}});
     });

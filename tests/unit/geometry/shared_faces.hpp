@@ -1,4 +1,4 @@
-// Meshes of many blocks and the faces that two of them share.
+// Meshes of many blocks and their shared faces.
 #pragma once
 
 #include "cut_rock.hpp"
@@ -23,7 +23,7 @@ inline std::vector<TetMesh> meshes_of(const MeshPlan& plan, std::size_t count) {
     return meshes;
 }
 
-/// The faces of a mesh as those of a block that has it already.
+/// The faces of a mesh as those of an already meshed block.
 inline std::vector<MeshedFace> faces_there(const Polyhedron& block, const TetMesh& mesh) {
     std::vector<MeshedFace> faces(block.faces.size());
     for (auto& face : faces) face.points = mesh.points;
@@ -83,7 +83,7 @@ inline Shared shared_faces(const std::vector<Polyhedron>& blocks, const std::vec
     return shared;
 }
 
-/// Cut by three sets whose directions, spacings and scatter are drawn by chance.
+/// Cut by three sets with random directions, spacings and scatter.
 inline std::vector<Polyhedron> rock(std::uint64_t seed) {
     Random random(seed);
     std::vector<Polyhedron> blocks{make_brick({0, 0, 0}, {4, 4, 4})};

@@ -1,4 +1,4 @@
-// What every mesh of a block must be.
+// Requirements of every mesh of a block.
 #pragma once
 
 #include "geometry/mesh.hpp"
@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// All that a mesh must satisfy whatever its shape.
+/// Requirements independent of the shape.
 inline void expect_sound(const Polyhedron& p, const TetMesh& m) {
     double volume = 0;
     std::map<std::array<int, 3>, int> uses;

@@ -30,7 +30,7 @@ Loops cube() {
     return loops;
 }
 
-/// Floor and roof polygons with upright walls between.
+/// Floor and roof polygons with vertical walls between.
 Loops extruded(const std::vector<Vec3>& floor, const Vec3& lift) {
     Loops loops{floor, {}};
     for (const Vec3& v : floor) loops[1].insert(loops[1].begin(), v + lift);
@@ -153,14 +153,14 @@ TEST(Surface, AnOutlineThatCrossesItselfIsRefused) {
 }
 
 TEST(Surface, FacesThatCrossEachOtherAreRefused) {
-    // A pyramid whose tip is pushed through its floor from above, with a dent that reaches outside.
+    // A pyramid whose tip is pushed through its floor from above, with a dent that protrudes outside.
     const Vec3 a(0, 0, 0), b(2, 0, 0), c(2, 2, 0), d(0, 2, 0), top(1, 1, 1), dent(1, 0.8, -1);
     const Loops loops{{a, d, c, b}, {b, c, top},    {c, d, top},   {d, a, top},
                       {a, b, dent}, {b, top, dent}, {top, a, dent}};
     EXPECT_EQ(message_of(loops), "the surface crosses itself: face 1 cuts through face 6");
 }
 
-TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
+TEST(Surface, SmallWarpIsFlattenedAndLargeIsRefused) {
     Loops loops = turned(cube(), oblique, Vec3(3, -2, 1));
     Random random(2);
     const Surface exact = surface_from_loops(loops, 1e-9);
@@ -182,7 +182,7 @@ TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
         for (Vec3& v : loop)
             if (v == Vec3(1, 1, 1)) v.z() += 0.1;
     EXPECT_EQ(message_of(loops), "face 2 is not flat: its corners lie up to 0.0249 off its mean plane");
-    // Either way round, the diagonal that the advice names gives one convex block.
+    // In either orientation, the diagonal named in the hint gives one convex block.
     for (const double raised : {0.1, -0.1}) {
         loops = cube();
         for (auto& loop : loops)
@@ -200,7 +200,7 @@ TEST(Surface, SmallWarpIsMendedAndLargeIsRefused) {
     }
 }
 
-// Blocks of a few centimetres whose coordinates have three decimals: faces lie up to a hundredth of the size off their planes.
+// Blocks of a few centimetres whose coordinates have three decimals: faces deviate from their planes by up to 1/100 of the size.
 TEST(Surface, FacesOfRoundedCoordinatesBecomeTriangles) {
     Random random(20261123);
     int with_triangles = 0;
@@ -234,7 +234,7 @@ TEST(Surface, TrianglesOfOnePlaneBecomeOneFace) {
         triangles.push_back({loop[2], loop[3], middle});
         triangles.push_back({loop[3], loop[0], middle});
     }
-    // Corners in mid-edge of the neighbour leave the surface open, as a mesh would not.
+    // Corners at midpoints of a neighbour's edges leave the surface open, unlike in a mesh.
     EXPECT_EQ(message_of(triangles).substr(0, 19), "the surface is open");
     triangles.clear();
     for (const auto& loop : turned(cube(), oblique, Vec3::Zero())) {
@@ -257,7 +257,7 @@ TEST(Surface, ConcaveSolidsBecomeConvexParts) {
     Solid solid = make_from_faces(extruded(angle, {0, 0, 1}));
     EXPECT_EQ(solid.parts.size(), 2u);
     EXPECT_NEAR(volume_of(solid), 3, 1e-14);
-    // The same standing obliquely: rounding must not split it further.
+    // The same in an oblique position: rounding must not split it further.
     solid = make_from_faces(turned(extruded(angle, {0, 0, 1}), oblique, Vec3(10, 20, 30)));
     EXPECT_EQ(solid.parts.size(), 2u);
     EXPECT_NEAR(volume_of(solid), 3, 1e-12);
@@ -267,7 +267,7 @@ TEST(Surface, ConcaveSolidsBecomeConvexParts) {
     solid = make_from_faces(turned(extruded(cross, {0.2, 0.1, 1}), oblique, Vec3(1, 2, 3)));
     EXPECT_LE(solid.parts.size(), 5u);
     EXPECT_NEAR(volume_of(solid), 5, 1e-12);
-    // The corners come back bit for bit.
+    // The corners are preserved bit for bit.
     const Loops loops = turned(extruded(cross, {0.2, 0.1, 1}), oblique, Vec3(1, 2, 3));
     std::size_t found = 0;
     for (const Vec3& corner : loops[0])
@@ -307,7 +307,7 @@ TEST(Surface, StarOfManyPointsKeepsItsVolume) {
 TEST(Surface, SeparatesSurfacesThatShareNoEdge) {
     Loops loops = cube();
     for (auto& loop : turned(cube(), Eigen::Quaterniond::Identity(), Vec3(1, 1, 0))) loops.push_back(loop);
-    // The two cubes share an edge in space, but its corners are joined: four faces meet there.
+    // The two cubes share an edge in space, but its corners are merged: four faces meet there.
     const Surface touching = surface_from_loops(loops, 1e-9);
     EXPECT_EQ(separate(touching).size(), 1u);
     loops = cube();

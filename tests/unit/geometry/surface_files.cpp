@@ -154,9 +154,9 @@ TEST(SurfaceFiles, Vrml) {
     EXPECT_DOUBLE_EQ(volume_of(surfaces[0]), 1.0 / 6);
 }
 
-TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
+TEST(SurfaceFiles, ErrorsNameTheMistakeAndItsPosition) {
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0 x\n"),
-              "file, line 4: 'x' is not a number, where a coordinate should stand");
+              "file, line 4: 'x' is not a number: expected a coordinate");
     EXPECT_EQ(message_of(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n"),
               "file, line 5: a coordinate is missing");
     EXPECT_EQ(message_of(read_stl, "solid a\nendsolid a\n"), "file holds no faces");
@@ -164,11 +164,11 @@ TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
               "file is not a whole STL file: it does not begin with 'solid', and its length is not that of its "
               "number of triangles");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
-              "file, line 3: vertex 3 is asked for, and 2 have been given so far");
+              "file, line 3: vertex 3 is used, and 2 have been defined so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0 0\nf 1 -2 1\n"),
-              "file, line 2: vertex -2 is asked for, and 1 have been given so far");
+              "file, line 2: vertex -2 is used, and 1 have been defined so far");
     EXPECT_EQ(message_of(read_obj, "v 0 0\nv 0 0 0\n"), "file, line 1: z is missing");
-    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"), "file, line 1: 'inf' is not a number, where z should stand");
+    EXPECT_EQ(message_of(read_obj, "v 0 0 inf\n"), "file, line 1: 'inf' is not a number: expected z");
     EXPECT_EQ(message_of(read_obj, ""), "file holds no faces");
     EXPECT_EQ(message_of(read_ply, "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"),
               "file, line 3: 99999999999 elements 'vertex' are more than the file can hold");
@@ -177,7 +177,7 @@ TEST(SurfaceFiles, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\nTransform { translation 1 0 0 }"),
               "file, line 2: the translation of a transform is not applied by this reader");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\ncoordIndex [ 0 1 2 ]"),
-              "file, line 2: point 0 is asked for, and the points are 0 to -1");
+              "file, line 2: point 0 is used, and the points are 0 to -1");
     EXPECT_EQ(message_of(read_vrml, "#VRML V2.0\npoint [ 0 0 0"), "file, line 2: the file ends within brackets");
     EXPECT_EQ(message_of(read_vrml, "hello"), "file, line 1: a VRML file begins with '#VRML'");
 }
@@ -218,6 +218,6 @@ TEST(SurfaceFiles, AreChosenBySuffix) {
         read_surfaces("model.dxf");
         FAIL();
     } catch (const Diagnostic& diagnostic) {
-        EXPECT_EQ(diagnostic.message, "model.dxf has not the suffix of a surface file that can be read");
+        EXPECT_EQ(diagnostic.message, "model.dxf does not have the suffix of a surface file");
     }
 }

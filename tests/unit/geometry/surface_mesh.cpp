@@ -1,4 +1,4 @@
-// Surfaces of triangles that share their corners: joining, cutting, refining.
+// Surfaces of triangles with shared corners: joining, cutting, refining.
 #include "geometry/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ double least_angle(const SurfaceMesh& mesh) {
     return least;
 }
 
-/// How many triangles have each side, whatever its direction.
+/// The number of triangles at each side, independent of its direction.
 std::map<std::pair<int, int>, int> sides_of(const SurfaceMesh& mesh) {
     std::map<std::pair<int, int>, int> sides;
     for (const auto& t : mesh.triangles)
@@ -58,7 +58,7 @@ std::map<std::pair<int, int>, int> sides_of(const SurfaceMesh& mesh) {
     return sides;
 }
 
-/// Length of the sides that only one triangle has.
+/// Length of the sides of only one triangle.
 double border(const SurfaceMesh& mesh) {
     double length = 0;
     for (const auto& [side, count] : sides_of(mesh)) {
@@ -77,7 +77,7 @@ void add_rectangle(std::vector<Corners>& triangles, double x0, double x1, double
     triangles.push_back({Vec3(x0, y0, 0), Vec3(x1, y1, 0), Vec3(x0, y1, 0)});
 }
 
-/// A wall of bricks in running bond: corners of one course lie on sides of the next.
+/// A wall of bricks in running bond: corners of one course are on sides of the next.
 std::vector<Corners> wall() {
     std::vector<Corners> triangles;
     for (int course = 0; course < 4; ++course)
@@ -160,8 +160,8 @@ TEST(SurfaceMesh, MakesGoodTrianglesOfLongFaces) {
         }
 }
 
-TEST(SurfaceMesh, KeepsTheShapeOfWhatIsNotPlane) {
-    // Two sides of a roof: the ridge stays, though its diagonal would be the better side.
+TEST(SurfaceMesh, KeepsTheShapeOfCurvedSurfaces) {
+    // Two sides of a roof: the ridge is kept, although its diagonal would be the better side.
     std::vector<Corners> roof;
     roof.push_back({Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(2, -0.3, 0)});
     roof.push_back({Vec3(4, 0, 1), Vec3(0, 0, 1), Vec3(2, 0.3, 0)});

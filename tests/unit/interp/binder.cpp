@@ -1,4 +1,4 @@
-// What the words of one line become.
+// Binding of the words of one line.
 #include "bound.hpp"
 
 namespace kaya::lang {
@@ -18,7 +18,7 @@ TEST(Binder, BrickLimitsDefaultToThoseOfX) {
     EXPECT_EQ(flat.options.region, 3);
 }
 
-TEST(Binder, ATitleMayStandOnTheNextLine) {
+TEST(Binder, ATitleMayFollowOnTheNextLine) {
     const auto deck = [](const std::string& text) { return bind_text(classic(), source_from_text("deck", text), {}); };
     const auto title = [](const BoundFile& file) {
         return std::any_cast<Title>(file.steps.front().command.command).text;
@@ -142,7 +142,7 @@ TEST(Binder, SettingsAndLists) {
     EXPECT_EQ(bound_as<List>("list gp range z 0").what, List::What::gridpoints);
 }
 
-TEST(Binder, LinesTakenAsTheyStand) {
+TEST(Binder, LinesTakenVerbatim) {
     EXPECT_EQ(bound_as<Title>("title Don't (stop) ; really").text, "Don't (stop)");
     EXPECT_EQ(bound_as<Title>("title 'quoted; text'").text, "quoted; text");
     EXPECT_EQ(bound_as<Title>("TITLE").text, "");
@@ -232,7 +232,7 @@ TEST(Binder, QuestionMarkListsTheChoices) {
     EXPECT_NE(mistake("poly ?").message.find("brick"), std::string::npos);
     EXPECT_EQ(mistake("facetri edge ?").message, "expected: edge, a number, greater than 0 [length]");
     EXPECT_NE(mistake("gen edge ?").message.find("edgelength-center"), std::string::npos);
-    EXPECT_EQ(mistake("new ?").message, "nothing more may stand here");
+    EXPECT_EQ(mistake("new ?").message, "nothing more is allowed here");
     EXPECT_NE(mistake("hide range plane ?").message.find("above"), std::string::npos);
     EXPECT_NE(mistake("hide range ?").message.find("sphere"), std::string::npos);
 }
@@ -277,15 +277,15 @@ TEST(Binder, ValuesOfNames) {
         } catch (const Diagnostic& d) { return d.message; }
         return std::string("accepted");
     };
-    EXPECT_EQ(refused("gen edge @name"), "'@name' is a text, where a number must be");
+    EXPECT_EQ(refused("gen edge @name"), "'@name' is a text, and must be a number");
     answer = 2.5;
-    EXPECT_EQ(refused("cycle @n"), "'@n' is a number, where a whole number must be");
+    EXPECT_EQ(refused("cycle @n"), "'@n' is a number, and must be a whole number");
     answer = -1.0;
     EXPECT_EQ(refused("gen edge @n"), "edge must be greater than 0, not -1");
     answer = std::nan("");
     EXPECT_EQ(refused("gen edge @n"), "'@n' is nan, not a usable number");
     answer = std::monostate{};
-    EXPECT_EQ(refused("gen edge @n"), "'@n' is nothing yet, where a number must be");
+    EXPECT_EQ(refused("gen edge @n"), "'@n' is nothing yet, and must be a number");
 }
 
 TEST(Binder, TextOfACommandForTheJournal) {

@@ -1,4 +1,4 @@
-// Short ways to bind one line in a test.
+// Helpers to bind one line in a test.
 #pragma once
 
 #include "lang/commands/commands.hpp"
@@ -25,7 +25,7 @@ template <class Command> Command bound_as(const std::string& text, const ValueSo
     return std::any_cast<Command>(command.command);
 }
 
-/// The mistake in the text; fails the test when there is none.
+/// The error in the text; fails the test if there is none.
 inline Diagnostic mistake(const std::string& text) {
     try {
         bound(text);

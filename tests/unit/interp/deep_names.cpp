@@ -1,4 +1,4 @@
-// Commands whose names have more than two words, as those of the newer dialect do.
+// Commands whose names have more than two words, as in the newer dialect.
 #include "lang/commands/builder.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"

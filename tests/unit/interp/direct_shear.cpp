@@ -1,4 +1,4 @@
-// Every command of the direct shear test binds, in the spelling that its author used.
+// Every command of the direct shear test binds, in the spelling of its author.
 #include "bound.hpp"
 
 namespace kaya::lang {

@@ -64,7 +64,7 @@ TEST(Help, OnAnUnknownWord) {
     }
 }
 
-/// The topic of a hint "expected: a, b, ...; 'kaya help TOPIC' lists all"; empty when the hint lists all itself.
+/// The topic of a hint "expected: a, b, ...; 'kaya help TOPIC' lists all"; empty if the hint lists all itself.
 std::string topic_of(const std::string& hint) {
     constexpr std::string_view before = "'kaya help ", after = "' lists all";
     const auto from = hint.find(before);
@@ -73,7 +73,7 @@ std::string topic_of(const std::string& hint) {
     return hint.substr(begin, hint.size() - after.size() - begin);
 }
 
-/// What a line says when a word that nothing is near to stands at its end, and what `?` offers there.
+/// The hint of a line that ends with an unknown word, and the proposals of `?` there.
 struct WrongPlace {
     std::string hint;
     std::vector<std::string> words;

@@ -1,4 +1,4 @@
-// Decks in files: binding before running, calls, ends, errors and where they point.
+// Decks in files: binding before running, calls, ends, errors and their positions.
 #include "lang/interp/interpreter.hpp"
 
 #include "lang/commands/commands.hpp"
@@ -153,7 +153,7 @@ TEST_F(Decks, ScriptMayWriteTheFileThatIsCalled) {
     EXPECT_EQ(d.place.line, 5);
 }
 
-TEST_F(Decks, FilesAreLookedForBesideTheCaller) {
+TEST_F(Decks, FilesAreSearchedNextToTheCaller) {
     write("sub/inner.dat", "call beside.dat\ncall above.dat\n");
     write("sub/beside.dat", "title beside\n");
     write("above.dat", "title above\n");
@@ -166,11 +166,11 @@ TEST_F(Decks, CircleOfCalls) {
     write("a.3dd", "title one\ncall b.3dd\n");
     write("b.3dd", "call a.3dd\n");
     const Diagnostic d = failure("a.3dd");
-    EXPECT_EQ(d.message, "this call never comes to an end: a.3dd calls b.3dd calls a.3dd");
+    EXPECT_EQ(d.message, "endless calls of files: a.3dd calls b.3dd calls a.3dd");
     EXPECT_EQ(d.place.source->name, "b.3dd");
     EXPECT_TRUE(done.empty());
     write("self.3dd", "call self\n");
-    EXPECT_EQ(failure("self.3dd").message, "this call never comes to an end: self.3dd calls self.3dd");
+    EXPECT_EQ(failure("self.3dd").message, "endless calls of files: self.3dd calls self.3dd");
 }
 
 TEST_F(Decks, TwiceTheSameFileIsNoCircle) {
@@ -223,7 +223,7 @@ TEST_F(Decks, NamesGetTheirValuesWhenReached) {
     EXPECT_EQ(done, Done{"one"});
     write("c.3dd", "title first\ncycle @name\n");
     const Diagnostic d = failure("c.3dd");
-    EXPECT_EQ(d.message, "'@name' is a text, where a whole number must be");
+    EXPECT_EQ(d.message, "'@name' is a text, and must be a whole number");
     EXPECT_EQ(d.place.line, 2);
 }
 

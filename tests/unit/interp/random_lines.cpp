@@ -1,5 +1,4 @@
-// Lines put together at random from the words of the tables, numbers and odd characters: whatever is typed
-// is either bound or refused with a placed message, and never anything else.
+// Random lines of words of the tables, numbers and odd characters: any input is either bound or refused with a message and its position.
 #include "bound.hpp"
 
 #include "lang/interp/help.hpp"

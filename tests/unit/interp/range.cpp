@@ -124,7 +124,7 @@ TEST(Range, Mistakes) {
     EXPECT_EQ(mistake("hide range union").message, "the range has no element");
     EXPECT_EQ(mistake("hide range z").message, "a number is missing after 'z'");
     EXPECT_EQ(mistake("hide range grup a").hint, "did you mean 'group'?");
-    EXPECT_EQ(mistake("hide range block 5").message, "'5' stands where the word 'id' of block id must be");
+    EXPECT_EQ(mistake("hide range block 5").message, "expected the word 'id' of block id, found '5'");
     const Diagnostic after = mistake("bound range z 0 1 xvel 0");
     EXPECT_EQ(after.message, "'xvel' is not a range element");
 }

@@ -74,14 +74,14 @@ TEST_F(Files, MissingFolderAndUnreadable) {
     EXPECT_EQ(refused([&] { read_source(folder, "here"); }).message, "'here' is a folder, not a command file");
     const fs::path locked = write("locked.3dd", "new\n");
     fs::permissions(locked, fs::perms::none);
-    if (std::ifstream(locked).good()) return; // the superuser reads everything
+    if (std::ifstream(locked).good()) return; // root can read every file
     EXPECT_EQ(refused([&] { read_source(locked, "locked.3dd"); }).message,
               "'locked.3dd' cannot be read: Permission denied");
 }
 
 TEST_F(Files, TooLargeIsRefusedWithoutReadingIt) {
     const fs::path large = write("large.3dd", "");
-    fs::resize_file(large, 3ull << 30); // sparse: takes no room on the disk
+    fs::resize_file(large, 3ull << 30); // sparse: uses no disk space
     EXPECT_EQ(refused([&] { read_source(large, "large.3dd"); }).message,
               "'large.3dd' has 3072 MB: too large for a command file (at most 512 MB)");
 }

@@ -1,4 +1,4 @@
-// How often a misspelt word of the language gets the right suggestion: measured over the whole table.
+// The fraction of misspelt words with the right suggestion, measured over the whole table.
 #include "bound.hpp"
 
 #include "lang/interp/short_list.hpp"
@@ -11,7 +11,7 @@
 namespace kaya::lang {
 namespace {
 
-/// All words at one letter from `word`: one left out, one doubled or put in, one replaced, two swapped.
+/// All words that differ from `word` by one letter: omitted, doubled, inserted, replaced or swapped.
 std::set<std::string> one_letter_off(const std::string& word) {
     static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
     std::set<std::string> all;
@@ -33,14 +33,14 @@ struct Score {
     std::vector<std::string> missed;
 };
 
-/// `resolves` tells whether the table understands a word at this point; then no suggestion is made.
+/// `resolves` returns whether the table accepts a word at this point; then there is no suggestion.
 template <class Resolves>
 void measure(const std::vector<std::vector<std::string_view>>& entries, Resolves resolves, Score& score) {
     std::vector<std::string_view> candidates;
     for (const auto& spellings : entries) candidates.insert(candidates.end(), spellings.begin(), spellings.end());
     for (const auto& spellings : entries)
         for (const auto word : spellings) {
-            if (word.size() < 3) continue; // at one letter from a short word lies nearly every other
+            if (word.size() < 3) continue; // a short word is within one letter of nearly every other
             for (const auto& typed : one_letter_off(std::string(word))) {
                 if (resolves(typed)) continue;
                 ++score.asked;
@@ -134,7 +134,7 @@ TEST(Suggestions, ALongListShowsItsNearestWordsAndWhereAllAre) {
     EXPECT_THAT(hint(words.size(), "?"), testing::EndsWith(", include, exclude"));
 }
 
-// The one test that knows how many words there are is the help's (help.cpp): here it is that none of them is a wall of words.
+// Hints must not list all words of a long table; help.cpp tests the complete lists.
 TEST(Suggestions, NoHintOfTheLanguageListsMoreThanEightWords) {
     std::vector<std::string> lines{"hide range", "bound xvel 0 range", "poly",
                                    "gen",        "structure",          "insitu stress 0 0 0 0 0 0"};

@@ -1,4 +1,4 @@
-// The tables prove themselves: every right example binds, every wrong one gives exactly its message.
+// Tests of the tables: every right example binds, every wrong one gives exactly its message.
 #include "bound.hpp"
 
 #include <set>
@@ -44,14 +44,14 @@ TEST(Tables, WrongExamplesGiveTheirMessageAndPlace) {
 
 TEST(Tables, CommandsThatTakeWordsHaveWrongExamples) {
     for_each_command([](const CommandSpec& command) {
-        if (command.raw || command.otherwise) return; // these may take anything
+        if (command.raw || command.otherwise) return; // these accept any word
         if (command.support == Support::not_yet) return;
         if (command.arguments.empty() && command.keywords.empty()) return;
         EXPECT_FALSE(command.wrong.empty()) << command.name();
     });
 }
 
-TEST(Tables, WhatIsNotSupportedYetSaysSo) {
+TEST(Tables, UnsupportedCommandsSaySo) {
     int count = 0;
     for_each_command([&](const CommandSpec& command) {
         if (command.support == Support::not_yet) {
@@ -84,7 +84,7 @@ TEST(Tables, EverythingIsExplained) {
     for (const auto& element : classic().range_elements) EXPECT_FALSE(element.help.empty());
 }
 
-/// A word that an earlier entry takes in full could never be reached.
+/// A word that an earlier entry accepts could never be reached.
 void expect_distinct(const std::vector<KeywordSpec>& keywords, const std::string& where) {
     std::set<std::string_view> seen;
     for (const auto& keyword : keywords) {
@@ -93,7 +93,7 @@ void expect_distinct(const std::vector<KeywordSpec>& keywords, const std::string
     }
 }
 
-TEST(Tables, NoWordStandsTwice) {
+TEST(Tables, NoWordIsListedTwice) {
     for_each_command([](const CommandSpec& command) { expect_distinct(command.keywords, command.name()); });
     expect_distinct(classic().range_elements, "range");
 }

@@ -1,5 +1,5 @@
-// Save files changed by a hand that also mends the digest, so that the change reaches HDF5 and our own
-// reading: what is read is either refused with a message or is a whole model.
+// Modified save files with a corrected digest, so that the change reaches the reader: a file is either refused with a message or gives a
+// complete model.
 #include "io/save.hpp"
 
 #include "base/diagnostic.hpp"
@@ -54,7 +54,7 @@ TEST(DamagedFiles, SingleChangedBytes) {
         damaged[place] = static_cast<char>(random());
         restore_damaged(damaged, outcome);
     }
-    // Changes in the many bytes that HDF5 keeps free are not seen; those in values and structure are.
+    // Changes in unused bytes of HDF5 have no effect; those in values and structure are detected.
     EXPECT_GT(outcome.refused, 20);
     EXPECT_GT(outcome.accepted, 0);
 }

@@ -92,7 +92,7 @@ TEST(HistoryCsv, NoHistoryGivesTheTimesOnly) {
     EXPECT_EQ(history_csv(model.histories, {}, {}), "cycle,time\n");
 }
 
-TEST(HistoryCsv, AnUnknownNumberSaysWhichThereAre) {
+TEST(HistoryCsv, AnUnknownNumberListsTheExistingOnes) {
     const Model model = sampled_model();
     EXPECT_EQ(error_of([&] { history_csv(model.histories, {7}, {}); }),
               "there is no history 7 | histories 1 to 3 are defined");

@@ -1,7 +1,7 @@
-// The files format-N.h5 of this folder, as the programs of their time have written them: every later program reads them. Each holds the deck that
-// made it (/decks): run the last of them to keep a file of a new format.
-// format-10: blocks with and without zones, a table drives a load, a joint is weak, histories, a FISH variable, a named range.
-// format-13 and later: also cables, beams, liners, damping by stiffness, excavated blocks and a water table.
+// The files format-N.h5 of this folder, written by earlier programs: every later program reads them. Each contains its deck (/decks): run
+// the last of them to store a file of a new format. format-10: blocks with and without zones, a table controls a load, a joint is weak,
+// histories, a FISH variable, a named range. format-13 and later: also cables, beams, liners, stiffness-proportional damping, excavated
+// blocks and a water table.
 #include "base/diagnostic.hpp"
 #include "io/info.hpp"
 #include "io/save.hpp"
@@ -34,7 +34,7 @@ std::vector<int> kept_formats() {
 
 TEST(KeptSaves, AreThere) { EXPECT_THAT(kept_formats(), testing::IsSupersetOf({first_kept_format, 13})); }
 
-TEST(KeptSaves, AreReadAndGoOn) {
+TEST(KeptSaves, AreReadAndContinue) {
     JointRegistry joints;
     joints.set_path({KAYA_TEST_JOINTS});
     for (const int format : kept_formats()) {
@@ -56,7 +56,7 @@ TEST(KeptSaves, AreReadAndGoOn) {
     }
 }
 
-// Names that came later, by the format of the last file that does not have them. A column that is added now is missing in all.
+// Names added later, by the format of the last file without them. A new column is missing in all.
 TEST(KeptSaves, SayWhatTheyDoNotHave) {
     Model model;
     const auto missing = restore_state(model, kept(10)).missing;

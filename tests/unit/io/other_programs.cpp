@@ -1,4 +1,4 @@
-// Save files of programs that know one name less than this one, or one column more.
+// Save files of programs with one name less than this one, or one column more.
 #include "io/save.hpp"
 
 #include "base/diagnostic.hpp"
@@ -47,7 +47,7 @@ struct OtherProgram {
         walk(archive, model);
         return archive.digest();
     }
-    /// What it saves; `hash` in place of its own when given.
+    /// The saved image; `hash` replaces its hash if given.
     std::string image(Model& model, std::uint64_t hash) const {
         TreeWriter tree;
         SaveArchive archive(tree);
@@ -75,8 +75,8 @@ Diagnostic refusal(const std::string& image) {
 
 } // namespace
 
-// What an earlier program did not have is as in a new model. Without links and ids there is no model; what blocks carry and how they move is
-// never needed.
+// Data that an earlier program did not have are those of a new model. Without links and ids there is no model; loads and motion of blocks
+// are never required.
 TEST(OtherPrograms, SavesOfOneThatKnowsOneNameLessAreRestored) {
     Model model = saved_model();
     std::set<std::string> never_needed;
@@ -130,7 +130,7 @@ TEST(OtherPrograms, AColumnOfALaterOneIsPassedOverUntilItIsUsed) {
     const Diagnostic refused = refusal(using_it.image(model, using_it.hash(model)));
     EXPECT_EQ(refused.message,
               "'x.sav' cannot be restored: it holds gridpoints/temperature, which this program does not know");
-    EXPECT_EQ(refused.hint, "the model is as it was; restore it with kaya 9.8.7, which wrote it, or a later one");
+    EXPECT_EQ(refused.hint, "the model is unchanged; restore it with kaya 9.8.7, which wrote it, or a later one");
 }
 
 TEST(OtherPrograms, ATableWithoutMostOfItsColumnsAsksForNoMemory) {

@@ -1,4 +1,4 @@
-// A restored model goes on as if it had never stopped: the engine and the file together.
+// A restored model continues like an uninterrupted one: the engine and the file together.
 #include "io/save.hpp"
 
 #include "model/consistency.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::Bench;
 
-/// A zoned brick that is pushed over a rigid one: slip, moving contacts, histories.
+/// A zoned brick sheared over a rigid one: slip, moving contacts, histories.
 void shear_bench(Bench& bench) {
     bench.elastic(1, 2500, 4e9, 3e9);
     const Row low = bench.brick({-1, -1, -1}, {2, 2, 0}), high = bench.brick({0, 0, 0}, {1, 1, 1});

@@ -23,7 +23,7 @@ namespace {
 
 Model saved_model() {
     Model model = hand_made_model();
-    // An object that was deleted leaves a free id behind.
+    // A deleted object leaves a free id.
     model.contacts.ids.destroy(model.contacts.ids.create(5));
     add_history(model, {HistorySource::Kind::global, "unbalanced_force"});
     add_history(model, {HistorySource::Kind::sub_contact, "shear_stress", Vec3(-1, -1, 0)}, "Shear, \"tau\"");
@@ -51,7 +51,7 @@ Diagnostic error_of(const std::function<void()>& action) {
     return Diagnostic("nothing was thrown");
 }
 
-/// The error of restoring these bytes; the model that was there must stay.
+/// The error of restoring these bytes; the present model must be unchanged.
 Diagnostic refused(const std::string& image) {
     Model model = hand_made_model();
     const auto before = state_hash(model);
@@ -60,7 +60,7 @@ Diagnostic refused(const std::string& image) {
     return d;
 }
 
-/// A save file of a model that is not right: what a hostile hand could write, with a fitting trailer.
+/// A save file of an invalid model, as an attacker could write it, with a valid trailer.
 std::string image_of(const std::function<void(Model&)>& change) {
     Model model = saved_model();
     change(model);
@@ -115,7 +115,7 @@ TEST(Save, TheSameStateGivesTheSameBytes) {
 }
 
 TEST(Save, ALargeModelKeepsEveryBitCompressedOrNot) {
-    // Rows enough for chunks and compression; some columns repeat, others are noise.
+    // Enough rows for chunks and compression; some columns repeat, others are noise.
     Model model;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> noise(-1, 1);
@@ -125,7 +125,7 @@ TEST(Save, ALargeModelKeepsEveryBitCompressedOrNot) {
     for (auto& mass : model.gridpoints.mass) mass = 1.0 / 3.0;
     ASSERT_EQ(inconsistency(model), "");
     const std::string image = save_image(model, {});
-    // 12,000 gridpoints of 200 bytes and more, of which only the 24 of the position do not repeat.
+    // 12,000 gridpoints of at least 200 bytes; only the 24 bytes of the position do not repeat.
     EXPECT_LT(image.size(), 2'000'000u);
     Model restored;
     restore_image(restored, image, "x.sav");
@@ -176,7 +176,7 @@ TEST(Restore, ForeignFiles) {
     EXPECT_EQ(refused(foreign.image()).message, "'x.sav' is cut short, or another program wrote it");
     EXPECT_EQ(refused(with_trailer(foreign.image())).message, "'x.sav' cannot be restored: format_version is missing");
     EXPECT_EQ(refused(with_trailer("\x89HDF\r\n\x1a\n and no more")).message,
-              "'x.sav' cannot be restored: it is no HDF5 file");
+              "'x.sav' cannot be restored: it is not an HDF5 file");
     EXPECT_EQ(refused("x").fault, Fault::run);
 }
 
@@ -226,7 +226,7 @@ TEST(Restore, ModelsWhoseTablesDoNotFitTogetherAreRefused) {
 }
 
 TEST(Restore, ADigestThatDoesNotFitTheContentIsNoticed) {
-    // As if the walk of the program that saved had been another one.
+    // As if the saving program had walked over other names.
     Model model = saved_model();
     const std::string original = save_image(model, {});
     const auto hash = state_hash(model);
@@ -240,7 +240,7 @@ TEST(Restore, ADigestThatDoesNotFitTheContentIsNoticed) {
 
 namespace {
 
-/// Writes the head of a save file and lets the test write the model.
+/// Writes the header of a save file and lets the test write the model.
 std::string image_with(const std::function<void(TreeWriter&)>& write_model) {
     TreeWriter tree;
     const std::int32_t version = save_format_version;

@@ -21,7 +21,7 @@ TEST(VtkSeries, EveryWriteGetsANumberAndTheSeriesListsItsTime) {
                             folder / "a&b_subcontacts_0.vtu", folder / "a&b.pvd", folder / "a&b_faces.pvd",
                             folder / "a&b_joints.pvd", folder / "a&b_subcontacts.pvd", folder / "a&b_paraview.py"));
     model.clock.time = 0.30000000000000004;
-    series.write(model, folder / "a&b.pvd"); // the ending is left out: the same series
+    series.write(model, folder / "a&b.pvd"); // the suffix is removed: the same series
     series.write(model, folder / "other");
     EXPECT_EQ(folder.file_count(), 22u);
     EXPECT_EQ(content_of(folder / "a&b_joints.pvd"),

@@ -1,4 +1,4 @@
-// The blocks of a .vtu file as the format asks for them; tests/unit/vtk has VTK's reader read them, where VTK is installed.
+// The blocks of a .vtu file as the format requires; tests/unit/vtk reads them with VTK, if installed.
 #include "io/vtu_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The bench for joint models: paths, what is found on them, and fits.
+// The bench for joint models: paths, findings, and fits.
 #include "base/diagnostic.hpp"
 #include "jointtest/bench.hpp"
 
@@ -75,13 +75,13 @@ TEST_F(JointBench, ConstantNormalLoadGivesThePeakAndTheResidualStrength) {
     }
     EXPECT_NEAR(peak, 0.5 + 2 * tan_degrees(30), 1e-12);
     EXPECT_NEAR(curve.points.back().resistance[0], 2 * tan_degrees(30), 1e-12);
-    ASSERT_EQ(curve.findings.size(), 1u); // the fall to the residual strength
+    ASSERT_EQ(curve.findings.size(), 1u); // the drop to the residual strength
     EXPECT_THAT(curve.findings[0].text, HasSubstr("jumps from 1.655 to 1.155"));
     EXPECT_EQ(curve.at_path.back(), curve.points.size() - 1);
 }
 
 TEST_F(JointBench, ConstantNormalStiffnessMeetsTheSpring) {
-    // A dilating Coulomb joint against a spring K: d sigma = K (tan psi du - d sigma/kn).
+    // A dilating Coulomb joint with a spring K: d sigma = K (tan psi du - d sigma/kn).
     const auto curve = follow("mohr", {{"jkn", 1e4}, {"jks", 1e6}, {"jfric", 30}, {"jdil", 10}},
                               "normal_stress,boundary_stiffness,shear_displacement\n1,500,0\n1,500,0.01\n", 2000);
     const auto& last = curve.points.back();
@@ -108,7 +108,7 @@ TEST_F(JointBench, TangentsAreThoseThatAreMet) {
 }
 
 TEST_F(JointBench, EnergyIsThatOfTheLoop) {
-    // One closed loop of a Coulomb joint: 4 tau (u - tau/ks) in all, all of it taken up.
+    // One closed loop of a Coulomb joint: a work of 4 tau (u - tau/ks), all of it dissipated.
     const auto curve = follow("mohr", {{"jkn", 1e4}, {"jks", 5e3}, {"jfric", 30}},
                               "normal_stress,shear_displacement\n2,0\n2,1e-3\n2,-1e-3\n2,1e-3\n", 1000);
     const auto& from = curve.points[curve.at_path[1]];
@@ -127,13 +127,13 @@ TEST_F(JointBench, FindsAStiffnessThatIsReportedTooSmallAndEnergyFromNothing) {
     const auto giving = follow("understates", {}, "normal_displacement,shear_displacement\n0,0\n0,1e-4\n0,0\n");
     std::string all;
     for (const auto& f : giving.findings) all += f.text;
-    EXPECT_THAT(all, HasSubstr("it makes energy"));
+    EXPECT_THAT(all, HasSubstr("it creates energy"));
 }
 
 TEST_F(JointBench, AJumpIsNoStiffness) {
     auto dilating = coulomb;
     dilating.push_back({"jdil", 8});
-    // The bond breaks on the way: shear falls, and dilation pushes at once. Each point is tried a little further.
+    // The bond breaks along the path: shear drops, and dilation acts immediately. Each point is also tried with a small further step.
     for (const char* path : {"normal_displacement,shear_displacement\n-2e-4,0\n-2e-4,0.002\n",
                              "normal_stress,shear_displacement\n2,0\n2,0.002\n"}) {
         const auto curve = follow("mohr", dilating, path, 1000);
@@ -236,12 +236,12 @@ TEST_F(JointBench, FindsPropertiesFromTheirOwnCurve) {
     for (const auto i : curve.at_path) {
         char line[200];
         const auto& p = curve.points[i];
-        // The opening of a laboratory is counted from the beginning of the test.
+        // The opening in a laboratory is measured from the start of the test.
         std::snprintf(line, sizeof line, "2,%.17g,%.17g,%.17g\n", p.shear[0], p.resistance[0], p.opening - start);
         measured += line;
     }
     auto o = order("barton-bandis", truth, measured);
-    o.values[2].second = 26; // where the search begins
+    o.values[2].second = 26; // start of the search
     o.values[3].second = 5;
     o.values[4].second = 60;
     o.fitted = {"resfric", "jrco", "jcso"};
@@ -266,7 +266,7 @@ TEST_F(JointBench, AFitStaysWithinLimitsAndSaysWhatItCannotTell) {
     o.fitted = {"jfric", "jten"};
     const std::string text = run_bench(registry, o).text;
     EXPECT_THAT(text, HasSubstr("tension"));
-    EXPECT_THAT(text, HasSubstr("which the curve does not tell"));
+    EXPECT_THAT(text, HasSubstr("which the curve does not determine"));
     o.fitted = {"nothing"};
     EXPECT_THAT(refusal(o), HasSubstr("no property 'nothing'"));
     o.fitted = {"friction-residual"};

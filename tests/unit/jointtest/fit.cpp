@@ -1,4 +1,4 @@
-// Fits of noisy curves: stated errors hold, false minima are told, and a hundred rows take no time.
+// Fits of noisy curves: stated errors hold, local minima are reported, and a hundred rows are fast.
 #include "base/diagnostic.hpp"
 #include "jointtest/bench.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// Normal numbers that are the same on every machine.
+/// Normally distributed numbers, the same on every machine.
 class Noise {
 public:
     explicit Noise(unsigned seed) : engine_(seed) {}
@@ -40,7 +40,7 @@ protected:
         return all;
     }
 
-    /// A test at two normal stresses, one behind the other, with the shear displacement going on.
+    /// A test at two normal stresses in sequence, with continuing shear displacement.
     static LoadPath shear_path(std::size_t rows, double way, double first, double second) {
         LoadPath path;
         for (std::size_t i = 0; i < rows; ++i) {
@@ -53,7 +53,7 @@ protected:
         return path;
     }
 
-    /// Measured columns: what the model answers, with noise in parts of the largest value, the first row too.
+    /// Measured columns: the response of the model, with noise relative to the largest value, including the first row.
     void measure(const std::string& name, const Values& truth, LoadPath& path, double part, Noise& noise) {
         CurveSettings settings;
         settings.steps = 40;
@@ -114,7 +114,7 @@ TEST_F(JointFit, ANoisyFirstReadingOfTheOpeningMovesNothing) {
     measure("barton-bandis", rough, path, 0.01, noise);
     auto& opening = path.table.columns[*path.table.find("opening")];
     const double wrong = 0.2 * *std::max_element(opening.begin(), opening.end());
-    for (double& v : opening) v -= wrong; // as when all were counted from a first reading that is off
+    for (double& v : opening) v -= wrong; // as if measured from a wrong first reading
     const auto found = fit("barton-bandis", rough_guess, {"resfric", "jrco"}, path);
     EXPECT_LT(std::abs(found.properties[1].value - 8), 2.5 * found.properties[1].deviation);
     EXPECT_LT(found.properties[1].deviation, 0.2);
@@ -133,12 +133,12 @@ TEST_F(JointFit, AHundredRowsTakeHalfASecond) {
     const auto found = fit("barton-bandis", rough_guess, {"resfric", "jrco"}, path);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     EXPECT_LE(found.steps, 100u);
-    EXPECT_LT(taken.count(), 5); // 0.5 s where nothing else runs
+    EXPECT_LT(taken.count(), 5); // 0.5 s on an idle machine
     RecordProperty("milliseconds", static_cast<int>(1000 * taken.count()));
 }
 
 TEST_F(JointFit, WhatTheModelCannotFollowIsDoubtful) {
-    // A wave of shear stress that no friction makes.
+    // A wave of shear stress that friction does not cause.
     LoadPath path = shear_path(60, 6e-3, 2, 2);
     std::vector<double> shear;
     for (int i = 0; i < 60; ++i) shear.push_back(1 + std::sin(i * 0.2));
@@ -150,8 +150,7 @@ TEST_F(JointFit, WhatTheModelCannotFollowIsDoubtful) {
 }
 
 TEST_F(JointFit, AFalseMinimumOfTheValuesGivenIsLeft) {
-    // Beyond the test's way a stiffness does not matter: from there the slope is nothing and a single search
-    // stays.
+    // Beyond the displacement of the test a stiffness has no influence: the slope is zero there and a single search does not move.
     Noise noise(7);
     LoadPath path = shear_path(40, 2e-3, 2, 2);
     measure("mohr", {{"jkn", 1e4}, {"jks", 3e3}, {"jfric", 30}}, path, 0.01, noise);

@@ -35,7 +35,7 @@ struct Curve {
     double peak = 0, displacement_of_peak = 0, largest_jump = 0;
 };
 
-/// Direct shear at constant normal stress, in steps of `part` of the peak displacement.
+/// Direct shear at constant normal stress, in steps of the fraction `part` of the peak displacement.
 Curve shear(TestJoint& joint, double stress, double ratio, double part = 0.01, const Vector& direction = {1, 0, 0}) {
     Curve curve;
     const double increment = part * peak_displacement;
@@ -130,8 +130,8 @@ TEST(BartonBandis, MaximumClosuresAreThoseOfTheLaw) {
     }
 }
 
-TEST(BartonBandis, ALoadPutOnAtOnceSwingsItAsFarAsItsWorkSays) {
-    // Explicit steps of a mass under local damping, against the balance of work of the page.
+TEST(BartonBandis, ASuddenLoadMovesItAsFarAsItsWorkAllows) {
+    // Explicit steps of a mass with local damping, compared with the balance of work in the page.
     const double stress = 1, damping = 0.8, area = 0.04, mass = 1e-4 * area;
     const double k = 1e3, vm = 1e-3 * maximum_closure_in_mm({});
     const auto work = [&](double c) { return -k * vm * (c + vm * std::log(1 - c / vm)); };
@@ -191,7 +191,7 @@ TEST(BartonBandis, PeakOverRoughnessWallStrengthAndResidualFriction) {
         {"resfriction", 40, 5.7111},
     };
     for (const auto& row : rows) {
-        // Steps of a part of the peak displacement of 8/100 hit the peak of the others only nearly.
+        // Steps of 8/100 of the peak displacement hit the peak of the others only approximately.
         const double peak = peak_of({{row.property, row.value}}, 5);
         EXPECT_NEAR(peak / row.peak, 1, 2e-3) << row.property << " " << row.value;
         EXPECT_LE(peak, row.peak + 0.5e-4 + 1e-9) << row.property << " " << row.value;
@@ -336,7 +336,7 @@ TEST(BartonBandis, UnloadsFromThePeakWithTheStiffnessOfTheLaw) {
     EXPECT_NEAR((peak - joint.shear_stress()) / step / (1e4 * std::pow(5, 0.8)), 1, 1e-3);
     EXPECT_TRUE(joint.in_state("unloading"));
     const double spent = joint.history_value("mobilised");
-    // Half way to the opposite peak the stiffness has fallen to a quarter (R_f = 1).
+    // Midway to the opposite peak the stiffness is a quarter (R_f = 1).
     while (joint.shear_force[0][0] < 0) joint.slip_at_stress(5, {-1e-7, 0, 0});
     const double before = joint.shear_force[0][0];
     joint.slip_at_stress(5, {-step, 0, 0});
@@ -366,7 +366,7 @@ TEST(BartonBandis, ReloadingReturnsToTheCurveAndGoesOnAlongIt) {
     EXPECT_NEAR(joint.shear_stress() / virgin.shear_stress(), 1, 1e-3);
 }
 
-TEST(BartonBandis, CyclesTakeUpEnergyAndGiveNoneBack) {
+TEST(BartonBandis, CyclesAbsorbEnergyAndReturnNone) {
     auto joint = joint_of();
     joint.load(5);
     shear(joint, 5, 1.5);
@@ -469,7 +469,7 @@ TEST(BartonBandis, StartsFromTheGapWhenThereIsNoForce) {
 }
 
 TEST(BartonBandis, ReportsAStiffnessThatBoundsItsForces) {
-    auto joint = joint_of({{"jks", 10}}); // so soft that the mobilised curve is the stiffer one
+    auto joint = joint_of({{"jks", 10}}); // so soft that the mobilised curve is stiffer
     joint.load(5);
     for (int k = 0; k < 1500; ++k) {
         auto trial = joint;
@@ -507,15 +507,15 @@ TEST(BartonBandis, ChoicesOfTheThesisDoWhatTheyAreNamedFor) {
         shear(joint, 5, ratio, 0.002);
         return joint.shear_stress();
     };
-    // B of the first row is held up to 0.2: no strength; from there on the curve is below the interpolated one.
+    // B of the first row applies up to 0.2: no strength; beyond it the curve is below the interpolated one.
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 0.19), 0, 1e-9);
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 0.25) / (5 * std::tan(radians(15))), 1, 1e-6);
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}}, 1.2) / 2.7486, 1, 1e-4);
-    // The listing as printed: slip at the first step, and the residual strength ever after.
+    // The listing as printed: slip in the first step, and the residual strength from then on.
     EXPECT_NEAR(stress_at({{"stepped-mobilisation", 1}, {"residual-at-slip", 1}}, 1.0), 5 * std::tan(radians(20)),
                 1e-9);
-    // d tau = K (1 - tau/tau_p)^2 du has tau = K u / (1 + K u/tau_p), which nears the peak from below; the mobilised
-    // strength holds it back at first.
+    // d tau = K (1 - tau/tau_p)^2 du has tau = K u / (1 + K u/tau_p), which approaches the peak from below; initially the mobilised
+    // strength limits it.
     const double stiffness = 1e4 * std::pow(5, 0.8), way = 1.0 * peak_displacement;
     EXPECT_LT(stress_at({{"loading-hyperbola", 1}}, 1.0), stiffness * way / (1 + stiffness * way / 2.7486));
     EXPECT_GT(stress_at({{"loading-hyperbola", 1}}, 1.0), 0.9 * 2.7486);
@@ -531,7 +531,7 @@ TEST(BartonBandis, ContractionAndDilationOfTheThesis) {
         return (joint.normal_disp[0] - before) / ((to - from) * peak_displacement);
     };
     EXPECT_NEAR(rise({}, 0, 0.1), 0, 1e-9);
-    // B = -phi_r/RUFF at first and three quarters of the way to its 0 at 0.2: half the angle, -10 to -6.25 at 0.1.
+    // B = -phi_r/RUFF initially and three quarters of the interval to its 0 at 0.2: half the angle, -10 to -6.25 at 0.1.
     EXPECT_NEAR(rise({{"contraction", 1}}, 0, 0.1), -std::tan(radians(8.125)), 1e-3);
     EXPECT_NEAR(rise({}, 0.99, 1.01), std::tan(radians(4.398)), 1e-3);
     EXPECT_NEAR(rise({{"dilation-jcso", 1}}, 0.99, 1.01), std::tan(radians(4.657)), 1e-3);

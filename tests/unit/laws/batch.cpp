@@ -9,7 +9,7 @@ using test::plugin;
 using test::TestJoint;
 using testing::HasSubstr;
 
-/// What the guard says of a batch of 20 rows in which row 13 goes wrong in the given way.
+/// The message of the guard for a batch of 20 rows in which row 13 fails in the given way.
 std::optional<BatchFailure> failure_of(int way) {
     TestJoint joint(plugin("misbehaves"), {{"stiffness", way}}, 1, 20);
     joint.normal_disp[0] = 13;

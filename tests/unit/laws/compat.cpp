@@ -1,4 +1,4 @@
-// Sources in the dialects of 3DEC 4, 7 and 9, compiled as they are: what the program makes of them.
+// Sources in the dialects of 3DEC 4, 7 and 9, compiled unchanged, and their behaviour in the program.
 #include "test_joint.hpp"
 
 #include "base/diagnostic.hpp"
@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const JointModel& model) {
     return names;
 }
 
-/// The message of the row that fails in a step of this opening.
+/// The message of the failing row in a step of this opening.
 std::string failure_of(TestJoint& joint, double opening, double slip = 0) {
     joint.normal_disp_inc[0] = opening;
     joint.shear_disp_inc[0][0] = slip;
@@ -53,7 +53,7 @@ TEST(Compat, TellsWhatTheClassSaysOfItself) {
 
     const auto& slip = compat("slip9");
     EXPECT_EQ(slip.version, "9.14");
-    EXPECT_TRUE(std::isnan(slip.properties[8].initial)); // a text that is empty
+    EXPECT_TRUE(std::isnan(slip.properties[8].initial)); // an empty text
     ASSERT_EQ(slip.history.size(), 2u);
     EXPECT_EQ(slip.history[0].name, "energy-slip");
 }
@@ -142,7 +142,7 @@ TEST(Compat, EnergiesAreHistoryVariablesAndSlipIsTakenUp) {
     EXPECT_GT(joint.history_value("energy-slip"), 0);
     const double stored = joint.history_value("energy-strain") - 0.5 * 2e9 * 1e-8;
     EXPECT_NEAR(joint.frictional_work[0], work - stored, 1e-9 * work);
-    // The model adds the force after the step times the slip; the fall of strength makes the difference.
+    // The model adds the force after the step times the slip; the decrease of strength is the difference.
     EXPECT_NEAR(joint.frictional_work[0], joint.history_value("energy-slip"), 0.02 * work);
 }
 
@@ -170,11 +170,11 @@ TEST(Compat, WhatAnObjectHoldsOfAPropertyIsSeenAndSet) {
     joint.step(-1e-5);
     EXPECT_EQ(joint.normal_stiffness, (std::vector<double>{2e9, 4e9, 2e9}));
     EXPECT_EQ(joint.model->object_value(joint.object[1], kn), 4e9);
-    // A command that gives another value reaches all of them.
+    // A command that sets another value changes all of them.
     joint.values[kn] = 3e9;
     joint.step(-1e-5);
     EXPECT_EQ(joint.normal_stiffness, (std::vector<double>{3e9, 3e9, 3e9}));
-    // Nobody is asked where there is no object, and models without objects show none.
+    // There is no value without an object, and models without objects have none.
     EXPECT_FALSE(joint.model->object_value(JointObject(), kn));
     EXPECT_FALSE(test::shipped("mohr").shows_objects());
 }

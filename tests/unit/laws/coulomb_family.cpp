@@ -1,4 +1,4 @@
-// Joint models that are Coulomb's with something more: each against the formula of its page.
+// Extensions of Coulomb's joint model: each compared with the formula of its page.
 #include "test_joint.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ void shear(TestJoint& joint, double way, double by) {
 }
 
 TEST(BilinearMohr, HasALineBelowAndALineAboveTheCrossing) {
-    // The lines cross at (1 - 0.2)/(tan 40 - tan 20) = 1.684 MPa.
+    // The lines intersect at (1 - 0.2)/(tan 40 - tan 20) = 1.684 MPa.
     const Values lines = {{"friction", 40},  {"cohesion", 0.2},          {"friction-2", 20},
                           {"cohesion-2", 1}, {"cohesion-residual", 0.2}, {"c2-residual", 1}};
     for (const double stress : {0.5, 1.5, 1.8, 6.0}) {
@@ -51,7 +51,7 @@ TEST(BilinearMohr, TakesAGivenCrossingAndResidualLines) {
                                             {"friction-residual", 25},
                                             {"f2-residual", 15},
                                             {"nstress-residual", 1}});
-    joint.load(2); // below 3: the first line, though the second is lower
+    joint.load(2); // below 3: the first line, although the second is lower
     double highest = 0;
     for (int k = 0; k < 2000; ++k) {
         joint.step(0, {1e-6, 0, 0});
@@ -98,7 +98,7 @@ TEST(SofteningMohr, FallsWithSlipOverItsDistance) {
             EXPECT_NEAR(joint.shear_stress() / (0.5 * left + 2 * tangent), 1, 1e-3) << alpha;
             EXPECT_NEAR(joint.history_value("friction-current"), degrees(tangent), 1e-2);
         }
-        EXPECT_NEAR(joint.shear_stress() / (2 * tan_degrees(20)), 1, 1e-12); // dc has been passed
+        EXPECT_NEAR(joint.shear_stress() / (2 * tan_degrees(20)), 1, 1e-12); // beyond dc
     }
 }
 
@@ -134,7 +134,7 @@ TEST(SofteningMohr, FrictionHealsAtRestAndCohesionDoesNot) {
 }
 
 TEST(Power, RelaxesAsThePowerSays) {
-    // At a held displacement: d tau/dt = -ks C tau^n, so tau^(1-n) = tau_0^(1-n) + (n-1) ks C t.
+    // At a constant displacement: d tau/dt = -ks C tau^n, so tau^(1-n) = tau_0^(1-n) + (n-1) ks C t.
     auto joint = joint_of("power", {{"friction", 80}, {"constant-1", 1e-7}, {"exponent-1", 3}});
     joint.load(5);
     joint.time_step = 0;
@@ -144,11 +144,11 @@ TEST(Power, RelaxesAsThePowerSays) {
     for (int k = 0; k < 10000; ++k) joint.step(0);
     EXPECT_NEAR(joint.shear_stress(), 1 / std::sqrt(0.25 + 2 * ks * 1e-7 * 1000), 1e-4);
     EXPECT_NEAR(joint.history_value("creep") * ks, 2 - joint.shear_stress(), 1e-9);
-    EXPECT_EQ(joint.state[0], 0u); // creep is no failure
+    EXPECT_EQ(joint.state[0], 0u); // creep is not a failure
 }
 
 TEST(Power, SteadyCreepHasTheSumOfBothSpeeds) {
-    // Sheared at a constant speed the stress settles where the speed of creep is that of the motion.
+    // At a constant shear speed the stress becomes constant when the speed of creep equals that of the motion.
     auto joint = joint_of("power", {{"friction", 80},
                                     {"constant-1", 1e-6},
                                     {"exponent-1", 2},
@@ -159,7 +159,8 @@ TEST(Power, SteadyCreepHasTheSumOfBothSpeeds) {
     joint.time_step = 0.1;
     for (int k = 0; k < 20000; ++k) joint.step(0, {2e-6, 0, 0}); // 2e-5 per second: s^2 + s^4 = 20
     EXPECT_NEAR(joint.shear_stress(), 2, 1e-9);
-    for (int k = 0; k < 200000; ++k) joint.step(0, {1.5e-7, 0, 0}); // 1.5e-6: one creep is too slow at 1, both too fast
+    for (int k = 0; k < 200000; ++k)
+        joint.step(0, {1.5e-7, 0, 0}); // 1.5e-6: one creep term is too slow at 1, both are too fast
     EXPECT_NEAR(joint.shear_stress(), 1, 1e-9);
 }
 

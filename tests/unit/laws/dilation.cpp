@@ -1,4 +1,4 @@
-// Dilation over paths that turn back: the sides climb as slip leads away from where it began, and come down as it returns.
+// Dilation over paths that reverse: it increases as slip leads away from its origin, and decreases as slip returns.
 #include "test_joint.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using test::Vector;
 
 double tan_degrees(double angle) { return std::tan(angle * std::numbers::pi / 180); }
 
-/// What 1 MPa and 1 m are in a deck's units.
+/// 1 MPa and 1 m in the units of a deck.
 struct Units {
     double stress, length;
 };
@@ -70,7 +70,7 @@ TEST_P(DilationOnAPath, ComesDownWhenTheSlipGoesBackAtAConstantStress) {
                 for (int k = 0; k < 40; ++k) joint.slip_at_stress(1, {way / 40, 0, 0});
                 const double open = joint.normal_disp[0] - rest;
                 highest = std::max(highest, open);
-                // Where it stands, not how far it has gone.
+                // By its position, not by the length of its path.
                 const double climbed = std::min(distance(joint), end > 0 ? end : 1) * tan_degrees(angle);
                 EXPECT_NEAR(open, climbed, 1e-9) << cycle;
                 EXPECT_NEAR(joint.history_value("dilated"), open, 1e-9);
@@ -133,8 +133,8 @@ TEST_P(DilationOnAPath, IsTheSameInEveryDirectionAndUnit) {
 }
 
 TEST_P(DilationOnAPath, ALockedJointFindsItsNormalForceAgain) {
-    // The sides cannot move apart: the normal stress rises with slip and falls with its way back. With the last stiffness the
-    // strength falls faster than the spring: the joint snaps back.
+    // The sides cannot separate: the normal stress increases with slip and decreases on return. With the last stiffness the strength
+    // decreases faster than the spring: the joint snaps back.
     for (const double ks : {5e3, 2e3, 500.0}) {
         auto joint = joint_of(GetParam(), 0, mpa, ks);
         joint.load(1);
@@ -146,7 +146,7 @@ TEST_P(DilationOnAPath, ALockedJointFindsItsNormalForceAgain) {
         const double slipped = joint.history_value("slip");
         for (int k = 0; k < 100000 && joint.history_value("dilating-x") > 0; ++k) joint.step(0, {-1e-6, 0, 0});
         EXPECT_GT(joint.history_value("slip"), slipped);
-        EXPECT_NEAR(joint.normal_stress(), 1 + 1e4 * joint.history_value("dilated"), 1e-6) << ks; // at all times
+        EXPECT_NEAR(joint.normal_stress(), 1 + 1e4 * joint.history_value("dilated"), 1e-6) << ks; // at any time
         if (ks > 1e3) { EXPECT_NEAR(joint.normal_stress(), 1, 0.01) << ks; }
         EXPECT_NEAR(joint.history_value("dilated"), distance(joint) * tan_degrees(angle), 1e-9) << ks;
         EXPECT_TRUE(std::isfinite(joint.frictional_work[0]));
@@ -154,7 +154,7 @@ TEST_P(DilationOnAPath, ALockedJointFindsItsNormalForceAgain) {
 }
 
 TEST_P(DilationOnAPath, SidesThatComeDownWithoutLoadPart) {
-    // Sheared under load, let go to hardly any, held there and sheared back: no tension, and closed again where it belongs.
+    // Sheared under load, almost unloaded, held there and sheared back: no tension, and closed again at its origin.
     auto joint = joint_of(GetParam(), 0);
     joint.load(1);
     const double rest = joint.normal_disp[0];

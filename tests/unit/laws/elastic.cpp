@@ -18,7 +18,7 @@ TEST(Elastic, FollowsItsTwoSpringsBothWays) {
     EXPECT_DOUBLE_EQ(joint.normal_force[16], 5);
     EXPECT_DOUBLE_EQ(joint.shear_force[0][16], -4);
     EXPECT_DOUBLE_EQ(joint.shear_force[2][16], 2);
-    joint.step(3e-3, {-4e-3, 0, 2e-3}); // it pulls, and never slips
+    joint.step(3e-3, {-4e-3, 0, 2e-3}); // it carries tension, and never slips
     EXPECT_DOUBLE_EQ(joint.normal_force[16], -10);
     EXPECT_DOUBLE_EQ(joint.shear_force[0][16], 4);
     EXPECT_EQ(joint.frictional_work[16], 0);

@@ -1,4 +1,4 @@
-// What holds for every joint model that ships: nothing drifts and no energy is made from nothing.
+// Requirements of every joint model that ships: no drift and no created energy.
 #include "test_joint.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@ using test::shipped;
 using test::TestJoint;
 using test::Values;
 
-/// A model with values that use all that it has. MPa, m, s; stiffnesses about 1e4 MPa/m.
+/// A model with values that use all its features. MPa, m, s; stiffnesses about 1e4 MPa/m.
 struct Case {
     const char* name;
     const char* model;
@@ -92,7 +92,7 @@ protected:
     }
 };
 
-/// Adds up what is put into row 0, step by step (trapezoid).
+/// Sums the work done on row 0, step by step (trapezoid).
 class Meter {
 public:
     explicit Meter(TestJoint& joint) : joint_(joint), batch_(joint.batch()) {}
@@ -157,7 +157,7 @@ TEST_P(EveryModel, IsInItsPlaceAfterOpeningAndClosingAgain) {
             EXPECT_EQ(j.shear_stress(), 0) << cycle; // an open joint carries no shear
         }
         for (int k = 0; k < 30; ++k) j.step(-3e-5, {-1e-6, 0, 0});
-        // What it slips as it closes may dilate: that presses, and never pulls.
+        // Slip during closure may dilate: this compresses, and never pulls.
         EXPECT_GE(j.normal_stress(), 1 - 1e-9) << cycle;
         EXPECT_LE(j.normal_stress(), 1.6) << cycle;
     }
@@ -174,11 +174,11 @@ TEST_P(EveryModel, MakesNoEnergyInCyclesOfShear) {
         };
         for (int cycle = 0; cycle < 6; ++cycle) {
             shear(1000, size);
-            shear(300, -0.3 * size); // a small turn within the large one
+            shear(300, -0.3 * size); // a small reversal within the large one
             shear(300, 0.3 * size);
             shear(2000, -2 * size);
             shear(1000, size);
-            // The first cycle leaves energy behind; from then on a cycle takes some or none.
+            // The first cycle stores energy; from then on a cycle dissipates some or none.
             if (cycle > 0) { EXPECT_GE(meter.put_in, before - 1e-6 * meter.turned_over) << size << ' ' << cycle; }
             before = meter.put_in;
         }
@@ -186,9 +186,8 @@ TEST_P(EveryModel, MakesNoEnergyInCyclesOfShear) {
     }
 }
 
-TEST_P(EveryModel, NeverGivesBackMoreThanItGot) {
-    // Wandering in all three directions, with opening and closing: whatever the path, what has been put in is there
-    // or was taken up.
+TEST_P(EveryModel, NeverReturnsMoreEnergyThanItReceived) {
+    // Random motion in all three directions, with opening and closing: for any path, the work done is stored or dissipated.
     for (unsigned seed = 1; seed <= 8; ++seed) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> any(-1, 1);
@@ -203,7 +202,7 @@ TEST_P(EveryModel, NeverGivesBackMoreThanItGot) {
             meter.step(opening, {2e-6 * b, 2e-6 * c, 0});
         }
         EXPECT_GE(meter.least, -1e-4 * meter.turned_over) << seed;
-        // The account of what was taken up: never more than was put in.
+        // The reported dissipation never exceeds the work done.
         EXPECT_LE(j.frictional_work[0], meter.put_in + 1e-3 * meter.turned_over) << seed;
     }
 }
@@ -213,7 +212,7 @@ TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
     j.load(1);
     for (int k = 0; k < 20; ++k) j.step(0, {1e-6, 0, 0});
     Meter meter(j);
-    // An ellipse about the load, in eight steps: normal and shear load swing together but not in phase.
+    // An ellipse about the load, in eight steps: normal and shear load oscillate with a phase difference.
     struct Step {
         double opening, slip;
     } way[8];
@@ -230,8 +229,7 @@ TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
     const double stored = 0.5 * shear * shear / j.shear_stiffness[0] * j.area[0];
     cycles(999'000);
     EXPECT_NEAR(j.normal_stress(), normal, 1e-8);
-    // Creep and hysteresis may let go of the shear stress in the mean, and what was stored with it comes out; nothing
-    // may add to it.
+    // Creep and hysteresis may reduce the mean shear stress and release its stored energy; it must not increase.
     EXPECT_LE(j.shear_stress(), shear + 1e-8);
     EXPECT_GE(meter.put_in, before - stored - 1e-9 * meter.turned_over);
     const std::string name = GetParam().model;
@@ -252,7 +250,7 @@ TEST_P(EveryModel, GivesTheSameBitsInEveryRow) {
     }
 }
 
-TEST_P(EveryModel, StandsAnAreaOfZero) {
+TEST_P(EveryModel, AcceptsAnAreaOfZero) {
     auto j = joint(0);
     for (int k = 0; k < 100; ++k) j.step(k < 50 ? -1e-6 : 2e-6, {1e-5, 0, 0});
     EXPECT_EQ(j.normal_force[0], 0);
@@ -262,7 +260,7 @@ TEST_P(EveryModel, StandsAnAreaOfZero) {
 TEST_P(EveryModel, KnowsTheWordsOfDecks) {
     const auto& model = shipped(GetParam().model);
     for (const char* word : {"jkn", "jks"}) EXPECT_TRUE(model.find_property(word)) << word;
-    if (!model.find_property("cohesion")) return; // the rest are words of Coulomb joints
+    if (!model.find_property("cohesion")) return; // the rest are properties of Coulomb joints
     for (const char* word :
          {"jfric", "jcoh", "jten", "jdil", "zdil", "friction", "tension", "dilation", "dilation-zero"})
         EXPECT_TRUE(model.find_property(word)) << word;

@@ -1,5 +1,5 @@
-// The layout of the structs that a library and the program share. A library that was built yesterday must fit: when
-// this test fails, give KAYA_JMODEL_INTERFACE the next number, and record the new layout under it.
+// The layout of the structs shared by a library and the program. Existing libraries must remain compatible: if this test fails, increase
+// KAYA_JMODEL_INTERFACE and record the new layout under it.
 #include "kaya/jmodel.h"
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Member {
 #define KAYA_MEMBER(type, member, recorded) \
     Member { #type "." #member, offsetof(type, member), recorded }
 
-// Layout of interface version 3, 64 bits; what version 2 had lies where it lay.
+// Layout of interface version 3, 64 bits; members of version 2 are unchanged.
 const Member members[] = {
     KAYA_MEMBER(kaya_jproperty, name, 0),
     KAYA_MEMBER(kaya_jproperty, aliases, 8),

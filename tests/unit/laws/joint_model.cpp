@@ -32,7 +32,7 @@ TEST(JointModel, AWholeNameWinsOverTheBeginningOfAnother) {
     EXPECT_EQ(found(shipped("mohr"), "friction-"), "friction-residual");
 }
 
-TEST(JointModel, AnAmbiguousOrUnknownWordIsNoProperty) {
+TEST(JointModel, AnAmbiguousOrUnknownWordIsRefused) {
     EXPECT_EQ(found(shipped("mohr"), "stiffness-"), "");
     EXPECT_EQ(found(shipped("mohr"), "st"), "");
     EXPECT_EQ(found(shipped("mohr"), "jcoo"), "");
@@ -44,7 +44,7 @@ TEST(JointModel, ManyWordsOfOnePropertyAreNotAmbiguous) {
     EXPECT_EQ(found(shipped("barton-bandis"), "jr"), "");     // jrco and jrfric
 }
 
-TEST(JointModel, SaysWhatMustBeGiven) {
+TEST(JointModel, NamesRequiredProperties) {
     const auto& mohr = shipped("mohr");
     EXPECT_THAT(mohr.missing(values_of(mohr, {{"jkn", 1}})), ElementsAre("stiffness-shear"));
     EXPECT_THAT(mohr.missing(values_of(mohr, {{"jkn", 1}, {"jks", 1}})), ElementsAre());

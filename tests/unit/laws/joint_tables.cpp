@@ -13,7 +13,7 @@ TEST(JointTable, IsStraightBetweenPointsAndConstantBeyondThem) {
     EXPECT_EQ(table_value(points, -5), 10);
     EXPECT_EQ(table_value(points, 0), 10);
     EXPECT_EQ(table_value(points, 0.25), 12.5);
-    EXPECT_EQ(table_value(points, 1), 20); // the first of two at a step, as everywhere in a deck
+    EXPECT_EQ(table_value(points, 1), 20); // the first of two at a step, as in all tables of a deck
     EXPECT_EQ(table_value(points, 2), 20);
     EXPECT_EQ(table_value(points, 3), 0);
     EXPECT_EQ(table_value(points, 99), 0);
@@ -29,7 +29,7 @@ TEST(JointTable, HasASlopeToTheRight) {
     EXPECT_EQ(table_slope({}, 1), 0);
 }
 
-TEST(JointTables, AreTakenWhenAskedForAndAnewWhenRefreshed) {
+TEST(JointTables, AreReadOnFirstUseAndAgainAfterRefresh) {
     JointTables tables;
     const kaya_jtables* interface = tables.interface();
     EXPECT_EQ(interface->find(interface, "1"), nullptr);

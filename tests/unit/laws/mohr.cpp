@@ -57,7 +57,7 @@ TEST(Mohr, ResidualsAreNoneAndTheSameFrictionWhenNotGiven) {
     joint.load(1e6);
     for (int k = 0; k < 1000; ++k) joint.step(0, {0, 1e-6, 0});
     EXPECT_NEAR(joint.shear_stress() / (1e6 * tan_degrees(35)), 1, 1e-12);
-    for (int k = 0; k < 200; ++k) joint.step(1e-6); // the tensile strength went with the cohesion
+    for (int k = 0; k < 200; ++k) joint.step(1e-6); // the tensile strength was lost with the cohesion
     EXPECT_EQ(joint.normal_force[0], 0);
 }
 
@@ -106,7 +106,7 @@ TEST(Mohr, ReachesTheTensileStrengthAndThenCarriesNothing) {
     EXPECT_EQ(joint.normal_force[0], 0);
     EXPECT_EQ(joint.shear_stress(), 0);
     EXPECT_TRUE(joint.in_state("tension-now"));
-    joint.load(1e6); // closed again, cohesion is gone
+    joint.load(1e6); // closed again, without cohesion
     for (int k = 0; k < 1000; ++k) joint.step(0, {1e-6, 0, 0});
     EXPECT_NEAR(joint.shear_stress() / (1e6 * tan_degrees(30)), 1, 1e-12);
     EXPECT_TRUE(joint.in_state("tension-past"));
@@ -118,7 +118,7 @@ TEST(Mohr, KeepsAResidualTension) {
     for (int k = 0; k < 100; ++k) joint.step(1e-6);
     EXPECT_DOUBLE_EQ(joint.normal_stress(), -5e4);
     for (int k = 0; k < 100; ++k) joint.step(-1e-6);
-    EXPECT_NEAR(joint.normal_stress(), 0, 1e-9); // back where it began
+    EXPECT_NEAR(joint.normal_stress(), 0, 1e-9); // back at its origin
     joint.step(-2e-5);
     EXPECT_NEAR(joint.normal_stress(), 2e5, 1e-9);
 }
@@ -161,7 +161,7 @@ TEST(Mohr, DilatesByTheTangentOfItsAngleUpToItsEnd) {
 }
 
 TEST(Mohr, DilationUnderConfinementEndsOnTheStrengthLine) {
-    // No normal motion: dilation is taken up by the normal spring. One large step agrees with many.
+    // No normal motion: the normal spring takes the dilation. One large step agrees with many.
     const Values values{{"friction", 30}, {"cohesion", 0}, {"dilation", 12}};
     auto one = joint_of(values), many = joint_of(values);
     one.load(1e6);
@@ -204,7 +204,7 @@ TEST(Mohr, BreakingTakesUpTheEnergyOfTheBond) {
     EXPECT_NEAR(given / joint.frictional_work[0], 1, 2e-2);
 }
 
-TEST(Mohr, ASubContactThatStartsApartTouchesWhereItsGapCloses) {
+TEST(Mohr, AnOpenSubContactClosesAtItsGap) {
     auto joint = joint_of({{"friction", 30}, {"cohesion", 1e5}, {"tension", 1e5}});
     joint.normal_disp[0] = 1e-3;
     joint.initialise();
@@ -212,7 +212,7 @@ TEST(Mohr, ASubContactThatStartsApartTouchesWhereItsGapCloses) {
     EXPECT_EQ(joint.normal_force[0], 0);
     joint.step(-2e-4);
     EXPECT_NEAR(joint.normal_stress(), kn * 1e-4, 1e-6);
-    joint.step(2e-4); // it never was bonded
+    joint.step(2e-4); // it was never bonded
     EXPECT_EQ(joint.normal_force[0], 0);
 }
 

@@ -9,7 +9,7 @@
 namespace kaya::zones {
 namespace {
 
-/// Tensors of many sizes, some of them with values that are equal, or zero, or without shear.
+/// Tensors of many magnitudes, some with values that are equal, or zero, or without shear.
 std::vector<Tensor> tensors() {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> number(-1, 1), power(-6, 9);
@@ -50,7 +50,7 @@ TEST(Principal, ValuesAndAxesMakeTheTensorAgain) {
 
 TEST(Principal, LiesWithinItsBoundsAndNearThem) {
     std::vector<Tensor> all = tensors();
-    for (const Tensor t : tensors()) // under a pressure beside which the deviator is small
+    for (const Tensor t : tensors()) // with a pressure much larger than the deviator
         for (const double pressure : {1e3, 1e6, 1e10, 1e14}) {
             all.push_back(t);
             for (std::size_t k = 0; k < 3; ++k) all.back()[k] -= pressure * size_of(t);
@@ -82,7 +82,7 @@ TEST(Principal, EightAtOnceAreTheSameBitsAsEachByItself) {
     }
 }
 
-TEST(Principal, RowsThatMayYieldAreThoseWhoseBoundsDoNotHoldAndBoundsAreBounds) {
+TEST(Principal, RowsBeyondTheirBoundsMayYieldAndBoundsAreBounds) {
     const std::vector<Tensor> all = tensors();
     std::vector<double> columns[6];
     for (int k = 0; k < 6; ++k)

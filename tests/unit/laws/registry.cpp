@@ -18,7 +18,7 @@ using testing::HasSubstr;
 const fs::path shipped_folder = KAYA_SHIPPED_MODELS;
 const fs::path plugin_folder = KAYA_TEST_PLUGINS;
 
-/// The diagnostic that getting a model gives.
+/// The diagnostic of loading a model.
 Diagnostic refusal(JointRegistry& registry, const std::string& name) {
     try {
         registry.get(name);
@@ -62,10 +62,11 @@ TEST(JointRegistry, KnowsModelsByTheWordsOf3dec) {
     EXPECT_EQ(JointRegistry::keyword_of("Mohr"), "mohr");
 }
 
-TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
+TEST(JointRegistry, FindsTheLibrariesOf3decByTheirContents) {
     const test::ScratchFolder scratch;
     const fs::path folder = scratch.path();
-    fs::copy_file(plugin_folder / "works.so", folder / "libjmodelsomething009.so"); // the file name lies
+    fs::copy_file(plugin_folder / "works.so",
+                  folder / "libjmodelsomething009.so"); // the file name differs from the model
     fs::copy_file(plugin_folder / "too-soft.so", folder / "jmodeltoo-soft007.so");
     fs::copy_file(plugin_folder / "no-entry.so", folder / "libjmodelbroken009.so");
     fs::copy_file(plugin_folder / "twin.so", folder / "jmodel-twin.so"); // not named like one
@@ -79,7 +80,7 @@ TEST(JointRegistry, FindsTheLibrariesOf3decByWhatTheyHold) {
     EXPECT_THAT(registry.available(), testing::IsSupersetOf({"works", "too-soft", "something", "jmodel-twin"}));
 }
 
-TEST(JointRegistry, ListsWhatIsThere) {
+TEST(JointRegistry, ListsAvailableModels) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
     EXPECT_THAT(registry.available(), testing::IsSupersetOf({"barton-bandis", "elastic", "mohr"}));
@@ -87,7 +88,7 @@ TEST(JointRegistry, ListsWhatIsThere) {
     EXPECT_THAT(registry.available(), testing::Contains("works"));
 }
 
-TEST(JointRegistry, SaysWhatIsThereWhenAModelIsUnknown) {
+TEST(JointRegistry, ListsAvailableModelsWhenOneIsUnknown) {
     JointRegistry registry;
     registry.set_path({shipped_folder});
     const auto d = refusal(registry, "mohrr");
@@ -105,7 +106,7 @@ TEST(JointRegistry, SaysThatNoModelsWereFoundAtAll) {
     EXPECT_THAT(d.context[0], HasSubstr("no joint models were found"));
 }
 
-TEST(JointRegistry, RefusesAFileThatIsNotThere) {
+TEST(JointRegistry, RefusesAMissingFile) {
     JointRegistry registry;
     EXPECT_THAT(refusal(registry, "models/none.so").message, HasSubstr("there is no joint model file models/none.so"));
 }
@@ -133,7 +134,7 @@ TEST(JointRegistry, RefusesATruncatedLibrary) {
     }
 }
 
-TEST(JointRegistry, PassesOnWhatALibraryLacks) {
+TEST(JointRegistry, ReportsMissingSymbolsOfALibrary) {
     EXPECT_THAT(refusal_of_plugin("needs-more").hint, HasSubstr("function_that_nobody_has"));
 }
 
@@ -146,7 +147,7 @@ TEST(JointRegistry, NamesBothInterfaceVersions) {
     EXPECT_THAT(d.message, HasSubstr("was built for interface version 99, this program has version " +
                                      std::to_string(KAYA_JMODEL_INTERFACE)));
     EXPECT_EQ(d.code, "joint-model-version");
-    EXPECT_THAT(d.hint, HasSubstr("take a newer program"));
+    EXPECT_THAT(d.hint, HasSubstr("use a newer program"));
     EXPECT_THAT(refusal_of_plugin("interface-1").hint, HasSubstr("build the model again"));
 }
 
@@ -171,7 +172,7 @@ TEST(JointRegistry, TakesAModelAsLargeAsTheHeaderSays) {
     EXPECT_EQ(model.initial_stiffness(values).shear, 7);
 }
 
-TEST(JointRegistry, PutsBackWhatALibraryDoesToTheProcessorWhenItIsLoaded) {
+TEST(JointRegistry, RestoresTheProcessorStateAfterALibraryIsLoaded) {
     JointRegistry registry;
     volatile double small = 1e-310;
     const auto& model = registry.get((plugin_folder / "cuts-at-load.so").string());
@@ -182,7 +183,7 @@ TEST(JointRegistry, PutsBackWhatALibraryDoesToTheProcessorWhenItIsLoaded) {
     EXPECT_EQ(registry.get((plugin_folder / "works.so").string()).arithmetic(), 0u);
 }
 
-TEST(JointRegistry, RefusesAModelThatWritesWhereItMustNotBeforeItRuns) {
+TEST(JointRegistry, RefusesAModelThatWritesToReadOnlyColumnsBeforeItRuns) {
     JointRegistry registry;
     for (const auto& [name, sentence] : {std::pair{"writes-area", "wrote to 'area', which it may only read"},
                                          std::pair{"writes-behind", "wrote after the column 'shear_force'"}}) {
@@ -210,7 +211,7 @@ TEST(JointRegistry, SurvivesACrashWhileLoading) {
     EXPECT_THAT(refusal_of_plugin("exits-at-load").message, HasSubstr("ends the program when it is loaded"));
 }
 
-TEST(JointRegistry, GivesUpALibraryThatDoesNotComeBackWhenItIsLoaded) {
+TEST(JointRegistry, StopsWaitingForALibraryThatNeverFinishesLoading) {
     const auto d = refusal_of_plugin("slow/loops-at-load");
     EXPECT_THAT(d.message, HasSubstr("does not come back within 30 seconds when it is loaded"));
     EXPECT_EQ(d.code, "joint-model-crashes");

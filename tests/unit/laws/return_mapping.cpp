@@ -112,7 +112,7 @@ TEST(ReturnMapping, WorkIsWhatWasPutInLessWhatIsHeld) {
             }
 }
 
-/// The shipped model as a second opinion: one large step of shear.
+/// The shipped model as an independent check: one large step of shear.
 TEST(ReturnMapping, GivesTheForceOfMohr) {
     test::TestJoint joint(test::shipped("mohr"), {{"jkn", 3e9}, {"jks", 1e9}, {"jfriction", 30}}, 1, 1);
     joint.step(-1e-3);

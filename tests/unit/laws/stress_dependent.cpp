@@ -1,4 +1,4 @@
-// Joint models whose stiffness follows the normal stress: nonlinear and continuously-yielding.
+// Joint models with stress-dependent stiffness: nonlinear and continuously-yielding.
 #include "test_joint.hpp"
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(ContinuouslyYielding, LargeStepsGiveNearlyTheSame) {
     EXPECT_NEAR(coarse.shear_stress() / fine.shear_stress(), 1, 2e-3);
 }
 
-TEST(ContinuouslyYielding, TurnsBackWithItsFullStiffness) {
+TEST(ContinuouslyYielding, ReversesWithItsFullStiffness) {
     auto joint = yielding();
     joint.load(2);
     for (int k = 0; k < 600; ++k) joint.step(0, {1e-6, 0, 0});
@@ -60,7 +60,7 @@ TEST(ContinuouslyYielding, TurnsBackWithItsFullStiffness) {
     EXPECT_LT(joint.history_value("reversal-ratio"), 0);
     for (int k = 0; k < 300; ++k) joint.step(0, {-1e-6, 0, 0});
     const double low = joint.shear_stress();
-    joint.step(0, {1e-8, 0, 0}); // and so it does when it turns again
+    joint.step(0, {1e-8, 0, 0}); // and again when it reverses again
     EXPECT_NEAR(std::abs(low - joint.shear_stress()) / 1e-8, 1e4, 1e2);
 }
 
@@ -75,7 +75,7 @@ TEST(ContinuouslyYielding, IsTheSameInEveryDirection) {
         turned.step(0, {way * c, way * s, 0});
     }
     EXPECT_NEAR(turned.shear_stress(), along.shear_stress(), 1e-9);
-    // Sheared on in another direction, the resistance ends up in that direction.
+    // Sheared further in another direction, the resistance ends up in that direction.
     for (int k = 0; k < 30000; ++k) along.step(0, {0, 1e-6, 0});
     EXPECT_NEAR(along.shear_force[0][0], 0, 1e-9);
     EXPECT_NEAR(along.shear_stress() / (2 * tan_degrees(30)), 1, 2e-3);
@@ -109,7 +109,7 @@ TEST(ContinuouslyYielding, DilatesByTheAngleAboveItsIntrinsicFriction) {
 }
 
 TEST(Nonlinear, ClosesOnItsCurve) {
-    // sigma^(1-e) = (1-e) k_1 c for a power alone; here it begins at sigma_1 = (k_min/k_1)^(1/e) and ends at k_max.
+    // sigma^(1-e) = (1-e) k_1 c for a power alone; here it starts at sigma_1 = (k_min/k_1)^(1/e) and ends at k_max.
     const Values values = {
         {"jkn", 1e4}, {"jks", 5e3}, {"exponent-normal", 0.5}, {"kn-minimum", 1e3}, {"kn-maximum", 2e4}};
     auto joint = TestJoint(shipped("nonlinear"), values);
@@ -152,7 +152,7 @@ TEST(Nonlinear, FallingNormalStressTakesShearStressWithIt) {
     EXPECT_NEAR(joint.shear_stress(), 4 * 5e3 * 1e-5, 1e-12);
     joint.load(2);
     EXPECT_NEAR(joint.shear_stress(), 2 * 5e3 * 1e-5, 1e-9);
-    joint.load(4); // and a rising one does not bring it back
+    joint.load(4); // and an increasing one does not restore it
     EXPECT_NEAR(joint.shear_stress(), 2 * 5e3 * 1e-5, 1e-9);
 }
 
@@ -171,13 +171,13 @@ TEST(Nonlinear, StrengthHoldsExactlyWhileItDilates) {
 
 // --- the same joint in other units ---------------------------------------------------------------------------------------
 
-/// What 1 Pa and 1 m are in a deck's units.
+/// 1 Pa and 1 m in the units of a deck.
 struct Units {
     double stress, length;
 };
 constexpr Units units[] = {{1, 1}, {1e-3, 1}, {1e-6, 1}, {1e-6, 1e3}, {1, 1e3}, {1 / 6894.757, 1 / 0.3048}};
 
-/// A power joint with values that are given in Pa and m: k = k_1 sigma^e.
+/// A power joint with values given in Pa and m: k = k_1 sigma^e.
 TestJoint power_joint(const char* model, double exponent, const Units& u) {
     const auto of_stiffness = [&](double k_1) { return k_1 * std::pow(u.stress, 1 - exponent) / u.length; };
     Values values = {{"jkn", of_stiffness(1e7)}, {"jks", of_stiffness(5e6)}, {"jen", exponent}, {"jes", exponent}};
@@ -212,7 +212,7 @@ TEST_P(PowerJoint, ReportsItsTangentAndNeverNothing) {
     for (const Units& u : units) {
         auto joint = power_joint(GetParam(), 0.5, u);
         const double per = u.stress / u.length;
-        // Without load: the tangent at a closure of a millionth of the size, k_1^2 c/2.
+        // Without load: the tangent at a closure of 1e-6 of the size, k_1^2 c/2.
         const double unloaded = 0.5e14 * 1e-6 * 0.5;
         EXPECT_NEAR(joint.normal_stiffness[0] / (unloaded * per), 1, 1e-9);
         EXPECT_NEAR(joint.model->initial_stiffness(joint.values).normal / joint.normal_stiffness[0],
@@ -227,7 +227,7 @@ TEST_P(PowerJoint, ReportsItsTangentAndNeverNothing) {
     }
 }
 
-TEST_P(PowerJoint, GoesTheSameWayInEveryUnit) {
+TEST_P(PowerJoint, FollowsTheSameCurveInEveryUnit) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         std::vector<TestJoint> joints;
         for (const Units& u : units) joints.push_back(power_joint(GetParam(), 0.5, u));
@@ -248,8 +248,8 @@ TEST_P(PowerJoint, GoesTheSameWayInEveryUnit) {
 }
 
 TEST_P(PowerJoint, AMassPutOnItComesToRestWhereItsClosureSays) {
-    // From the unloaded joint, in explicit steps of a quarter of what the reported tangent allows, and none that lets it grow
-    // more than fourfold; damped by hand.
+    // From the unloaded joint, in explicit steps of a quarter of the step that the reported tangent allows, increasing at most fourfold;
+    // damped by hand.
     for (const Units& u : units) {
         auto joint = power_joint(GetParam(), 0.5, u);
         const double load = 24525 * u.stress * joint.area[0], mass = 2500 * u.stress * u.length; // g = 9.81 m/s2, in s
@@ -297,7 +297,7 @@ TEST(Nonlinear, ABondPullsOnTheSameCurveAndItsEnergyIsBooked) {
 }
 
 TEST(Nonlinear, ABondWithoutNormalStressResistsShear) {
-    // As stiff as at a normal stress of its cohesion.
+    // As stiff as at a normal stress equal to its cohesion.
     for (const Units& u : units) {
         auto joint = power_joint("nonlinear", 0.5, u);
         joint.step(0, {1e-5 * u.length, 0, 0});

@@ -1,4 +1,4 @@
-// A joint model takes over a joint that carries forces which another one, or a script, has left there: every pair.
+// A joint model takes over a joint with forces of another model or of a script: every pair.
 #include "test_joint.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double tan_degrees(double angle) { return std::tan(angle * std::numbers::pi / 18
 constexpr double never = 1e300, cohesion = 0.3, tension = 0.1;
 
 double coulomb(double normal) { return std::max(0.0, cohesion + normal * tan_degrees(35)); }
-/// Below the crossing of both lines at (1 - 0.3)/(tan 35 - tan 20) = 2.08 MPa the first, from there on the second.
+/// Below the intersection of both lines at (1 - 0.3)/(tan 35 - tan 20) = 2.08 MPa the first, above it the second.
 double bilinear(double normal) { return std::max(0.0, std::min(coulomb(normal), 1 + normal * tan_degrees(20))); }
 double bounding(double normal) { return normal * tan_degrees(50); }
 /// Barton's, unscaled, at the peak; at most 70 degrees.
@@ -28,7 +28,7 @@ double barton(double normal) {
     return normal * tan_degrees(20 + std::clamp(8 * std::log10(100 / normal), 0.0, 50.0));
 }
 
-/// A joint model and what it carries at most. MPa, m, s.
+/// A joint model and its strength. MPa, m, s.
 struct Law {
     const char* name;
     Values values;
@@ -77,12 +77,12 @@ const Law laws[] = {
 };
 // clang-format on
 
-/// `fresh` is what `kaya new-jmodel fresh` writes, as it is.
+/// `fresh` is the template of `kaya new-jmodel fresh`, unchanged.
 const JointModel& model_of(const Law& law) {
     return std::string_view(law.name) == "fresh" ? test::compat(law.name) : shipped(law.name);
 }
 
-/// Stresses at the moment of the change, and how far the sides are apart.
+/// Stresses at the change of the model, and the opening.
 struct State {
     const char* name;
     double normal, shear_x, shear_y, opening;
@@ -102,8 +102,8 @@ const State states[] = {
     {"overlap without force", 0, 0, 0, -1e-4},
 };
 
-/// What the law leaves of a state: normal and shear stress. Shear stress that is let go of is slip, and lifts a joint that
-/// dilates: `now` is then its normal stress.
+/// Stresses that the law keeps of a state: normal and shear. The reduction of shear stress is slip, and lifts a dilating joint: `now` is
+/// then its normal stress.
 std::pair<double, double> carried(const Law& law, const State& s, double now) {
     const double shear = std::hypot(s.shear_x, s.shear_y);
     if (law.strength == nullptr) return {s.normal, shear};
@@ -125,7 +125,7 @@ TestJoint with_forces(const Law& law, const State& s, double area) {
     return joint;
 }
 
-/// As the engine asks when it has given the forces.
+/// The call of the engine after setting forces.
 void settle(TestJoint& joint) {
     const double step = joint.time_step;
     joint.time_step = 1e-12;
@@ -141,7 +141,7 @@ double stored(const TestJoint& j) {
     return of(n, j.normal_stiffness[0]) + of(s, j.shear_stiffness[0]);
 }
 
-/// Forces in direction and size, and everything else a number.
+/// Forces in direction and size, and all other values finite.
 void expect_forces(const TestJoint& j, const State& s, std::pair<double, double> expected, double tolerance) {
     const double shear = std::hypot(s.shear_x, s.shear_y), scale = std::max({1e-12, std::abs(s.normal), shear});
     EXPECT_NEAR(j.normal_stress(), expected.first, tolerance * scale);
@@ -155,7 +155,7 @@ void expect_forces(const TestJoint& j, const State& s, std::pair<double, double>
 
 class TakesOver : public testing::TestWithParam<Law> {};
 
-TEST_P(TakesOver, ForcesThatItCarriesStayAndOthersBecomeItsStrength) {
+TEST_P(TakesOver, ForcesWithinItsStrengthStayAndOthersAreReducedToIt) {
     for (const State& s : states)
         for (const double area : {0.04, 1.0, 2500.0}) {
             SCOPED_TRACE(testing::Message() << s.name << ", area " << area);
@@ -164,14 +164,14 @@ TEST_P(TakesOver, ForcesThatItCarriesStayAndOthersBecomeItsStrength) {
             settle(joint);
             const auto expected = carried(GetParam(), s, joint.normal_stress());
             expect_forces(joint, s, expected, 1e-9);
-            // What is gone was taken up, and no more than there was; the curve of a power of 1/2 holds 4/3 of what its
-            // tangent says.
+            // The lost energy was dissipated, at most the stored energy; the curve of a power of 1/2 stores 4/3 of the energy by its
+            // tangent.
             EXPECT_GE(joint.frictional_work[0], -1e-9 * before);
             EXPECT_LE(joint.frictional_work[0], before * 4 / 3 * (1 + 1e-9) + 1e-12);
             for (int k = 0; k < 100; ++k) joint.step(0);
             if (expected.second < std::hypot(s.shear_x, s.shear_y) * (1 - 1e-9)) {
                 EXPECT_LE(joint.shear_stress(),
-                          expected.second * (1 + 1e-9)); // it has failed: the residual strength holds
+                          expected.second * (1 + 1e-9)); // it has failed: the residual strength applies
             } else {
                 expect_forces(joint, s, expected, 1e-9);
             }
@@ -191,7 +191,7 @@ TestJoint driven(const Law& law, double normal, double slip, unsigned seed) {
     return joint;
 }
 
-TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
+TEST_P(TakesOver, FromEveryOtherModelAtAnyForce) {
     unsigned seed = 0;
     for (const Law& from : laws)
         for (const double normal : {3.0, 0.4, 0.0, -0.05})
@@ -208,7 +208,7 @@ TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
                     expected.second >= std::hypot(s.shear_x, s.shear_y) * (1 - 1e-9) && expected.first == s.normal;
                 for (int k = 0; k < 100; ++k) joint.step(0);
                 if (all) expect_forces(joint, s, expected, 1e-9);
-                // It goes on: pressed, sheared, opened and closed.
+                // The joint continues: compressed, sheared, opened and closed.
                 for (const test::Vector& way : {test::Vector{1e-6, 0, 0}, {-2e-6, 1e-6, 0}, {0, 0, 0}})
                     for (const double opening : {-1e-6, 2e-6, -2e-6})
                         for (int k = 0; k < 100; ++k) joint.step(opening, way);
@@ -217,13 +217,13 @@ TEST_P(TakesOver, FromEveryOtherWhateverThatOneCarries) {
             }
 }
 
-TEST_P(TakesOver, MakesNoEnergyFromWhatItFinds) {
-    // After the change a closed loop of small motions gives back at most what was stored.
+TEST_P(TakesOver, CreatesNoEnergy) {
+    // After the change a closed loop of small motions returns at most the stored energy.
     for (const State& s : states) {
         TestJoint joint = with_forces(GetParam(), s, 0.04);
         settle(joint);
-        // What its springs hold, the curved ones 4/3 of what their tangent says, and what the force at the start does in the
-        // step that opens the joint.
+        // The energy of its springs, for the curved ones 4/3 of that by their tangent, and the work of the initial force in the step that
+        // opens the joint.
         const double limit =
             4.0 / 3 * stored(joint) + 1e-7 * std::hypot(joint.normal_force[0], 0.04 * joint.shear_stress());
         std::mt19937 random(7);
@@ -233,7 +233,7 @@ TEST_P(TakesOver, MakesNoEnergyFromWhatItFinds) {
         for (int k = 0; k < 4000; ++k) {
             if (k % 50 == 0) a = any(random), b = any(random), c = any(random);
             const TestJoint before = joint;
-            joint.step(1e-7 * a, {1e-7 * b, 1e-7 * c, 0}); // small: a step that opens the joint is counted whole
+            joint.step(1e-7 * a, {1e-7 * b, 1e-7 * c, 0}); // small: a step that opens the joint counts completely
             const double work = test::work_of_step(before, joint);
             put_in += work;
             turned_over += std::abs(work);

@@ -119,7 +119,7 @@ void TestJoint::slip_at_stress(double stress, const Vector& slip) {
         trial.step(opening, slip);
         return trial.normal_stress() - stress;
     };
-    // The stress falls as the joint opens: bracket the opening that gives it, then bisect.
+    // The stress decreases as the joint opens: bracket the opening of the given stress, then bisect.
     double low = 0, high = 0, width = std::max(std::abs(stress), 1e-3) / normal_stiffness[0] + 1e-12;
     while (error_of(high) > 0) high += width *= 2;
     width = std::max(std::abs(stress), 1e-3) / normal_stiffness[0] + 1e-12;

@@ -1,4 +1,4 @@
-// A joint model driven without an engine: columns for a few rows, and steps of displacement.
+// A joint model run without the engine: columns for a few rows, and steps of displacement.
 #pragma once
 
 #include "laws/batch.hpp"
@@ -19,26 +19,24 @@ using Vector = std::array<double, 3>;
 /// One of the models that ship.
 const JointModel& shipped(const std::string& name);
 
-/// A model of tests/plugins, loaded into a registry of its own that lives as long as the program.
+/// A model of tests/plugins, loaded into a separate registry that exists as long as the program.
 const JointModel& plugin(const std::string& name);
 
 /// A model of tests/compat, likewise; its table 7 is (0, 30) (0.001, 20), its table 8 (0, 1) (0.001, 2).
 const JointModel& compat(const std::string& name);
 
-/// The values in the order of the model's table, the rest as they are initially. Fails the test for a
-/// name that the model does not know.
+/// The values in the order of the model's table, the others initial. Fails the test for an unknown name.
 std::vector<double> values_of(const JointModel& model, const Values& given);
 
-/// Rows of one joint, all moved alike unless a test writes to the columns. Copies are independent, so
-/// that a test can try a step.
+/// Rows of one joint, all with the same motion unless a test writes to the columns. Copies are independent, so a test can try a step.
 class TestJoint {
 public:
     TestJoint(const JointModel& model, const Values& given, double area = 1, std::size_t rows = 1);
 
-    /// Forgets nothing: call it after writing forces or gaps, as the engine does.
+    /// Deletes nothing: call it after writing forces or gaps, like the engine.
     void initialise();
 
-    /// One step; the test fails when the model does.
+    /// One step; the test fails if the model fails.
     void step(double opening, const Vector& slip = {0, 0, 0});
 
     /// One step of slip during which the normal stress (row 0) becomes `stress`.
@@ -63,7 +61,7 @@ public:
     std::array<std::vector<double>, 3> shear_disp, shear_disp_inc, shear_force;
     std::vector<std::uint32_t> state;
     std::vector<std::vector<double>> history;
-    std::vector<std::vector<double>> field; ///< what rows have for themselves, of fields of the model
+    std::vector<std::vector<double>> field; ///< values of rows, for the fields of the model
     std::vector<JointObject> object;
 
 private:
@@ -71,7 +69,7 @@ private:
     std::vector<const double*> field_columns_;
 };
 
-/// Work that the forces of row 0 took up in a step from `before` to `after` (trapezoid).
+/// Work of the forces of row 0 in a step from `before` to `after` (trapezoid).
 double work_of_step(const TestJoint& before, const TestJoint& after);
 
 } // namespace kaya::test

@@ -1,4 +1,4 @@
-// Every zone model that ships, one zone at a time: strength against closed forms, and what must hold on any path.
+// Every zone model that ships, one zone at a time: strength compared with closed forms, and requirements on any path.
 #include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
 #include "laws/zone_trial.hpp"
@@ -70,7 +70,7 @@ struct Zone {
         ASSERT_FALSE(failure) << failure->message;
         dissipated += dissipation;
     }
-    /// Shortens it along z under a pressure on its sides that stays.
+    /// Shortens it along z under a constant lateral pressure.
     void triaxial(double step, double side) {
         const Zone before = *this;
         Tensor increment = Tensor::Zero();
@@ -88,7 +88,7 @@ struct Zone {
             if (done) return;
         }
     }
-    /// The side pressure that there really is: where it yields the bench comes near to what was asked for only.
+    /// The actual lateral pressure: during yield the bench reaches the requested one only approximately.
     double side_pressure() const { return -0.5 * (stress[0] + stress[1]); }
     double axial_strength(double side, double step, int steps) {
         Tensor all_round = Tensor::Zero();
@@ -150,7 +150,7 @@ Tensor random_strain(std::mt19937& random, double size) {
     return t;
 }
 
-TEST(ZoneModels, EachOneThatShipsIsLookedAtHere) { EXPECT_EQ(all_zones().size(), models().available().size()); }
+TEST(ZoneModels, EachShippedModelIsTestedHere) { EXPECT_EQ(all_zones().size(), models().available().size()); }
 
 TEST(ZoneModels, MohrCoulombFailsAtItsTriaxialStrength) {
     for (const double friction : {0.0, 20.0, 45.0})
@@ -189,7 +189,7 @@ TEST(ZoneModels, DruckerPragerFailsOnItsCone) {
     }
 }
 
-TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
+TEST(ZoneModels, WeakPlanesCarryTheirStrengthAndNoMore) {
     std::mt19937 random(4);
     for (const double dip : {0.0, 35.0, 60.0, 90.0}) {
         constexpr double cohesion = 1e5, cut = 2e4, dip_direction = 37, degree = M_PI / 180;
@@ -226,10 +226,10 @@ TEST(ZoneModels, WeakPlanesCarryWhatTheyCanAndNoMore) {
     }
 }
 
-TEST(ZoneModels, APathThatIsTurnedGivesStressesThatAreTurned) {
+TEST(ZoneModels, ARotatedPathGivesRotatedStresses) {
     std::mt19937 random(1);
     for (const Zone& fresh : all_zones()) {
-        if (fresh.model.find_property("dip")) continue; // its planes do not turn along
+        if (fresh.model.find_property("dip")) continue; // its planes do not rotate with it
         const Eigen::Matrix3d turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().toRotationMatrix();
         Zone one = fresh, other = fresh;
         for (int i = 0; i < 500; ++i) {
@@ -251,7 +251,7 @@ Eigen::Vector3d normal_of(double dip, double dip_direction) {
 
 using Given = std::vector<std::pair<std::string, double>>;
 
-/// Random anisotropic rock that takes work for any strain.
+/// Random anisotropic rock with positive work for any strain.
 Given anisotropic_rock(std::mt19937& random) {
     std::uniform_real_distribution<double> uniform;
     const double plane = 1e9 * std::pow(10, 2 * uniform(random)), normal = 1e9 * std::pow(10, 2 * uniform(random)),
@@ -264,7 +264,7 @@ Given anisotropic_rock(std::mt19937& random) {
             {"shear-normal", 3e8 * std::pow(10, 2 * uniform(random))}};
 }
 
-TEST(ZoneModels, AnisotropicRockThatIsTurnedWithItsPlanesGivesStressesThatAreTurned) {
+TEST(ZoneModels, RotatedAnisotropicRockGivesRotatedStresses) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform;
     for (int family = 0; family < 50; ++family) {
@@ -287,7 +287,7 @@ TEST(ZoneModels, AnisotropicRockThatIsTurnedWithItsPlanesGivesStressesThatAreTur
 
 using Square = std::array<std::array<double, 6>, 6>;
 
-/// Stiffness in six components of equal weight, found strain by strain.
+/// Stiffness in six components of equal weight, computed strain by strain.
 Square stiffness_of(const Given& given) {
     Square stiffness{};
     for (int k = 0; k < 6; ++k) {
@@ -300,7 +300,7 @@ Square stiffness_of(const Given& given) {
     return stiffness;
 }
 
-/// Whether a symmetric matrix and a multiple of the unit have positive eigenvalues only.
+/// Whether a symmetric matrix plus a multiple of the identity has only positive eigenvalues.
 bool is_positive(Square m, double unit) {
     for (int k = 0; k < 6; ++k) m[k][k] += unit;
     for (int k = 0; k < 6; ++k) {
@@ -339,7 +339,7 @@ TEST(ZoneModels, ModuliOfAnisotropicRockBoundItsStiffnessAndNoMore) {
     EXPECT_NEAR(shear / 2e9, 1, 1e-12); // shear-normal of (3) is that of isotropic rock
 }
 
-TEST(ZoneModels, AnisotropicRockThatGivesOutWorkIsRefused) {
+TEST(ZoneModels, AnisotropicRockThatReleasesWorkIsRefused) {
     const ZoneModel& model = models().get("anisotropic-elastic");
     const auto said = [&](double plane, double normal, double poisson_plane, double poisson_normal, double shear) {
         return model.check({plane, normal, poisson_plane, poisson_normal, shear, 0, 0});
@@ -357,7 +357,8 @@ TEST(ZoneModels, FlowTakesEnergyAndGivesNone) {
     for (const Zone& fresh : all_zones()) {
         Zone zone = fresh;
         double put_in = 0;
-        const auto [bulk, shear] = fresh.model.moduli(fresh.values); // at the greatest: what is stored is no less
+        const auto [bulk, shear] =
+            fresh.model.moduli(fresh.values); // with the largest moduli: a lower bound of the stored energy
         const auto stored = [bulk = bulk, shear = shear](const Zone& z) {
             const double mean = z.stress.head<3>().sum() / 3;
             Tensor deviator = z.stress;
@@ -413,7 +414,7 @@ std::string refusal(const std::string& name) {
     return "taken";
 }
 
-TEST(ZoneModels, WhatIsWrongIsRefusedWhenItIsLoaded) {
+TEST(ZoneModels, InvalidModelsAreRefusedWhenLoaded) {
     EXPECT_THAT(refusal("version-99"),
                 testing::HasSubstr("was built for interface version 99, this program has version 1"));
     EXPECT_THAT(refusal("null-run"), testing::HasSubstr("'run' is NULL"));
@@ -425,7 +426,7 @@ TEST(ZoneModels, WhatIsWrongIsRefusedWhenItIsLoaded) {
     } catch (const Diagnostic& error) { EXPECT_EQ(error.hint, "did you mean 'mohr-coulomb'?"); }
 }
 
-TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
+TEST(ZoneModels, FailuresInAStepNameTheRow) {
     const std::pair<double, const char*> cases[] = {
         {1, "zone model misbehaves threw an exception in a batch that begins here: it does not like this zone"},
         {2, "zone model misbehaves returned xy stress nan"},
@@ -457,7 +458,7 @@ TEST(ZoneModels, WhatGoesWrongInAStepIsToldWithTheRow) {
     }
 }
 
-TEST(ZoneModels, WhatWritesWhereItMustNotIsFoundBeforeItRuns) {
+TEST(ZoneModels, WritesToReadOnlyColumnsAreFoundBeforeTheRun) {
     const ZoneModel& model = models().get(std::string(KAYA_TEST_PLUGINS) + "/zones/hostile.so");
     try_zone(model, {2e8, 1e8, 0});
     for (const auto& [what, sentence] : {std::pair{10.0, "wrote to 'strain_inc', which it may only read"},

@@ -31,7 +31,7 @@ struct Bent {
     std::array<EndForce, 2> ends;
 };
 
-/// An element along `rest`'s x whose last node has gone by a small motion, all of it turned and moved.
+/// An element along the x axis of `rest` whose last node has moved by a small motion; the whole is then rotated and moved.
 Bent bent(const Mat3& rest, double length, const std::array<Vec3, 2>& shift, const std::array<Vec3, 2>& rotation,
           const Mat3& turn, const Vec3& far) {
     std::array<NodePose, 2> nodes;
@@ -55,19 +55,19 @@ TEST(BeamElement, FeelsNoRigidMotion) {
         const std::array<Vec3, 2> none{Vec3::Zero(), Vec3::Zero()};
         const Bent b = bent(random.turn(), 2, none, none, random.turn(), random.vector(10));
         for (const auto& end : b.ends) {
-            EXPECT_LT(end.force.norm(), 1e-7); // 3e6 and the bits of places
+            EXPECT_LT(end.force.norm(), 1e-7); // 3e6 and the precision of positions
             EXPECT_LT(end.moment.norm(), 1e-9);
         }
     }
 }
 
-TEST(BeamElement, HasTheForcesOfCantileversHoweverItLies) {
+TEST(BeamElement, HasTheForcesOfCantileversInAnyOrientation) {
     Random random(2);
     const double L = 2, P = 1e-3;
     const BeamSection s = section();
     for (int k = 0; k < 50; ++k) {
         const Mat3 rest = random.turn(), turn = random.turn(), axes = turn * rest;
-        // P along y and then along z at the free end; the node bears what acts on it, so the element pulls it back.
+        // P along y and then along z at the free end; the element exerts the opposite force on the node.
         Bent y = bent(rest, L, {Vec3::Zero(), Vec3(0, P * L * L * L / (3 * s.bending_z), 0)},
                       {Vec3::Zero(), Vec3(0, 0, P * L * L / (2 * s.bending_z))}, turn, random.vector(10));
         EXPECT_LT((y.ends[1].force - axes * Vec3(0, -P, 0)).norm(), 1e-4 * P);
@@ -80,7 +80,7 @@ TEST(BeamElement, HasTheForcesOfCantileversHoweverItLies) {
         EXPECT_LT(z.ends[1].moment.norm(), 1e-4 * P * L);
         EXPECT_NEAR(z.forces.moment[0], -P * L, 1e-4 * P * L);
         EXPECT_NEAR(z.forces.shear_z, P, 1e-4 * P);
-        // Pull and twist.
+        // Tension and twist.
         Bent x = bent(rest, L, {Vec3::Zero(), Vec3(1e-6, 0, 0)}, {Vec3::Zero(), Vec3(1e-6, 0, 0)}, turn, Vec3::Zero());
         EXPECT_NEAR(x.forces.axial, s.axial / L * 1e-6, 1e-9 * s.axial);
         EXPECT_NEAR(x.forces.torsion, s.torsion / L * 1e-6, 1e-6);
@@ -125,7 +125,7 @@ TEST(BeamElement, KeepsHingesBelowTheirMoment) {
             const double a = motion.bend[at] - loss.hinge[at], b = motion.bend[at + 1] - loss.hinge[at + 1];
             EXPECT_NEAR(-f.moment[at], stiffness * (4 * a + 2 * b), 1e-9 * limit);
             EXPECT_NEAR(f.moment[at + 1], stiffness * (2 * a + 4 * b), 1e-9 * limit);
-            // A hinge turns only where the moment is at its limit, and in its direction.
+            // A hinge rotates only where the moment is at its limit, and in its direction.
             for (const std::size_t end : {at, at + 1}) {
                 const double moment = end == at ? -f.moment[end] : f.moment[end];
                 EXPECT_LE(std::abs(moment), limit * (1 + 1e-12));

@@ -49,8 +49,7 @@ TEST(Boundaries, AQuietBaseTakesUpTheMotionOfAColumn) {
     const double energy = 0.5 * 2000 * 10 * 0.01, speed = std::sqrt((1e9 + 0.8e9) / 2000);
     bench.cycle.prepare();
     while (model.clock.time < 25 / speed) bench.cycle.advance();
-    // Twice the length at the speed of the wave, and some: all has gone out but for what ten zones scatter of a front that
-    // is a jump.
+    // More than twice the length at the wave speed: all energy has left except the scatter of a discontinuous front in ten zones.
     EXPECT_LT(model.energy.kinetic, 0.005 * energy);
     EXPECT_GT(model.energy.damped, 0.99 * energy);
     EXPECT_NEAR(model.energy.error(), 0, 1e-3 * energy);
@@ -65,7 +64,7 @@ TEST(Boundaries, RollersHoldAlongNormalsAndWorkAsTheBoundary) {
     };
     EXPECT_EQ(hold_normals(model, side(0, 0), 0.5), 9u);
     EXPECT_EQ(hold_normals(model, side(2, 1), -0.25), 9u);
-    // Gridpoints of one face share a roller; those on the edge have one of their own with both directions.
+    // Gridpoints of one face share a roller; those on the edge have a separate one with both directions.
     EXPECT_EQ(model.rollers.size(), 4u);
     for (int i = 0; i < 50; ++i) bench.cycle.advance();
     int edge = 0;
@@ -83,7 +82,7 @@ TEST(Boundaries, RollersHoldAlongNormalsAndWorkAsTheBoundary) {
     EXPECT_EQ(model.gridpoints.roller[0], 0);
 }
 
-/// Blocks that are joined where they touch: a T with a long bar, whose stem covers a part of it, and a foot.
+/// Joined blocks: a T with a long bar, whose stem covers a part of it, and a foot.
 struct JoinedTee : Bench {
     JoinedTee() {
         const std::vector<Row> rows{brick({0, 0, 2}, {3, 1, 3}), brick({1, 0, 0.5}, {1.5, 0.75, 2}),
@@ -106,14 +105,14 @@ TEST(Boundaries, APressureActsOnTheOutsideOfAJoinedBodyOnly) {
     JoinedTee tee;
     StressField pressure;
     pressure.at_origin = {-5, -5, -5, 0, 0, 0};
-    // All around: what is loaded is the surface without the two sections, each seen from both sides.
+    // On all sides: the loaded surface excludes the two sections, each from both sides.
     const double sections = 2 * 2 * 0.5 * 0.75, bar = 2 * (3 * 1 + 3 * 1 + 1 * 1),
                  stem = 2 * (0.5 * 0.75 + 0.5 * 1.5 + 0.75 * 1.5), foot = 2 * (1.8 * 1 + 1.8 * 0.5 + 1 * 0.5);
     EXPECT_NEAR(add_stress(tee.model, all_gridpoints(tee.model), pressure), bar + stem + foot - sections, 1e-9);
     const auto [force, moment] = tee.load();
     EXPECT_LT(force.norm(), 1e-12);
     EXPECT_LT(moment.norm(), 1e-12);
-    // The members as such are not in balance: the stem is pressed at its sides, the bar from above.
+    // The single members are not in equilibrium: the stem is loaded at its sides, the bar from above.
     EXPECT_NEAR(tee.model.blocks.load[0].z(), -5 * 0.5 * 0.75, 1e-12);
     EXPECT_NEAR(tee.model.blocks.load[1].norm(), 0, 1e-12);
 }

@@ -1,4 +1,4 @@
-// Chains of any kind: what solve() leaves over, and that no limit is passed.
+// Chains of any kind: residuals of solve(), and limits.
 #include "mechanics/cable_chain.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ CableChain even_chain(std::size_t nodes, double bar, double grout, double streng
     return chain;
 }
 
-/// Force left over at a node that may slip, in the words of equation (4) of docs/theory/cables.md.
+/// Residual force at a node that may slip, by equation (4) of docs/theory/cables.md.
 double left_over(const CableChain& chain, std::size_t i) {
     double force = chain.grout_force(i);
     if (i < chain.bars.size()) force += chain.bars[i].first_cosine * chain.bar_force(i);
@@ -57,7 +57,7 @@ TEST(CableChain, SlipsAsAWholeAtTheSumOfItsGrout) {
 TEST(CableChain, RandomOnesComeToRestWithinTheirLimits) {
     std::mt19937_64 random(5);
     const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-    const auto size = [&] { return std::pow(10, any(-4, 4)); }; // bars and grout as unlike as 1e8
+    const auto size = [&] { return std::pow(10, any(-4, 4)); }; // stiffnesses of bars and grout differ by up to 1e8
     for (int k = 0; k < 5000; ++k) {
         SCOPED_TRACE(k);
         const auto nodes = static_cast<std::size_t>(2 + random() % 40);
@@ -89,14 +89,14 @@ TEST(CableChain, RandomOnesComeToRestWithinTheirLimits) {
             largest = std::max(largest, std::abs(n));
         }
         for (std::size_t i = 0; i < nodes; ++i) largest = std::max(largest, std::abs(chain.grout_force(i)));
-        // What differences of slips leave of their bits.
+        // Precision of differences of slips.
         double rounding = 0;
         for (const double slip : chain.slip) rounding = std::max(rounding, 1e-13 * (bar + grout) * std::abs(slip));
         for (std::size_t i = 0; i < nodes; ++i) {
             if (chain.grout[i].anchored) EXPECT_EQ(chain.slip[i], before[i]);
             else EXPECT_NEAR(left_over(chain, i), 0, 1e-6 * largest + rounding) << "node " << i << " of " << nodes;
         }
-        // Solved once more it stays.
+        // A second solution changes nothing.
         std::vector<double> forces;
         for (std::size_t i = 0; i + 1 < nodes; ++i) forces.push_back(chain.bar_force(i));
         chain.solve();

@@ -11,8 +11,8 @@ namespace {
 
 using test::Bench;
 
-/// Blocks of cells in several tiles, the last group of some not full, in motion from a state without stress; some of their cells have
-/// zones with stresses of their own.
+/// Blocks of cells in several tiles, the last group of some not full, in motion from a state without stress; some cells have zones with
+/// different stresses.
 struct MovingCells : Bench {
     MovingCells() {
         elastic(1, 2500, 1e9, 0.75e9);
@@ -35,7 +35,7 @@ struct MovingCells : Bench {
     }
 };
 
-TEST(CellStresses, CyclesThatNobodyLooksIntoEndWithTheSameBits) {
+TEST(CellStresses, UnwatchedCyclesEndWithTheSameBits) {
     MovingCells watched, unwatched, in_turn;
     watched.run(41);
     unwatched.run_unwatched(41);
@@ -46,12 +46,12 @@ TEST(CellStresses, CyclesThatNobodyLooksIntoEndWithTheSameBits) {
     in_turn.expect_the_same_as(watched);
 }
 
-TEST(CellStresses, AreKeptAsLongAsNobodyAsksForThem) {
+TEST(CellStresses, AreCachedUntilTheyAreRead) {
     MovingCells watched, unwatched;
     watched.run(5);
     const Cycle::Unwatched held(unwatched.cycle);
     unwatched.run(5);
-    EXPECT_EQ(unwatched.model.zones.stress[5], unwatched.model.zones.stress[6]); // nobody has written them
+    EXPECT_EQ(unwatched.model.zones.stress[5], unwatched.model.zones.stress[6]); // not written back
     EXPECT_EQ(unwatched.cycle.energy_in_zones(), watched.cycle.energy_in_zones());
     unwatched.expect_the_same_as(watched);
     unwatched.run(5);
@@ -78,7 +78,7 @@ TEST(CellStresses, AreWrittenForHistoriesOfZones) {
     EXPECT_EQ(values, stress_in_time(false));
 }
 
-TEST(CellStresses, CellsWhoseZonesAreApartStayApart) {
+TEST(CellStresses, CellsWithSeparateZonesStaySeparate) {
     MovingCells watched, unwatched;
     for (auto* bench : {&watched, &unwatched}) bench->model.zones.stress[100] = Stress::Constant(1e5);
     watched.run(20);

@@ -13,7 +13,7 @@ namespace {
 
 using Field = std::function<Vec3(const Vec3&)>;
 
-/// Eight cells: corners of boxes of 2 by 1 by 0.5, moved by up to so much.
+/// Eight cells: corners of boxes of 2 by 1 by 0.5, randomly displaced.
 struct EightCells {
     explicit EightCells(double distortion, unsigned seed = 11) {
         std::mt19937 random(seed);
@@ -51,7 +51,7 @@ Vec3 of_lane(const Eight3& v, int l) { return {v.x[l], v.y[l], v.z[l]}; }
 constexpr double lambda = 1.2e9, two_shear = 1.6e9;
 const LayerModuli moduli(lambda, two_shear);
 
-/// So many cells whose faces with a bit are ruled surfaces.
+/// Cells whose faces with a set bit are ruled surfaces.
 RuledFaces faces(std::uint8_t bits) {
     std::array<std::uint8_t, eight> of_cells;
     of_cells.fill(bits);
@@ -59,7 +59,7 @@ RuledFaces faces(std::uint8_t bits) {
 }
 constexpr std::uint8_t no_face = 0, every_face = 63;
 
-/// What a motion adds to how cells resist warping, from nothing on. Returns its work.
+/// The warping forces of cells after a motion from zero. Returns its work.
 Eight warp(const EightCells& cells, const Field& motion, WarpStress& stress) {
     const CellShape shape(cells.corners(), faces(every_face));
     stress = {};
@@ -94,7 +94,7 @@ TEST(Cells, AnEvenStrainIsFound) {
     }
 }
 
-TEST(Cells, ARigidTurnByALargeAngleIsNoStrain) {
+TEST(Cells, ALargeRigidRotationCausesNoStrain) {
     const EightCells before(0.15);
     EightCells after = before;
     const Mat3 turn = Eigen::AngleAxisd(0.8, Vec3(1, -2, 3).normalized()).toRotationMatrix();
@@ -110,7 +110,7 @@ TEST(Cells, ARigidTurnByALargeAngleIsNoStrain) {
     }
 }
 
-// Of a box each corner has a quarter of the faces at it when they are ruled; of two triangles a third or a sixth.
+// Each corner of a box has a quarter of its faces if they are ruled; of two triangles a third or a sixth.
 TEST(Cells, CornersHaveAQuarterOfARuledFace) {
     const EightCells boxes(0);
     const Vec3 quarter(0.5 * 0.25, 1.0 * 0.25, 2.0 * 0.25); // faces 1 by 0.5, 0.5 by 2, 2 by 1
@@ -122,7 +122,7 @@ TEST(Cells, CornersHaveAQuarterOfARuledFace) {
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(of_lane(triangles.gradient[6], 0)[k], quarter[k] * 4 / 3, 1e-15);
 }
 
-/// Forces of an even stress on the corners of cells.
+/// Forces of a uniform stress on the corners of cells.
 CellForces even_forces(const EightCells& cells, std::uint8_t ruled) {
     const SixEights stress{eights(-1), eights(-2), eights(-4), eights(0.5), eights(0.25), eights(-0.75)};
     CellForces forces{};
@@ -130,8 +130,8 @@ CellForces even_forces(const EightCells& cells, std::uint8_t ruled) {
     return forces;
 }
 
-// The face at the end of an axis of one cell is the one at its beginning of the other.
-TEST(Cells, AnEvenStressGoesThroughARuledFace) {
+// The face at the end of an axis of one cell is the one at the start of that axis of the other.
+TEST(Cells, AUniformStressPassesThroughARuledFace) {
     for (unsigned axis = 0; axis < 3; ++axis) {
         const EightCells first(0.15);
         EightCells second(0.15, 12);
@@ -179,7 +179,7 @@ Eigen::MatrixXd stiffness_of(const EightCells& cells, const RuledFaces& ruled, i
     return stiffness;
 }
 
-/// What the time step takes for the six zones, by corner: equation (7) of docs/theory/time-step.md.
+/// The bound of the time step for the six zones, by corner: equation (7) of docs/theory/time-step.md.
 std::array<double, 8> bounds_of(const EightCells& cells, std::size_t lane) {
     std::array<double, 8> bound{};
     for (const auto& zone : corners_of_zone) {
@@ -212,11 +212,11 @@ TEST(Cells, AreNotStifferThanTheBoundOfTheirZones) {
                     const Eigen::VectorXd values =
                         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
                     EXPECT_LT(values[23], 1);
-                    EXPECT_GT(values[6], 1e-4); // rigid motion alone costs nothing
+                    EXPECT_GT(values[6], 1e-4); // only rigid motion has no energy
                 }
 }
 
-TEST(Cells, WhatAllCornersHaveInCommonLeavesNothing) {
+TEST(Cells, ACommonVelocityOfAllCornersHasNoEffect) {
     const EightCells cells(0.15);
     const CellMotion motion(CellShape(cells.corners(), faces(every_face)),
                             cells.values([](const Vec3&) { return Vec3(1e6, 0.1, 1.0 / 3); }), true);
@@ -256,7 +256,7 @@ TEST(Cells, ForcesAreInBalanceAndDoTheWork) {
     const CellForces forces = forces_of(shape, stress, warped);
     for (int l = 0; l < 8; ++l) {
         Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-        double done = 0, size = 0, stored = 2 * of_warping[l]; // the forces grow from nothing
+        double done = 0, size = 0, stored = 2 * of_warping[l]; // the forces increase from zero
         for (std::size_t k = 0; k < 6; ++k)
             stored += (k < 3 ? 1 : 2) * shape.volume[l] * stress[k][l] * step.strain[k][l];
         for (std::size_t c = 0; c < 8; ++c) {
@@ -273,7 +273,7 @@ TEST(Cells, ForcesAreInBalanceAndDoTheWork) {
     }
 }
 
-// To a curvature k, with the section free to curve the other way: E k^2/2 times the second moment of the section times the length.
+// To a curvature k, with free transverse curvature of the section: E k^2/2 times the second moment of the section times the length.
 TEST(Cells, ABoxBendsAsABeam) {
     const EightCells cells(0);
     const double k = 1e-3, young = moduli.young, nu = 1.2 / (2 * (1.2 + 0.8));

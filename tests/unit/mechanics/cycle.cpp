@@ -9,7 +9,7 @@ namespace {
 
 using test::Bench;
 
-// The two bricks of which 3DEC's own numbers are known: one offset on the other, rigid.
+// The two bricks with known results of 3DEC: one offset on the other, rigid.
 TEST(Cycle, AnOffsetBrickOnABrickRestsWithItsWeightAndMomentOnTheJoint) {
     Bench bench;
     bench.elastic(1, 2200, 0, 0);
@@ -26,7 +26,7 @@ TEST(Cycle, AnOffsetBrickOnABrickRestsWithItsWeightAndMomentOnTheJoint) {
 
     bench.run(4000);
     EXPECT_NEAR(bench.normal_force(), 9806, 1e-3);
-    double moment = 0; // about y, of the support about the brick's centre
+    double moment = 0; // about y, of the support about the centre of the brick
     for (std::size_t s = 0; s < bench.model.sub_contacts.size(); ++s)
         moment += bench.model.sub_contacts.normal_force[s] * (bench.model.sub_contacts.position[s].x() - 0.5 - x);
     EXPECT_NEAR(moment, 0, 1);
@@ -59,7 +59,7 @@ TEST(Cycle, FreeSpinAboutTheUnstableAxisKeepsMomentumAndEnergy) {
     const Vec3 momentum = blocks.angular_momentum[b];
     const double energy = 0.5 * w0.dot(momentum);
     double least = 1e300, most = 0;
-    for (int i = 0; i < 200000; ++i) { // 318 turns
+    for (int i = 0; i < 200000; ++i) { // 318 rotations
         bench.cycle.advance();
         const double e = 0.5 * blocks.rotational_velocity[b].dot(blocks.angular_momentum[b]);
         least = std::min(least, e);

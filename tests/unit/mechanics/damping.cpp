@@ -10,7 +10,7 @@
 namespace kaya {
 namespace {
 
-/// Velocities, forces and forces before that turn, rest and stay as they were, in all combinations.
+/// Velocities, forces and previous forces that reverse, are zero or constant, in all combinations.
 TEST(Damping, EightComponentsGetTheBitsThatOneGets) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1, 1);

@@ -13,7 +13,7 @@ namespace {
 
 using test::Bench;
 
-/// A brick of 4 m on the ground and one of 5 cm beside it.
+/// A brick of 4 m on the ground and one of 5 cm next to it.
 struct BigAndSmall : Bench {
     Row ground, big, small;
 
@@ -31,7 +31,7 @@ struct BigAndSmall : Bench {
         model.settings.scaled_time_step = step;
         ModelEdit(model, Change::properties);
     }
-    /// Cycles until no body is out of balance, at most `most`.
+    /// Cycles until all bodies are balanced, at most `most`.
     int settle(int most) {
         for (int n = 1; n <= most; ++n) {
             cycle.advance();
@@ -68,12 +68,12 @@ TEST(DensityScaling, FullScalingGivesAllBodiesTheSameStep) {
     const auto& mass = bench.model.blocks.inertial_mass;
     const double of_big = stiffness.of_block[bench.big].elastic / mass[bench.big];
     EXPECT_NEAR(stiffness.of_block[bench.small].elastic / mass[bench.small], of_big, 1e-12 * of_big);
-    // What is dealt out is the mass that is there.
+    // The redistributed mass is the total mass.
     EXPECT_NEAR(mass[bench.big] + mass[bench.small], 128000.25, 1e-6);
     EXPECT_NEAR(bench.model.clock.time_step, time_step_fraction(bench.model.settings) * 2 / std::sqrt(of_big), 1e-12);
 }
 
-TEST(DensityScaling, PartialScalingAddsToBodiesWithAShortStepOnlyAndTellsHowMuch) {
+TEST(DensityScaling, PartialScalingAddsMassToBodiesWithAShortStepOnlyAndReportsIt) {
     BigAndSmall plain, bench;
     plain.cycle.prepare();
     const double before = plain.model.clock.time_step, wanted = 3 * before;
@@ -82,7 +82,7 @@ TEST(DensityScaling, PartialScalingAddsToBodiesWithAShortStepOnlyAndTellsHowMuch
     EXPECT_NEAR(bench.model.clock.time_step, wanted, 1e-9 * wanted);
     const auto& blocks = bench.model.blocks;
     EXPECT_EQ(blocks.inertial_mass[bench.big], blocks.mass[bench.big]);
-    // Both bounds agree for a block on fixed ground, so the mass follows the square of the step.
+    // Both bounds agree for a block on fixed ground, so the mass is proportional to the square of the step.
     EXPECT_NEAR(blocks.inertial_mass[bench.small], 9 * 0.25, 1e-9);
     const ScaledMasses sums = scaled_masses(bench.model);
     EXPECT_EQ(sums.bodies, 2u);
@@ -101,7 +101,7 @@ TEST(DensityScaling, PartialScalingForAStepThatAllBodiesAllowChangesNothing) {
     EXPECT_EQ(scaled_masses(bench.model).scaled, 0u);
 }
 
-TEST(DensityScaling, ABlockThatLandsGetsTheMassThatTheStepAsksFor) {
+TEST(DensityScaling, ALandingBlockGetsTheMassThatTheStepRequires) {
     BigAndSmall bench;
     bench.model.settings.damping = Damping::none;
     bench.brick({8, 1, 1.02}, {8.05, 1.05, 1.07});
@@ -127,7 +127,7 @@ TEST(DensityScaling, AHeavierBodyKeepsItsMomentumALighterOneItsVelocityAndTheAcc
     const Vec3 spin(0.01, 0.02, 0.03), momentum = blocks.inertia[bench.small] * 2000 * spin;
     blocks.rotational_velocity[bench.small] = spin;
     blocks.angular_momentum[bench.small] = momentum;
-    bench.cycle.advance(); // what was set is known to the account
+    bench.cycle.advance(); // the account includes the set velocity
     const auto kinetic = [&](Row b) {
         return 0.5 * blocks.inertial_mass[b] * blocks.velocity[b].squaredNorm() +
                0.5 * blocks.rotational_velocity[b].dot(blocks.angular_momentum[b]);
@@ -172,7 +172,7 @@ TEST(DensityScaling, BlocksThatRattleInAGapGainNothing) {
     BigAndSmall bench;
     bench.model.settings.damping = Damping::none;
     bench.model.settings.gravity.setZero();
-    bench.brick({6, 1, 1.3}, {6.05, 1.05, 2}); // above the small one, and held
+    bench.brick({6, 1, 1.3}, {6.05, 1.05, 2}); // above the small one, and fixed
     fix_blocks(bench.model, {bench.small, Row{3}});
     const Row rattling = bench.brick({6.001, 1.001, 1.06}, {6.04, 1.04, 1.16});
     bench.scale(MassScaling::full);

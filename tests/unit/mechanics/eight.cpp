@@ -44,7 +44,7 @@ TEST(Eight, RowsOfSixBecomeColumnsAndRowsAgain) {
     for (int i = 0; i < 48; ++i) EXPECT_EQ(rows[i + 1], i);
 }
 
-TEST(Eight, RowsOfSixMayStandApartAndSeveralTimes) {
+TEST(Eight, RowsOfSixMayBeScatteredAndRepeated) {
     const Numbers n;
     std::array<double, 8 * 14> rows;
     rows.fill(-1);
@@ -57,7 +57,7 @@ TEST(Eight, RowsOfSixMayStandApartAndSeveralTimes) {
     }
 }
 
-TEST(Eight, ANumberOfEachRowStandsAtEachOfItsThree) {
+TEST(Eight, ANumberOfEachRowIsCopiedToItsThree) {
     const Numbers n;
     const ThreeEights spread = for_each_of_three(load_as<Eight>(n.value.data())), same = for_each_row(Vec3(5, 6, 7));
     for (int i = 0; i < 24; ++i) {
@@ -66,7 +66,7 @@ TEST(Eight, ANumberOfEachRowStandsAtEachOfItsThree) {
     }
 }
 
-TEST(Eight, RowsThatAreNotThereAreNeitherReadNorWritten) {
+TEST(Eight, MissingRowsAreNeitherReadNorWritten) {
     const Numbers n;
     const Eight some = load_rows(&n.value[1], 3);
     for (int l = 0; l < 8; ++l) EXPECT_EQ(some[l], l < 3 ? l + 1 : 0);
@@ -75,7 +75,7 @@ TEST(Eight, RowsThatAreNotThereAreNeitherReadNorWritten) {
     for (int l = 0; l < 8; ++l) EXPECT_EQ(rows[l], l < 3 ? 2 : 0);
 }
 
-TEST(Eight, WhatIsNoNumberIsNotAbove0) {
+TEST(Eight, NaNIsNotAboveZero) {
     EXPECT_TRUE(all_above_zero(eights(1e-300)));
     for (const double other : {0.0, -1.0, std::nan("")}) {
         Eight e = eights(1);
@@ -87,7 +87,7 @@ TEST(Eight, WhatIsNoNumberIsNotAbove0) {
 TEST(Eight, SumsOfFourTakeTheFirstHalfFirst) {
     Lanes sum = Lanes::Zero();
     Eight e = eights(1);
-    e[0] = 1e16; // 1 is lost beside it
+    e[0] = 1e16; // 1 is below its precision
     e[4] = -1e16;
     add_to(sum, e);
     EXPECT_EQ(sum[0], 0);

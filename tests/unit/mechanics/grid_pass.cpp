@@ -17,8 +17,8 @@ namespace {
 
 using test::Bench;
 
-/// Two blocks whose gridpoints are in several chunks each, and small ones of which some are rigid. Some gridpoints are held, some
-/// on a roller, some loaded.
+/// Two blocks with gridpoints in several chunks each, and small blocks, some of them rigid. Some gridpoints are fixed, some on a roller,
+/// some loaded.
 struct ManyZones : Bench {
     explicit ManyZones(bool large, Damping damping = Damping::local) {
         elastic(1, 2500, 1e9, 0.75e9);
@@ -46,7 +46,7 @@ struct ManyZones : Bench {
     }
 };
 
-/// What the phases ask for.
+/// Results of the phases.
 struct Parts {
     Model model;
     ZoneLaws laws;
@@ -76,7 +76,7 @@ struct Parts {
             power = gather_forces(model, forces, members);
         }
     }
-    /// Returns the part of the chunks that are gathered in the pass.
+    /// Returns the fraction of the chunks that are gathered in the pass.
     double in_one_pass(int steps, int threads, bool loads_stay = true) {
         GridPass pass(model, laws.tiles, threads);
         double part = 0;
@@ -122,7 +122,7 @@ TEST_P(GridPasses, GiveTheBitsOfThePhasesOneByOne) {
             Parts phases(bench), pass(bench), apart(bench);
             const std::uint64_t start = state_hash(pass.model);
             phases.one_by_one(3);
-            // With more threads more tiles have gridpoints that several threads move, and wait with their forces.
+            // With more threads more tiles have gridpoints moved by several threads; their forces are gathered later.
             EXPECT_GT(pass.in_one_pass(3, GetParam()), GetParam() == 1 ? 0.99 : 0.1);
             EXPECT_EQ(apart.in_one_pass(3, GetParam(), false), 0);
             EXPECT_NE(state_hash(pass.model), start);
@@ -131,8 +131,8 @@ TEST_P(GridPasses, GiveTheBitsOfThePhasesOneByOne) {
         }
 }
 
-/// Zones of several tiles turn over in one step: it is the first that is told.
-TEST_P(GridPasses, TellOfTheFirstZoneThatFails) {
+/// Zones of several tiles are inverted in one step: the first is reported.
+TEST_P(GridPasses, ReportTheFirstFailingZone) {
     const InThreads threads(GetParam());
     ManyZones bench(true);
     Parts phases(bench), pass(bench);

@@ -1,4 +1,4 @@
-// Random vectors and turns for tests of elements.
+// Random vectors and rotations for tests of elements.
 #pragma once
 
 #include "base/vector.hpp"

@@ -14,7 +14,7 @@ namespace {
 
 const ShellSection section{.thickness = 0.2, .young = 3e4, .poisson = 0.3};
 
-/// A square of 4 by 4 cells, each cut in two; inner nodes are moved by up to a third of a cell.
+/// A square of 4 by 4 cells, each divided into two triangles; inner nodes are displaced by up to a third of a cell.
 struct Patch {
     std::vector<Vec3> places; ///< in the plane z = 0
     std::vector<std::array<int, 3>> triangles;
@@ -48,7 +48,7 @@ struct PatchForces {
     std::vector<ShellForces> elements;
 };
 
-/// Forces of a patch that lies in a frame, whose nodes then move by a small motion in that frame, and then with it as a whole.
+/// Forces of a patch in a frame, whose nodes move by a small motion in that frame, and then with the frame.
 template <class Move>
 PatchForces forces_of(const Patch& patch, const Mat3& frame, const Mat3& turn, const Vec3& far, const Move& move) {
     std::vector<NodePose> poses;

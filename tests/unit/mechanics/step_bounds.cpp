@@ -14,7 +14,7 @@ namespace {
 
 using test::Bench;
 
-/// By iteration from a vector in which no direction is left out, in plain loops.
+/// By iteration from a vector with all directions, in plain loops.
 double largest_eigenvalue_of(const std::vector<double>& matrix, std::size_t n) {
     std::vector<double> x(n), y(n);
     for (std::size_t i = 0; i < n; ++i) x[i] = 1 + std::sin(37.0 * static_cast<double>(i));
@@ -55,7 +55,7 @@ double exact(const Model& model, double step) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Beta beta = beta_of(model, static_cast<Row>(c));
         for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
-            for (int direction = 0; direction < 3; ++direction) { // each a spring of its own: across and along
+            for (int direction = 0; direction < 3; ++direction) { // each a separate spring: normal and tangential
                 const Vec3 n0 = contacts.normal[c], n1 = n0.unitOrthogonal(), n2 = n0.cross(n1);
                 const Vec3 d = direction == 0 ? n0 : direction == 1 ? n1 : n2;
                 const double k =
@@ -78,7 +78,7 @@ double exact(const Model& model, double step) {
     return largest_eigenvalue_of(matrix, n);
 }
 
-/// The bound's largest stable step over about the exact one: at most 1, and 1 where the bound is exact.
+/// The largest stable step by the bound over the exact one: at most 1, and 1 if the bound is exact.
 double sharpness(Bench& bench) {
     bench.cycle.prepare();
     const Adjacency adjacency = make_adjacency(bench.model);
@@ -166,11 +166,11 @@ TEST(StepBounds, TheBoundDoesNotDependOnPlaceAndFrameAndFollowsTheSize) {
     const double one = stable(Mat3::Identity(), Vec3::Zero(), 1);
     EXPECT_NEAR(stable(turn, Vec3::Zero(), 1) / one, 1, 1e-6);
     EXPECT_NEAR(stable(Mat3::Identity(), {1e4, -2e4, 3e4}, 1) / one, 1, 1e-6);
-    // Masses grow with the cube, areas with the square.
+    // Masses are proportional to the cube, areas to the square.
     EXPECT_NEAR(stable(Mat3::Identity(), Vec3::Zero(), 4) / one, 2, 1e-6);
 }
 
-TEST(StepBounds, ABlockThatIsFarAwayAndStifferByItsSmallnessDoesNotChangeWhatOthersBear) {
+TEST(StepBounds, ADistantSmallStiffBlockDoesNotChangeTheBoundsOfOthers) {
     const auto of_all = [](bool small_one) {
         Placed bench;
         bench.stand(
@@ -192,7 +192,7 @@ TEST(StepBounds, ABlockThatIsFarAwayAndStifferByItsSmallnessDoesNotChangeWhatOth
     EXPECT_EQ(of_all(true), of_all(false));
 }
 
-TEST(StepBounds, WhatMayNotTurnIsBoundedByItsTranslations) {
+TEST(StepBounds, BodiesWithFixedRotationAreBoundedByTranslations) {
     Placed bench;
     bench.stand(
         [](Placed& p) {

@@ -11,7 +11,7 @@
 namespace kaya {
 namespace {
 
-/// Eight bricks on a plate; every second joint has another friction.
+/// Eight bricks on a plate; every second joint has a different friction.
 struct Crossed : test::Bench {
     Crossed() {
         brick({-1, -1, -1}, {9, 2, 0});
@@ -37,7 +37,7 @@ TEST(SubContactOrder, OnePropertySetIsOneBatch) {
     EXPECT_EQ(inconsistency(crossed.model), "");
 }
 
-TEST(SubContactOrder, EachStaysWhatItIs) {
+TEST(SubContactOrder, EachKeepsItsIdentity) {
     Crossed crossed;
     auto& model = crossed.model;
     std::map<std::int32_t, std::pair<std::int32_t, double>> before;
@@ -54,7 +54,7 @@ TEST(SubContactOrder, EachStaysWhatItIs) {
     }
 }
 
-TEST(SubContactOrder, WhatIsInOrderStays) {
+TEST(SubContactOrder, SortedOnesStay) {
     Crossed crossed;
     order_sub_contacts(crossed.model);
     const auto numbers = crossed.model.sub_contacts.number;

@@ -18,7 +18,7 @@ using test::Bench;
 
 constexpr double bulk = 1e9, shear = 0.75e9;
 
-/// Three cubes in a row, joined, cut in so many cells each.
+/// Three joined cubes in a row, with the given numbers of cells.
 struct Row3 : Bench {
     std::vector<Row> blocks;
 
@@ -123,7 +123,7 @@ TEST_P(TiesOfMeshes, KeepMomentumAndEnergyOfAFreeBody) {
     }
     EXPECT_LT((bench.momentum() - before).norm(), 1e-9 * before.norm());
     EXPECT_LT(std::abs(bench.model.energy.error()), 1e-3 * start);
-    EXPECT_LT(most - least, 2e-2 * start); // the leap-frog takes kinetic energy half a step back
+    EXPECT_LT(most - least, 2e-2 * start); // the kinetic energy of the leap-frog is half a step earlier
 }
 
 TEST_P(TiesOfMeshes, AFieldOfStressInEquilibriumStays) {
@@ -143,7 +143,7 @@ TEST_P(TiesOfMeshes, AFieldOfStressInEquilibriumStays) {
     for (const Stress& s : bench.model.zones.stress) EXPECT_LT((s - stress).norm(), 1e-6 * stress.norm());
 }
 
-TEST_P(TiesOfMeshes, ATurnMakesNoStressAndTurnsWhatIsThere) {
+TEST_P(TiesOfMeshes, ARotationCausesNoStressAndRotatesExistingStress) {
     Row3 bench(GetParam());
     bench.model.settings.damping = Damping::none;
     const double step = 1e-5;
@@ -151,7 +151,7 @@ TEST_P(TiesOfMeshes, ATurnMakesNoStressAndTurnsWhatIsThere) {
     bench.cycle.prepare();
     auto& g = bench.model.gridpoints;
     const Vec3 centre(1.5, 0.5, 0.5), spin(3, -1, 2);
-    // Every gridpoint is driven on its circle; the velocity of a step is that between its ends.
+    // Every gridpoint is moved on its circle; the velocity of a step is that between its ends.
     const int steps = 400;
     const double angle = 0.5 * std::numbers::pi / steps;
     for (std::uint8_t& fixed : g.fixed) fixed = 7;
@@ -188,10 +188,10 @@ TEST_P(TiesOfMeshes, TheStepThatIsFoundIsStableAndTheSameBitsComeWithAnyNumberOf
     EXPECT_GT(one->model.energy.start, 0);
 }
 
-TEST(Ties, WhatHoldsOneHoldsAllAndBearsAll) {
+TEST(Ties, ASupportOfOneActsOnAllTiedGridpoints) {
     Row3 bench({2, 2, 2});
     bench.model.settings.gravity = {0, 0, -10};
-    // The left one of the two sides at x = 1 is held, by itself: the two others hang on it.
+    // Only the left one of the two sides at x = 1 is fixed: the two others are tied to it.
     std::vector<Row> left;
     for (const Row g : bench.at(1))
         if (bench.model.gridpoints.block[g] == bench.blocks[0]) left.push_back(g);

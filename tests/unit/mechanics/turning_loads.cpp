@@ -17,7 +17,7 @@ namespace {
 
 using test::Bench;
 
-/// A turn about a random axis by up to half a turn; the same for a seed on every machine.
+/// A rotation about a random axis by up to 180 degrees; the same for a seed on every machine.
 class Turns {
 public:
     explicit Turns(unsigned seed) : engine_(seed) {}
@@ -29,7 +29,7 @@ private:
     std::mt19937 engine_;
 };
 
-/// A brick of 2 x 1 x 2 that is free, weightless and undamped, in another place, size and orientation.
+/// A free, weightless and undamped brick of 2 x 1 x 2, in another position, size and orientation.
 struct LoadedBrick : Bench {
     Row block;
 
@@ -54,7 +54,7 @@ struct LoadedBrick : Bench {
     }
 };
 
-/// Kinetic energy at the end of the step, with momenta after half of the next.
+/// Kinetic energy at the end of the step, with momenta advanced by half of the next.
 double rotation_energy(const Model& model, Row b) {
     return 0.5 * model.blocks.angular_momentum[b].dot(model.blocks.rotational_velocity[b]);
 }
@@ -74,7 +74,7 @@ TEST(TurningLoads, ABlockOnItsCentroidSwingsAboutTheDirectionOfAForceOnAnEdge) {
             prescribe_velocity(model, {{b}, {}}, 0, 0);
             prescribe_velocity(model, {{b}, {}}, 1, 0);
             prescribe_velocity(model, {{b}, {}}, 2, 0);
-            const double force = 1000 * std::pow(size, 4); // so that times stay as they are, with lengths of `size`
+            const double force = 1000 * std::pow(size, 4); // so that times are independent of the length `size`
             const Vec3 direction = turn.col(0);
             for (const double y : {0.0, 1.0})
                 bench.load(bench.vertex_at(turn * (size * Vec3(1, y, 1)) + shift), force * direction);
@@ -89,7 +89,7 @@ TEST(TurningLoads, ABlockOnItsCentroidSwingsAboutTheDirectionOfAForceOnAnEdge) {
                 bench.cycle.advance();
                 highest = std::max(highest, rotation_energy(model, b));
                 way = 0.5 * direction.dot(before + model.gridpoints.position[tip]) - direction.dot(start);
-                // Work of a constant force is force times way, to the middle of the step.
+                // The work of a constant force is force times displacement, to the middle of the step.
                 ASSERT_NEAR(model.energy.boundary, 2 * force * way, 1e-6 * most) << size;
                 ASSERT_NEAR(model.energy.error(), 0, 1e-3 * most) << size;
             }
@@ -111,11 +111,11 @@ TEST(TurningLoads, TheAccountIsOfSecondOrder) {
         return error;
     };
     const double coarse = worst(0.02), fine = worst(0.01);
-    EXPECT_GT(coarse, 0); // it notices what the integration leaves
+    EXPECT_GT(coarse, 0); // it detects the integration error
     EXPECT_NEAR(coarse / fine, 4, 0.6);
 }
 
-TEST(TurningLoads, TheMomentFollowsTheBlockWhereverItLies) {
+TEST(TurningLoads, TheMomentFollowsTheBlockAtAnyPosition) {
     Turns turns(11);
     for (int trial = 0; trial < 50; ++trial) {
         LoadedBrick bench(turns.turn(), turns.vector(), 1);
@@ -125,7 +125,7 @@ TEST(TurningLoads, TheMomentFollowsTheBlockWhereverItLies) {
         for (const Row g : bench.gridpoints_of(b)) forces.emplace_back(g, 100 * turns.vector());
         TimeFunction twice;
         twice.kind = TimeFunction::Kind::cosine;
-        twice.frequency = 0; // 1 for ever
+        twice.frequency = 0; // 1 without end
         const std::int32_t function = time_function_row(model, twice);
         for (std::size_t i = 0; i < forces.size(); ++i)
             bench.load(forces[i].first, forces[i].second, i % 2 == 0 ? constant_in_time : function);
@@ -175,7 +175,7 @@ TEST(TurningLoads, JoinedBricksMoveAsTheBrickThatTheyMake) {
     EXPECT_NEAR(halves.model.energy.error(), whole.model.energy.error(), 1e-8 * scale);
 }
 
-TEST(TurningLoads, PiecesShareForcesAndMomentsAndWhatIsPutBackHasNone) {
+TEST(TurningLoads, PiecesShareForcesAndMomentsAndRefilledBlocksHaveNone) {
     LoadedBrick bench(Mat3::Identity(), Vec3::Zero(), 1);
     Model& model = bench.model;
     TimeFunction always;
@@ -204,7 +204,7 @@ TEST(TurningLoads, PiecesShareForcesAndMomentsAndWhatIsPutBackHasNone) {
     EXPECT_LT((model.blocks.load[0] + model.blocks.load[1] - force).norm(), 1e-9 * force.norm());
     EXPECT_LT((moment() - before).norm(), 1e-9 * before.norm());
     bench.joint("elastic", {{"stiffness-normal", 1e3}, {"stiffness-shear", 1e3}});
-    bench.run(1); // loads that change with time are set anew
+    bench.run(1); // time-dependent loads are set again
     EXPECT_LT((model.blocks.load[0] + model.blocks.load[1] - force).norm(), 1e-9 * force.norm());
     excavate_blocks(model, {0});
     fill_blocks(model, {0});

@@ -1,4 +1,4 @@
-// Small models that several tests of the engine use.
+// Small models for several tests of the engine.
 #pragma once
 
 #include "mechanics/boundary.hpp"
@@ -11,7 +11,7 @@
 
 namespace kaya::test {
 
-/// A model with the program's own joint models at hand.
+/// A model with the joint models that ship.
 struct Bench {
     Model model;
     JointRegistry joints;

@@ -36,7 +36,7 @@ struct TwoBlocks : Bench {
         for (auto& stress : model.zones.stress)
             for (int k = 0; k < 6; ++k) stress[k] = 1e6 * small(random);
     }
-    /// The zones of a cell have the stress of its first.
+    /// The zones of a cell get the stress of the first.
     void make_alike() {
         for (std::size_t z = 0; z < model.zones.size(); ++z)
             model.zones.stress[z] = Stress(model.zones.stress[z - z % 6]);
@@ -95,7 +95,7 @@ TEST(ZoneTiles, EachZoneIsInOneTileOfItsLawWithItsOwnGridpoints) {
 TEST(ZoneTiles, ZonesOfOneTileHaveNoMoreGridpointsThanItHasRoomFor) {
     TwoBlocks bench;
     Model& model = bench.model;
-    // No two zones have a gridpoint in common.
+    // No two zones share a gridpoint.
     model.zones.resize(2000);
     model.gridpoints.resize(8000);
     for (Row z = 0; z < 2000; ++z) model.zones.gridpoints[z] = {4 * z, 4 * z + 1, 4 * z + 2, 4 * z + 3};
@@ -135,14 +135,14 @@ TEST(ZoneTiles, FacesThatTwoCellsOfABlockShareAreRuled) {
     int ruled = 0;
     for (const std::uint8_t bits : laws.tiles.ruled) ruled += std::popcount(bits);
     EXPECT_EQ(ruled, 6 * (343 - 49) + 6 * (27 - 9));
-    EXPECT_EQ(laws.tiles.ruled[0], 8 + 16 + 32); // those at the far ends of the axes
+    EXPECT_EQ(laws.tiles.ruled[0], 8 + 16 + 32); // those at the ends of the axes
 }
 
-/// Distorted cells, which have warped before: two steps in small strain. With `parted` motion makes a stress besides.
+/// Distorted cells with previous warping: two steps in small strain. With `parted` the motion also creates a stress.
 void expect_work_of_cells(TwoBlocks& bench, bool parted) {
     Model& model = bench.model;
     model.clock.time_step = 0.01;
-    model.settings.large_strain = false; // places stay, and forces are linear in the step
+    model.settings.large_strain = false; // positions are constant, and forces are linear in the step
     ZoneLaws laws(model, bench.joints.zones);
     find_ruled_faces(model, TieLists(), laws);
     if (parted) part_cell_motion(model, laws);
@@ -179,7 +179,7 @@ TEST(ZoneTiles, CellsTakeTheWorkThatTheirForcesDoAndTheirZonesStrainAlike) {
     EXPECT_EQ(parted.model.zones.history_columns, 5);
 }
 
-// A difference between the zones of one cell that is next to nothing changes next to nothing in all others.
+// A negligible difference between the zones of one cell has a negligible effect on all others.
 TEST(ZoneTiles, CellsWhoseZonesAreAlikeAnswerAsTheOthersDo) {
     std::vector<PointRow> forces[2];
     Column<Stress> stress[2];
@@ -249,11 +249,11 @@ TEST(ZoneTiles, ForcesAreMinusVolumeTimesStressTimesGradient) {
     expect_forces_of_stresses(true);
 }
 
-TEST(ZoneTiles, AStepStrainsAndTurnsTheStressAsTheTensorsSay) {
+TEST(ZoneTiles, AStepStrainsAndRotatesTheStressLikeTheTensors) {
     TwoBlocks bench;
     Model& model = bench.model;
     model.clock.time_step = 0.01;
-    model.settings.mixed_discretisation = false; // each zone on its own
+    model.settings.mixed_discretisation = false; // separate zones
     ZoneLaws laws(model, bench.joints.zones);
     ZoneScratch scratch;
     std::vector<PointRow> forces;

@@ -45,7 +45,7 @@ const Wrong wrong_numbers[] = {
 
 } // namespace
 
-TEST(Bounded, NothingIsWrongWithAModelThatIsNot) {
+TEST(Bounded, AnUnboundedModelHasNoProblem) {
     Model model = hand_made_model();
     EXPECT_EQ(unbounded_number(model), "");
 }

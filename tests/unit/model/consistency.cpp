@@ -76,15 +76,15 @@ const std::vector<Damage>& damages() {
          "some rows of face belong to no row of blocks"},
         {"block number", [](Model& m) { m.blocks.number[0] = 3; }, "row 0 of blocks: number 3 where 3 is the next"},
         {"block shape", [](Model& m) { m.blocks.shape[0] = 3; }, "row 0 of blocks: shape 3 where 3 is the next"},
-        {"block id", [](Model& m) { m.blocks.id[0].generation = 9; }, "row 0 of blocks: its id stands for another row"},
-        {"id row", [](Model& m) { m.blocks.ids.slots()[0].row = 1; }, "row 0 of blocks: its id stands for another row"},
+        {"block id", [](Model& m) { m.blocks.id[0].generation = 9; }, "row 0 of blocks: its id belongs to another row"},
+        {"id row", [](Model& m) { m.blocks.ids.slots()[0].row = 1; }, "row 0 of blocks: its id belongs to another row"},
         {"id more",
          [](Model& m) {
              m.blocks.ids.slots().push_back({1, 1});
          },
-         "3 ids stand for 2 rows of blocks"},
+         "3 ids for 2 rows of blocks"},
         {"id free", [](Model& m) { m.contacts.ids.free_slots().push_back(0); },
-         "the free ids of contacts are not counted right"},
+         "the number of free ids of contacts is wrong"},
         {"id free outside",
          [](Model& m) {
              m.contacts.ids.slots().push_back({no_row, 1});
@@ -93,7 +93,7 @@ const std::vector<Damage>& damages() {
          "free id 77 of contacts is in use"},
         {"block of a contact", [](Model& m) { m.contacts.block2[0] = 2; }, "row 0 of contacts: block 2 of 2"},
         {"contact with itself", [](Model& m) { m.contacts.block2[0] = 1; },
-         "row 0 of contacts: a block touches itself"},
+         "row 0 of contacts: a block is in contact with itself"},
         {"face of a contact", [](Model& m) { m.contacts.face1[0] = -2; }, "row 0 of contacts: face -2 of 8"},
         {"properties", [](Model& m) { m.contacts.properties[0] = 1; }, "row 0 of contacts: property set 1 of 1"},
         {"touch", [](Model& m) { m.contacts.type[0] = static_cast<ContactType>(0); },
@@ -119,17 +119,17 @@ const std::vector<Damage>& damages() {
          "the joint properties of new contacts are not there"},
         {"history interval", [](Model& m) { m.histories.interval = 0; }, "histories are sampled every 0 cycles"},
         {"history cycles", [](Model& m) { m.histories.cycle.pop_back(); },
-         "histories have not as many cycles as times"},
+         "histories have different numbers of cycles and times"},
         {"history values", [](Model& m) { m.histories.all[0].values.push_back(1); },
-         "row 0 of histories: it has not as many values as there are samples"},
+         "row 0 of histories: its number of values is not that of the samples"},
         {"history first sample", [](Model& m) { m.histories.all[0].first_sample = 5; },
-         "row 0 of histories: it has not as many values as there are samples"},
+         "row 0 of histories: its number of values is not that of the samples"},
         {"field columns",
          [](Model& m) {
              m.sub_contacts.keep_fields(KAYA_JMODEL_MAX_FIELDS);
              m.sub_contacts.field_columns = 100;
          },
-         "the fields of sub-contacts are not counted right"},
+         "the number of fields of sub-contacts is wrong"},
         {"field without rows", [](Model& m) { m.sub_contacts.field_columns = 1; },
          "column field_0 of sub_contacts has 0 rows of 2"},
         {"history kind", [](Model& m) { m.histories.all[0].source.kind = ObjectKind::none; },

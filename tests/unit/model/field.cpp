@@ -78,17 +78,17 @@ TEST(Fields, EveryFieldOfEveryRowCanBeReadAndLinksStayInsideTheModel) {
     EXPECT_GT(read, 300u);
 }
 
-TEST(Fields, WhatIsWrittenIsReadBack) {
+TEST(Fields, WrittenValuesAreRead) {
     Model model = hand_made_model();
     make_beam(model, {.places = {Vec3(0, 0, 0), Vec3(1, 0, 0)}});
     std::size_t written = 0;
     for (const auto& field : fields()) {
         if (!field.set) continue;
-        // Row 0 is deformable, and only rigid blocks take a load as a whole.
+        // Row 0 is deformable, and only rigid blocks accept a load as a whole.
         const Row row = field.kind == ObjectKind::block ? 1 : 0;
         const FieldValue before = field.get(model, row);
         FieldValue given;
-        if (std::holds_alternative<double>(before)) given = 0.75; // also a part of a time step
+        if (std::holds_alternative<double>(before)) given = 0.75; // also valid as a fraction of a time step
         else if (std::holds_alternative<std::int64_t>(before)) given = std::int64_t{5};
         else if (std::holds_alternative<Vec3>(before)) given = Vec3(1.5, -2.5, 3.5);
         else given = std::string("roof");
@@ -108,7 +108,7 @@ TEST(Fields, WhatIsWrittenIsReadBack) {
     EXPECT_GT(written, 40u);
 }
 
-TEST(Fields, WritingTheWrongTypeSaysWhatIsNeeded) {
+TEST(Fields, WritingTheWrongTypeNamesTheRightOne) {
     Model model = hand_made_model();
     for (const auto& field : fields()) {
         if (!field.set) continue;
@@ -197,7 +197,7 @@ TEST(Fields, ZonesAndFacesAreMeasuredAsTheyAreNow) {
     EXPECT_NEAR(number(model, "face_x", 0), 1.0 / 3.0, 1e-15);
     model.gridpoints.position[3] = Vec3(0, 0, 2);
     EXPECT_DOUBLE_EQ(number(model, "z_vol", 0), 1.0 / 3.0);
-    EXPECT_DOUBLE_EQ(number(model, "z_mass", 0), 2000.0 / 6.0); // mass stays
+    EXPECT_DOUBLE_EQ(number(model, "z_mass", 0), 2000.0 / 6.0); // the mass is constant
 }
 
 TEST(Fields, ZonesOfAMaterialWithoutPropertiesHaveNaN) {
@@ -228,7 +228,7 @@ TEST(Fields, VelocityOfADeformableBlockIsGivenToItsGridpoints) {
     EXPECT_EQ(model.gridpoints.velocity[4], Vec3(0, 0, 0));
 }
 
-TEST(Fields, AVertexHasNoVelocityOfItsOwnAndADeformableBlockNoLoad) {
+TEST(Fields, AVertexHasNoVelocityAndADeformableBlockNoLoad) {
     Model model = hand_made_model();
     EXPECT_THROW(set(model, "gp_xvel", 4, 1.0), Diagnostic);
     EXPECT_THROW(set(model, "b_xload", 0, 1.0), Diagnostic);

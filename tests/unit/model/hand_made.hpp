@@ -1,5 +1,5 @@
-// A small model with something in every table: a deformable tetrahedron (block 1) that lies on a rigid
-// one (block 2), with one contact of two sub-contacts between them. Shared by the tests of model and io.
+// A small model with rows in every table: a deformable tetrahedron (block 1) on a rigid one (block 2), with one contact of two sub-contacts
+// between them. Shared by the tests of model and io.
 #pragma once
 
 #include "model/model.hpp"

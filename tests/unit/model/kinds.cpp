@@ -24,13 +24,13 @@ TEST(Kinds, RowsStandInTheOrderOfTheirNumbers) {
     EXPECT_EQ(k, static_cast<std::size_t>(ObjectKind::none));
     EXPECT_EQ(recorded_kind(-1), ObjectKind::none);
     EXPECT_EQ(recorded_kind(10), ObjectKind::none);
-    // Numbers of files that were saved before.
+    // Numbers in existing save files.
     EXPECT_EQ(info_of(ObjectKind::gridpoint).history, 1);
     EXPECT_EQ(info_of(ObjectKind::cable_node).history, 6);
     EXPECT_EQ(static_cast<int>(ObjectKind::cable_node), 7);
 }
 
-TEST(Kinds, WhatScriptsSeeCanBeFoundAgain) {
+TEST(Kinds, ObjectsOfScriptsCanBeFoundAgain) {
     const Model model = hand_made_model();
     for (const KindInfo& info : kinds()) {
         if (info.kind >= end_of_script_kinds) continue;

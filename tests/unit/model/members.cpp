@@ -1,4 +1,4 @@
-// Beams and liners in the tables of a model: where nodes lie, what is taken out, what a damaged file is told.
+// Beams and liners in the tables of a model: positions of nodes, removed blocks, messages for damaged files.
 #include "model/members.hpp"
 
 #include "model/consistency.hpp"
@@ -17,12 +17,12 @@ using kaya::test::hand_made_model;
 
 namespace {
 
-/// A beam from the zone of the upper block out of it, and a liner on the sloping faces of both blocks.
+/// A beam from a zone of the upper block to the outside, and a liner on the sloping faces of both blocks.
 Model model_with_members() {
     Model model = hand_made_model();
     make_beam(model, {.places = {Vec3(0.1, 0.1, 0.1), Vec3(2, 0.1, 0.1)}, .segments = 3, .property = 2});
     double tolerance = 0;
-    // The face across from the origin is the third of each tetrahedron.
+    // The face opposite the origin is the third of each tetrahedron.
     Lining lining = line_faces(model, {2, 6}, 0.4, tolerance);
     make_liner(model, {.mesh = lining.mesh, .property = 3, .tolerance = tolerance});
     make_beam(model, {.places = {Vec3(3, 3, 3), Vec3(3, 3, 4), Vec3(3, 5, 4)}, .segments = 2, .property = 2});
@@ -118,7 +118,7 @@ TEST(Members, EveryDamageIsNamed) {
         {[](Structures& s) { s.member_nodes.grip[0] = static_cast<Grip>(9); },
          "row 0 of member_nodes: its grip is unknown"},
         {[](Structures& s) { s.member_nodes.rotation[2] = Quaternion(0, 0, 0, 0); },
-         "row 2 of member_nodes: its rotation is none"},
+         "row 2 of member_nodes: its rotation is not a rotation"},
         {[](Structures& s) { s.member_nodes.zone[0] = 4; }, "row 0 of member_nodes: its block has no such zone"},
         {[](Structures& s) { s.beams.nodes[1][1] = 1; }, "row 1 of beams: it has no length"},
         {[](Structures& s) { s.beams.nodes[0][1] = 9; }, "row 0 of beams: node 9 is not one of its member"},

@@ -1,5 +1,5 @@
-// Walks over the state as programs do that know one name less or one column more: a program from before a column was
-// added, and one from after it. Names are those of the walk, with `*` for the number of a record.
+// Walks over the state of programs with one name less or one column more: a program before a column was added, and one after it. Names are
+// those of the walk, with `*` for the number of a record.
 #pragma once
 
 #include "model/state.hpp"
@@ -10,7 +10,7 @@
 
 namespace kaya::test {
 
-/// All names that the walk of a model comes to.
+/// All names in the walk over a model.
 class NameList {
 public:
     std::vector<std::string> all, columns;
@@ -57,12 +57,12 @@ inline NameList names_of(Model& model) {
     return names;
 }
 
-/// Leads an archive along the walk of another program.
+/// Passes an archive along the walk of another program.
 template <class Archive> class OtherWalk {
 public:
     explicit OtherWalk(Archive& archive) : archive_(archive) {}
 
-    std::string without; ///< this name is not known to the other program
+    std::string without; ///< a name unknown to the other program
     std::string with;    ///< "table/column": the other program has this column
     Column<double> more; ///< and these are its numbers
 

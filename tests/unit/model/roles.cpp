@@ -1,4 +1,4 @@
-// What columns say about themselves is what happens to them.
+// Columns are treated by their roles.
 #include "model/links.hpp"
 
 #include "model/build.hpp"
@@ -18,7 +18,7 @@ using kaya::test::hand_made_model;
 
 namespace {
 
-/// Every number of the columns of these roles becomes another one, none of them zero.
+/// Sets every number of the columns of these roles to a different, nonzero value.
 template <class TableType> void mark(TableType& table, std::initializer_list<Role> roles) {
     int count = 0;
     table.columns([&]<class T>(const std::string&, Column<T>& column, Role role) {
@@ -30,7 +30,7 @@ template <class TableType> void mark(TableType& table, std::initializer_list<Rol
     });
 }
 
-/// The bytes of a row's columns, by name, of those whose role passes.
+/// The bytes of a row's columns, by name, for accepted roles.
 template <class TableType>
 std::map<std::string, std::string> bytes_of(TableType& table, Row row, const std::function<bool(Role)>& passes) {
     std::map<std::string, std::string> all;
@@ -51,7 +51,7 @@ bool of_the_run(Role role) {
 
 } // namespace
 
-TEST(Roles, BlocksThatAreFilledInHaveNoneOfTheRunAndKeepTheRest) {
+TEST(Roles, RefilledBlocksLoseValuesOfTheRunAndKeepTheRest) {
     Model model = hand_made_model();
     model.zones.keep_history(3);
     const auto marked = {Role::load, Role::motion, Role::displacement, Role::state, Role::condition};
@@ -73,7 +73,7 @@ TEST(Roles, BlocksThatAreFilledInHaveNoneOfTheRunAndKeepTheRest) {
     EXPECT_EQ(bytes_of(model.blocks, 0, rest), block);
     EXPECT_EQ(bytes_of(model.zones, 0, rest), zone);
     EXPECT_EQ(bytes_of(model.triangles, 3, rest), triangle);
-    // The other block goes on as it was.
+    // The other block is unchanged.
     for (const auto& [name, bytes] : bytes_of(model.blocks, 1, of_the_run)) EXPECT_FALSE(is_zero(bytes)) << name;
 }
 
@@ -102,13 +102,13 @@ TEST(Roles, CopiesHaveTheSettingsAndNothingOfTheRun) {
             EXPECT_EQ(model.faces.joint_set[model.blocks.faces[copy].first + f],
                       model.faces.joint_set[model.blocks.faces[block].first + f]);
         EXPECT_EQ(inconsistency(model), "");
-        mark(model.blocks, {Role::load}); // the next round begins with others
+        mark(model.blocks, {Role::load}); // the next round starts with other values
     }
 }
 
 TEST(Roles, LinksFollowRowsThatMove) {
     Model model = hand_made_model();
-    // The second block, its faces and its contact are told where they are now.
+    // References to the second block, its faces and its contact are updated.
     delete_blocks(model, {0});
     EXPECT_EQ(inconsistency(model), "");
     EXPECT_TRUE(model.contacts.empty());
@@ -130,7 +130,7 @@ TEST(Roles, ExcavatedBlocksMayHaveAZoneModelAndBeHeldAlongADirection) {
     EXPECT_EQ(inconsistency(model), "");
 }
 
-TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
+TEST(ModelEdit, SetsDirtyFlagsWhenItEnds) {
     struct Case {
         Change change;
         bool contacts, properties, lists, rows;
@@ -147,7 +147,7 @@ TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
         try {
             const ModelEdit edit(model, change);
             EXPECT_FALSE(model.stale.contacts() || model.stale.properties() || model.stale.lists());
-            throw 1; // half done
+            throw 1; // not complete
         } catch (int) {}
         EXPECT_EQ(model.stale.contacts(), contacts);
         EXPECT_EQ(model.stale.properties(), properties);
@@ -156,7 +156,7 @@ TEST(ModelEdit, RaisesWhatTheChangeMakesStaleWhenItEnds) {
     }
 }
 
-TEST(ModelEdit, AnotherModelInTheSamePlaceHasARevisionThatWasNotThereBefore) {
+TEST(ModelEdit, AnotherModelInTheSameMemoryHasANewRevision) {
     Model model;
     const Model saved = model;
     ModelEdit(model, Change::rows);

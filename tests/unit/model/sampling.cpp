@@ -88,7 +88,7 @@ TEST(AddHistory, AnUnknownQuantityIsRefusedAndNothingIsAdded) {
     EXPECT_TRUE(model.histories.all.empty());
 }
 
-TEST(AddHistory, AQuantityThatIsNoNumberIsRefused) {
+TEST(AddHistory, ANonNumericQuantityIsRefused) {
     Model model = hand_made_model();
     EXPECT_THAT(message_of([&] {
                     add_history(model, {Kind::gridpoint, "velocity"});
@@ -191,11 +191,11 @@ TEST(SampleHistories, WhenNoneOfTheKindIsLeftTheSampleIsNaN) {
     EXPECT_TRUE(std::isnan(model.histories.all[0].values[0]));
 }
 
-TEST(SampleHistories, AGridpointIsFoundAnewWhenItsBlockWasZoned) {
+TEST(SampleHistories, AGridpointIsFoundAgainAfterItsBlockWasZoned) {
     Model model = hand_made_model();
     add_history(model, {Kind::gridpoint, "z", Vec3(0, 0, -1)}); // vertex 7 of block row 1
     ASSERT_EQ(model.histories.all[0].source.row, 7);
-    // The block gets a fifth gridpoint in front of the others.
+    // The block gets a fifth gridpoint before the others.
     auto& gridpoints = model.gridpoints;
     gridpoints.gather({0, 1, 2, 3, 4, 4, 5, 6, 7});
     model.blocks.gridpoints[1] = {4, 5};

@@ -18,7 +18,7 @@ TEST(Selection, AnEmptyTestPassesAllInAscendingOrder) {
     EXPECT_THAT(select(model, ObjectKind::sub_contact, {}), ElementsAre(0, 1));
 }
 
-TEST(Selection, HiddenBlocksAndWhatBelongsToThemAreLeftOut) {
+TEST(Selection, HiddenBlocksAndTheirObjectsAreExcluded) {
     Model model = hand_made_model();
     model.blocks.hidden[0] = 1;
     EXPECT_THAT(select(model, ObjectKind::block, {}), ElementsAre(1));
@@ -39,7 +39,7 @@ TEST(Selection, AContactNeedsBothOfItsBlocksVisible) {
     }
 }
 
-TEST(Selection, TheTestSeesKindAndRowAndIsNotAskedAboutHiddenRows) {
+TEST(Selection, TheTestReceivesKindAndRowAndNoHiddenRows) {
     Model model = hand_made_model();
     model.blocks.hidden[0] = 1;
     const auto above = [](const Model& m, ObjectKind kind, Row row) {

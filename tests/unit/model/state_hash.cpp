@@ -15,7 +15,7 @@ using kaya::test::hand_made_model;
 
 namespace {
 
-/// The hash after one change to a fresh model.
+/// The hash after one change of a new model.
 std::uint64_t hash_with(const std::function<void(Model&)>& change) {
     Model model = hand_made_model();
     add_history(model, {HistorySource::Kind::global, "time"});
@@ -23,7 +23,7 @@ std::uint64_t hash_with(const std::function<void(Model&)>& change) {
     return state_hash(model);
 }
 
-/// Adds one to the n-th scalar that the walk meets; false when there are fewer.
+/// Adds one to the n-th scalar of the walk; false if there are fewer.
 class ScalarChanger {
 public:
     explicit ScalarChanger(std::size_t target) : target_(target) {}
@@ -83,7 +83,7 @@ TEST(StateHash, EverySingleBitOfTheStateCounts) {
     EXPECT_GT(target, 600u);
 }
 
-TEST(StateHash, WhatDoesNotDecideTheRunIsLeftOut) {
+TEST(StateHash, ValuesWithoutEffectOnTheRunAreExcluded) {
     const auto original = hash_with([](Model&) {});
     EXPECT_EQ(hash_with([](Model& m) { m.joint_properties[0].place = "elsewhere.3dd:7"; }), original);
     EXPECT_EQ(hash_with([](Model& m) { ModelEdit(m, Change::rows); }), original);
@@ -94,7 +94,7 @@ TEST(StateHash, ThePaddingOfAttachmentsIsLeftOut) {
     Model model = hand_made_model();
     const auto original = state_hash(model);
     static_assert(sizeof(Attachment) > 3 * sizeof(Row) + 3 * sizeof(double), "there is a gap to test");
-    // The gap stands between the rows and the weights.
+    // The padding is between the rows and the weights.
     auto* bytes = reinterpret_cast<unsigned char*>(&model.sub_contacts.side1[0]);
     std::memset(bytes + 3 * sizeof(Row), 0xAB, offsetof(Attachment, weights) - 3 * sizeof(Row));
     EXPECT_EQ(state_hash(model), original);
@@ -124,7 +124,7 @@ TEST(StateHash, HashingChangesNothing) {
 
 namespace {
 
-/// The hash that a program computes which does not know one name, or has one more column.
+/// The hash of a program with one name less, or one more column.
 std::uint64_t other_hash(Model& model, const std::string& without, const std::string& with = {}, double more = 0) {
     HashArchive hash;
     test::OtherWalk other(hash);

@@ -35,7 +35,7 @@ TEST(VolumeJumps, AcrossAFaceWhereverItIs) {
         const Vec3 at(far, -far, far);
         const Row small = zoned(model, at, at + Vec3(1, 1, 1), {1, 1, 1}, 1);
         const Row large = zoned(model, at + Vec3(1, 0, 0), at + Vec3(7, 1, 1), {1, 1, 1}, 1);
-        zoned(model, at + Vec3(0, 3, 0), at + Vec3(1, 4, 1), {1, 1, 1}, 1); // touches neither
+        zoned(model, at + Vec3(0, 3, 0), at + Vec3(1, 4, 1), {1, 1, 1}, 1); // adjacent to neither
         for (const Row one : {small, large}) {
             const VolumeJumps jumps = volume_jumps(model, {one});
             EXPECT_EQ(jumps.count, 2u);

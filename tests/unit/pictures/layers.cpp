@@ -23,7 +23,7 @@ Shown all_of(const Model& model) {
 
 } // namespace
 
-// A direction that plunges by p lies sqrt(1 - sin p) from the middle: equal areas.
+// A direction with the plunge p is at sqrt(1 - sin p) from the centre: equal areas.
 TEST(JointNet, DirectionsLieWhereSchmidtPutsThem) {
     constexpr double degree = std::numbers::pi / 180;
     for (const double plunge : {0.0, 10.0, 30.0, 60.0, 90.0})
@@ -33,7 +33,7 @@ TEST(JointNet, DirectionsLieWhereSchmidtPutsThem) {
             for (const double sign : {1.0, -3.0}) {
                 const auto [x, y] = on_net(sign * down);
                 const double radius = std::sqrt(1 - std::sin(plunge * degree));
-                if (plunge == 0 && sign < 0) continue; // horizontal: both ends are there
+                if (plunge == 0 && sign < 0) continue; // horizontal: both ends are drawn
                 EXPECT_NEAR(x, radius * std::sin(trend * degree), 1e-9);
                 EXPECT_NEAR(y, radius * std::cos(trend * degree), 1e-9);
             }

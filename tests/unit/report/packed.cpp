@@ -42,7 +42,7 @@ TEST(Packed, NumbersAreTheirBytes) {
     const std::vector<float> numbers{1.5F, -2.25F, 1e30F};
     const std::string bytes = unpacked(packed(std::span(numbers)), 100);
     ASSERT_EQ(bytes.size(), 12U);
-    // The bytes of -2.25, 0xc0100000, lie three from each other.
+    // The bytes of -2.25, 0xc0100000, are three apart.
     EXPECT_EQ(bytes[1], '\0');
     EXPECT_EQ(bytes[4], '\0');
     EXPECT_EQ(bytes[7], '\x10');

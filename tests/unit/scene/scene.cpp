@@ -26,7 +26,7 @@ Scene small_scene() {
     return scene;
 }
 
-TEST(Wire, DrawingsComeBackAsTheyWere) {
+TEST(Wire, DrawingsAreReadUnchanged) {
     const auto scene = drawing_from(to_bytes(small_scene()));
     ASSERT_TRUE(scene && std::holds_alternative<Scene>(*scene));
     EXPECT_EQ(std::get<Scene>(*scene).bars.at(0).names.at(1), "slip-now");

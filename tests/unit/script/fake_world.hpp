@@ -1,4 +1,4 @@
-// A small world of made-up rows for the tests of the script side: contacts with sub-contacts, and blocks.
+// A small world of artificial rows for the tests of scripts: contacts with sub-contacts, and blocks.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -209,7 +209,7 @@ private:
     std::size_t contacts_, per_contact_;
 };
 
-/// The whole text as a deck, and the place of one of its lines.
+/// The text as a deck, and the place of one of its lines.
 inline Place deck(const std::string& text, int line = 1) {
     auto source = std::make_shared<SourceText>();
     source->name = "test.3ddat";
@@ -226,7 +226,7 @@ inline Place deck(const std::string& text, int line = 1) {
     return {source, line, 1, 1};
 }
 
-/// Scripts with a world of their own; what they print is kept.
+/// Scripts with a separate world; their output is stored.
 struct Stage {
     explicit Stage(std::size_t contacts = 2, std::size_t per_contact = 4, Options options = {})
         : world(contacts, per_contact), scripts(world, std::move(options)) {
@@ -244,7 +244,7 @@ struct Stage {
     std::vector<std::string> printed;
 };
 
-/// What the user would read when `action` fails; "no error" when it does not.
+/// The message of the failure of `action`; "no error" if it does not fail.
 template <class Action> std::string message_of(Action action) {
     try {
         action();

@@ -1,4 +1,4 @@
-// What FISH programs do when they run, statement by statement.
+// Behaviour of FISH programs, statement by statement.
 #include "fake_world.hpp"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 
 std::int64_t whole(const Value& value) { return std::get<std::int64_t>(value); }
 
-/// Runs the lines as the body of a function `f` and gives its value.
+/// Runs the lines as the body of a function `f` and returns its value.
 Value run(const std::string& body) {
     Stage s;
     s.fish("def f\n" + body + "\nend\n");
@@ -38,7 +38,7 @@ TEST(FishLanguage, PowersBindToTheRightAndKeepIntegers) {
     EXPECT_EQ(run("f = -2 ^ 2"), Value(std::int64_t{-4}));
     EXPECT_EQ(run("f = 2 ^ -1"), Value(0.5));
     EXPECT_EQ(run("f = 4.0 ^ 0.5"), Value(2.0));
-    EXPECT_EQ(run("f = 10 ^ 30"), Value(1e30)); // no integer holds it
+    EXPECT_EQ(run("f = 10 ^ 30"), Value(1e30)); // too large for an integer
     EXPECT_EQ(run("f = 3 * 2 ^ 2"), Value(std::int64_t{12}));
 }
 
@@ -112,7 +112,7 @@ TEST(FishLanguage, ExitLeavesTheFunctionWithItsValue) {
     EXPECT_EQ(run("return 3 * 4\nf = 1"), Value(std::int64_t{12}));
 }
 
-TEST(FishLanguage, CaseOfRunsTheFittingCaseOrWhatStandsFirst) {
+TEST(FishLanguage, CaseOfRunsTheMatchingCaseOrTheStatementsBefore) {
     const std::string body = "case_of a\nf = -1\ncase 1\nf = 10\ncase 2.0\nf = 20\ncase 'x'\nf = 30\nendcase";
     EXPECT_EQ(run("a = 1\n" + body), Value(std::int64_t{10}));
     EXPECT_EQ(run("a = 2\n" + body), Value(std::int64_t{20}));
@@ -129,7 +129,7 @@ TEST(FishLanguage, SectionsAreLeftFromInside) {
     EXPECT_EQ(run("section\nsection\nexit section\nf = 1\nendsection\nf = f + 2\nendsection"), Value(std::int64_t{2}));
 }
 
-TEST(FishLanguage, NamesKnowNoCaseAndLinesGoOn) {
+TEST(FishLanguage, NamesIgnoreCaseAndLinesContinue) {
     EXPECT_EQ(run("NumCyc = 4\nf = numcyc + &\n  NUMCYC ... ; more follows\n  + 1"), Value(std::int64_t{9}));
     EXPECT_EQ(run("f = 1 ; f = 2"), Value(std::int64_t{1}));
     EXPECT_EQ(run("a = ';'\nf = a"), Value(std::string(";")));
@@ -160,7 +160,7 @@ TEST(FishLanguage, FunctionsCallThemselves) {
 TEST(FishLanguage, ARedefinitionReplacesAndItsCallersFollow) {
     Stage s;
     s.fish("def a\n a = b\nend");
-    EXPECT_EQ(whole(s.value("a")), 0); // b is a variable as yet
+    EXPECT_EQ(whole(s.value("a")), 0); // b is a variable so far
     s.fish("def b\n b = 5\nend");
     EXPECT_EQ(whole(s.value("a")), 5);
     s.fish("def b\n b = 6\nend");
@@ -170,7 +170,7 @@ TEST(FishLanguage, ARedefinitionReplacesAndItsCallersFollow) {
 }
 
 TEST(FishLanguage, AnArrayOfTheSameSizesIsKept) {
-    // As output functions have it: the statement stands in the loop that fills the array.
+    // As in typical output functions: the statement is in the loop that fills the array.
     EXPECT_EQ(run("loop n (1,3)\narray a(5,1)\na(n,1) = n\nendloop\nf = a(1,1) * 100 + a(2,1) * 10 + a(3,1)"),
               Value(std::int64_t{123}));
     EXPECT_EQ(run("array a(6)\na(1) = 4\narray a(2,3)\nf = a(1,1)"), Value(std::int64_t{0}));
@@ -178,7 +178,7 @@ TEST(FishLanguage, AnArrayOfTheSameSizesIsKept) {
     Stage s;
     s.fish("def g\n local array v(2)\n v(2) = v(2) + 1\n g = v(2)\nend");
     EXPECT_EQ(s.value("g"), Value(std::int64_t{1}));
-    EXPECT_EQ(s.value("g"), Value(std::int64_t{1})); // local: another one in each call
+    EXPECT_EQ(s.value("g"), Value(std::int64_t{1})); // local: a new one in each call
 }
 
 TEST(FishLanguage, ArraysHaveBoundsAndDimensions) {

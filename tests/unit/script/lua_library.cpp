@@ -1,4 +1,4 @@
-// What a Lua chunk of a deck can do.
+// Features of a Lua chunk in a deck.
 #include "fake_world.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A folder of its own that the test works in.
+/// A separate working folder of the test.
 class Folder {
 public:
     Folder() : before_(std::filesystem::current_path()) { std::filesystem::current_path(folder_.path()); }
@@ -171,7 +171,7 @@ TEST(LuaLibrary, RandomNumbersComeFromTheSeed) {
     EXPECT_EQ(a.value("f"), b.value("f"));
 }
 
-TEST(LuaLibrary, RequireFindsModulesBesideTheDeck) {
+TEST(LuaLibrary, RequireFindsModulesNextToTheDeck) {
     const Folder folder;
     std::filesystem::create_directories("parts");
     Folder::write("parts/wall.lua", "loads = (loads or 0) + 1\nreturn { height = 3 }");

@@ -1,4 +1,4 @@
-// What goes wrong while scripts run: the whole message as the user reads it.
+// Errors while scripts run: the complete message for the user.
 #include "fake_world.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Message of a function `f` with these lines, without place and stack.
+/// Message of a function `f` with these lines, without position and call stack.
 std::string fish_message(const std::string& body) {
     Stage s;
     s.fish("def f\n" + body + "\nend\n");
@@ -79,7 +79,7 @@ TEST(ScriptErrors, FishArithmetic) {
     EXPECT_EQ(fish_message("b = ln(0)"), "'ln' is given 0; it takes numbers above 0");
     EXPECT_EQ(fish_message("b = acos(1.5)"), "'acos' is given 1.5; it takes numbers from -1 to 1");
     EXPECT_EQ(fish_message("b = sin('a')"), "the argument of 'sin' must be a number, here it is the text 'a'");
-    EXPECT_EQ(fish_message("b = int('two')"), "'int' is given the text 'two', which is no number");
+    EXPECT_EQ(fish_message("b = int('two')"), "'int' is given the text 'two', which is not a number");
     EXPECT_EQ(fish_message("b = unit(vector(0,0,0))"), "'unit' is given a vector of length zero");
     EXPECT_EQ(fish_message("b = dot(vector(0,0,0), 3)"),
               "argument 2 of 'dot' must be a vector, here it is the integer 3");
@@ -126,7 +126,7 @@ TEST(ScriptErrors, FishArrays) {
               "a(1,3) is outside of the array a(3,2) | indices are whole numbers and count from 1");
     EXPECT_EQ(fish_message("array a(3)\nb = a(1,1)"),
               "the array a(3) has 1 index, here it is given 2 | give one for each dimension");
-    EXPECT_EQ(fish_message("a = 3\nb = a(1)"), "'a' is no array but the integer 3");
+    EXPECT_EQ(fish_message("a = 3\nb = a(1)"), "'a' is not an array but the integer 3");
     EXPECT_EQ(fish_message("a(1,2) = 5"),
               "'a' is neither a function nor an array | define it, or make the array with: array a(n)");
     EXPECT_EQ(fish_message("array a(0)"),
@@ -134,7 +134,7 @@ TEST(ScriptErrors, FishArrays) {
     EXPECT_EQ(fish_message("array a(100000,100000)"),
               "the array 'a' has too many elements | at most 134217728 are possible");
     EXPECT_EQ(fish_message("loop foreach x 3\nendloop"), "'loop foreach' needs a list, here it is given the integer 3");
-    EXPECT_EQ(fish_message("b = nothing()"), "'nothing' is no function but the integer 0");
+    EXPECT_EQ(fish_message("b = nothing()"), "'nothing' is not a function but the integer 0");
 }
 
 TEST(ScriptErrors, FishOther) {
@@ -147,12 +147,12 @@ TEST(ScriptErrors, FishOther) {
     EXPECT_EQ(fish_message("ytable(4, 2) = 1"), "table 4 holds no point | fill it before it is read");
     EXPECT_EQ(fish_message("table(4, 1) = 1\nb = xtable(4, 2)"), "table 4 has points 1 to 1, not 2");
     EXPECT_EQ(fish_message("b = open('../x', 0, 1)"),
-              "'../x' lies outside of the folders that this run may use | allow it once for all with: kaya allow ..");
+              "'../x' is outside of the folders that this run may use | allow it once for all with: kaya allow ..");
     EXPECT_EQ(fish_message("b = open('x', 0, 0)"),
               "FISH's own binary files cannot be read or written | use 1 as third argument: plain text");
 }
 
-TEST(ScriptErrors, NamesThatMeanNothingInACommand) {
+TEST(ScriptErrors, UnknownNamesInACommand) {
     Stage s;
     s.fish("def watch\n sstav = 1\nend");
     EXPECT_EQ(message_of([&] { s.scripts.number("@sstat", deck("hist @sstat\n")); }),
@@ -234,18 +234,18 @@ TEST(ScriptErrors, LuaLanguage) {
     EXPECT_EQ(lua_message("prnt('x')"), "there is no function 'prnt' here | did you mean 'print'?");
     EXPECT_EQ(lua_message("stone = {}\nston.x = 3"), "'ston' is nil here: it has no fields | did you mean 'stone'?");
     EXPECT_EQ(lua_message("local y = 1 + lenght"), "'lenght' is nil here: nothing has set it");
-    EXPECT_EQ(lua_message("local t = {}\nt[3].x = 1"), "this value is nil here: it has no fields | what was called or "
-                                                       "looked up before gave nothing");
+    EXPECT_EQ(lua_message("local t = {}\nt[3].x = 1"), "this value is nil here: it has no fields | the call or "
+                                                       "look-up before it returned nothing");
     EXPECT_EQ(lua_message("x = string.formt('%d', 3)"), "there is no function 'formt' here | did you mean 'format'?");
     EXPECT_EQ(lua_message("for c in contacts do print(c) end"),
               "'contacts' takes no values | write: for x in contacts() do ... end");
-    EXPECT_EQ(lua_message("print(contacts()[1])"), "a function has no fields or elements | objects come one after the "
-                                                   "other: for b in blocks() do ... end");
+    EXPECT_EQ(lua_message("print(contacts()[1])"), "a function has no fields or elements | objects are walked in "
+                                                   "order: for b in blocks() do ... end");
     EXPECT_EQ(lua_message("print(#contacts())"),
-              "a function has no length | objects come one after the other: for b in blocks() do ... end; "
+              "a function has no length | objects are walked in order: for b in blocks() do ... end; "
               "count(\"block\") is their number");
     EXPECT_EQ(lua_message("local v = {size = 3}\nprint(v.size())"),
-              "'size' is a number and no function | write it without parentheses: .size");
+              "'size' is a number and not a function | write it without parentheses: .size");
     EXPECT_EQ(lua_message("print(vector(1,2,3)[1])"),
               "a vector has no element for the integer 1 | it has x, y, z, and the functions length(), unit(), dot(v), "
               "cross(v)");
@@ -267,15 +267,15 @@ TEST(ScriptErrors, LuaLanguage) {
               "fish.f cannot hold a function | FISH can call every global function of Lua by its name");
 }
 
-TEST(ScriptErrors, TheSandboxHolds) {
+TEST(ScriptErrors, TheSandboxIsClosed) {
     const std::string trust = " | run with --trust to allow it";
     EXPECT_EQ(lua_message("os.execute('ls')"), "os.execute cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("os.remove('x')"), "os.remove cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("io.popen('ls')"), "io.popen cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("package.loadlib('x', 'y')"), "package.loadlib cannot be used in a deck" + trust);
     EXPECT_EQ(lua_message("debug.getregistry()"), "debug.getregistry cannot be used in a deck" + trust);
-    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("lies outside of the folders"));
-    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("lies outside of the folders"));
+    EXPECT_THAT(lua_message("io.open('/etc/passwd')"), HasSubstr("is outside of the folders"));
+    EXPECT_THAT(lua_message("for l in io.lines('../x') do end"), HasSubstr("is outside of the folders"));
     EXPECT_EQ(lua_message("dofile('x')"), "'dofile' of Lua is not available in decks");
     EXPECT_EQ(lua_message("assert(load('\\27Lua') == nil)"), "no error"); // no bytecode
     EXPECT_EQ(lua_message("assert(_G.os == os and _G._G == _G)"), "no error");

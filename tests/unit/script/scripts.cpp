@@ -10,7 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// The averaging function of the direct shear test, as it stands in its deck.
+/// The averaging function of the direct shear test, unchanged from its deck.
 const char* const average_in_fish = R"(def av_str
 whilestepping
 sstav = 0.0
@@ -83,7 +83,7 @@ TEST(Scripts, AverageIsTheSameToTheLastBitInFishAndLua) {
 
 TEST(Scripts, ANameOfAFunctionRunsItWhereverItStands) {
     Stage s;
-    s.fish("def outer\n outer = inner + 1\nend\n"); // inner is not there yet
+    s.fish("def outer\n outer = inner + 1\nend\n"); // inner is not defined yet
     s.fish("def inner\n inner = 41\n calls = calls + 1\nend\n");
     EXPECT_EQ(s.value("@outer"), Value(std::int64_t{42}));
     EXPECT_EQ(s.value("[inner + inner]"), Value(std::int64_t{82}));

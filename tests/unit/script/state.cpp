@@ -1,4 +1,4 @@
-// Saving and restoring everything that scripts remember.
+// Saving and restoring the complete state of scripts.
 #include "fake_world.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A stage with a bit of everything in it.
+/// A stage with values of every kind.
 void fill(Stage& s) {
     s.fish("def setup\n array grid(2,3) row(2)\n grid(2,1) = 'wall'\n row(1) = grid\n n = 5\n x = 0.1\n name "
            "= 'a ''b'''\n"
@@ -61,7 +61,7 @@ TEST(ScriptState, RestoringChangesNeitherTheModelNorTheScreen) {
     EXPECT_TRUE(second.world.commands.empty());
     EXPECT_TRUE(second.printed.empty());
     EXPECT_EQ(second.world.velocity, Vec3::Zero());
-    second.lua("command 'go'\nprint('here')"); // afterwards all works again
+    second.lua("command 'go'\nprint('here')"); // afterwards all functions work again
     EXPECT_EQ(second.world.commands.size(), 1);
     EXPECT_THAT(second.printed, ElementsAre("here"));
 }
@@ -129,13 +129,13 @@ TEST(ScriptState, AFunctionOutlivesTheModelThatItThrowsAway) {
     s.scripts.call("f");
     EXPECT_FALSE(s.scripts.running());
     EXPECT_EQ(s.scripts.value("n"), Value(std::int64_t{2}));
-    EXPECT_EQ(s.scripts.value("x"), Value(std::int64_t{0})); // it belonged to an object of the model that is gone
+    EXPECT_EQ(s.scripts.value("x"), Value(std::int64_t{0})); // it belonged to an object of the deleted model
     EXPECT_EQ(s.scripts.tables().at(3).points.size(), 1u);
-    // The pointer of before names the same row of the other model, and is not taken for it.
+    // The old pointer has the row of an object in the new model, but is not valid for it.
     const auto old = std::get<Handle>(s.scripts.value("p")), present = std::get<Handle>(s.scripts.value("q"));
     EXPECT_EQ(old.slot, present.slot);
     EXPECT_NE(old.model, present.model);
-    // Nor does a file take it for one: it is saved as nothing.
+    // A save file does not confuse them either: the old pointer is saved as null.
     Stage other;
     other.scripts.restore(from_bytes(to_bytes(s.scripts.state())));
     EXPECT_EQ(other.scripts.value("p"), Value(std::int64_t{0}));
@@ -177,7 +177,7 @@ TEST(ScriptState, OfASavedModelComesWhatBelongsToObjectsAndMissingTables) {
     ScriptState damaged = saved;
     damaged.extras = {{"c_extra", ObjectReference{99}}};
     EXPECT_THAT(message_of([&] { s.scripts.change_model(&damaged); }), HasSubstr("damaged"));
-    EXPECT_EQ(s.scripts.value("g"), Value(std::int64_t{5})); // as it was
+    EXPECT_EQ(s.scripts.value("g"), Value(std::int64_t{5})); // unchanged
 }
 
 TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
@@ -187,7 +187,7 @@ TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
     for (std::size_t size = 0; size < bytes.size(); ++size)
         EXPECT_THROW(from_bytes(bytes.substr(0, size)), Diagnostic) << size;
     EXPECT_THAT(message_of([&] { from_bytes(bytes + "x"); }), HasSubstr("left over"));
-    EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are no saved scripts"));
+    EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are not saved scripts"));
     std::string newer = bytes;
     newer[10] = 9;
     EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 3"));

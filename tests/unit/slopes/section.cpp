@@ -8,7 +8,7 @@
 namespace kaya {
 namespace {
 
-/// 10 m high, 2 horizontal to 1 upright, from the toe at 0; `shift` moves it.
+/// 10 m high, 2 horizontal to 1 vertical, from the toe at 0; `shift` moves it.
 SlopeSection slope(double shift = 0) {
     SlopeSection section;
     section.strengths = {Strength::coulomb(10e3, 20)};
@@ -56,7 +56,7 @@ TEST(Slices, SumsAreThoseOfTheCircle) {
     double width = 0, weight = 0;
     for (const Slice& slice : body->slices) width += slice.width, weight += slice.weight;
     EXPECT_NEAR(width, surface->points.back().x() - surface->points.front().x(), 1e-9);
-    double area = 0; // by another rule
+    double area = 0; // by another formula
     for (int k = 0; k < 20000; ++k) {
         const double x = surface->points.front().x() + width * (k + 0.5) / 20000, d = x - 5;
         area += (*columns.ground_at(x) - (25 - std::sqrt(625 - d * d))) * width / 20000;
@@ -84,7 +84,7 @@ TEST(Slices, WhatCannotSlideHasNoFactor) {
     EXPECT_TRUE(factor_of_safety(*body, SliceMethod::spencer));
 }
 
-/// Water that stands as high as the whole slope adds equal pressure all around: the body weighs what it displaces less.
+/// Water up to the crest adds equal pressure on all sides: the weight of the body is reduced by buoyancy.
 TEST(Slices, ASlopeUnderWaterIsOneOfBuoyantWeight) {
     SlopeSection flooded = slope(), buoyant = slope();
     flooded.pore_pressure = [](const SectionPoint& p) { return 9810 * (15 - p.y()); };
@@ -145,7 +145,7 @@ TEST(SurfaceSearch, AWeakLayerIsFollowed) {
         EXPECT_NEAR(base.to.y(), -1.5, 1e-9);
     }
     EXPECT_NEAR(length, 70, 1e-9);
-    // A net of surfaces along that base has none that is weaker.
+    // A grid of surfaces along that base contains no weaker one.
     int count = 0;
     for (double lower = 0; lower < 10; lower += 1)
         for (double upper = lower + 2; upper < 25; upper += 1)
@@ -172,7 +172,7 @@ SlopeSection on_a_weak_layer() {
     section.strengths.push_back(Strength::coulomb(0, 20));
     section.strengths[0] = Strength::coulomb(60e3, 30);
     section.joints.push_back({{0, 0}, {20, 1}, 1});
-    section.joints.push_back({{20, 1}, {28, 1.4}, 1}); // in two parts, as two blocks have it
+    section.joints.push_back({{20, 1}, {28, 1.4}, 1}); // in two parts, as in two blocks
     section.joints.push_back({{28, 1.4}, {33, 10}, 2});
     return section;
 }
@@ -190,11 +190,11 @@ TEST(WeakestPolyline, FollowsAWeakLayerAndAFault) {
     ASSERT_TRUE(exact);
     EXPECT_LE(found->answer.factor, 1.0001 * exact->factor);
     EXPECT_GT(found->answer.factor, 0.8 * exact->factor);
-    // Both ends lie on the ground, and not where one joint meets the other below it.
+    // Both ends are on the ground, not at the intersection of the joints below it.
     const SectionPoint last = found->surface.points.back(), first = found->surface.points.front();
     EXPECT_NEAR(*columns.ground_at(last.x(), SlopeColumns::Side::left), last.y(), 1e-6);
     EXPECT_NEAR(*columns.ground_at(first.x()), first.y(), 1e-6);
-    // Without the joints the rock alone stands far better.
+    // Without the joints the rock alone is much stronger.
     SlopeSection sound = section;
     sound.joints.clear();
     const auto other = weakest_polyline(SlopeColumns(sound), search);

@@ -36,7 +36,7 @@ TEST(Sliding, APlaneAndItsFactor) {
     EXPECT_NEAR((answer.direction - Vec3(std::cos(dip), 0, -std::sin(dip))).norm(), 0, 1e-12);
 }
 
-/// The direction nearest to the force, by small steps over the cone: slow, and by another way than the one that is tested.
+/// The direction nearest to the force, by small steps over the cone: slow, and independent of the tested method.
 double best_dot(const Vec3& force, const std::vector<HeldFace>& faces) {
     double best = 0;
     constexpr int steps = 160;
@@ -65,7 +65,7 @@ TEST(Sliding, RandomConesMoveWhereTheForceGoesFarthest) {
         EXPECT_LE(found, best + 0.05) << trial << ": the net of directions is two degrees wide";
         for (const HeldFace& f : faces) EXPECT_LE(f.outward.dot(answer.direction), 2e-6) << trial;
         (answer.mode == SlidingMode::held ? held : moved) += 1;
-        // Turned as a whole it does the same.
+        // Rotated as a whole it gives the same result.
         const Mat3 turn = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
                               .normalized()
                               .toRotationMatrix();

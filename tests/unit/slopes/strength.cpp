@@ -9,7 +9,7 @@ namespace {
 
 constexpr double radian = std::numbers::pi / 180;
 
-/// The tangent touches the envelope and has its slope, by differences.
+/// The tangent is on the envelope with its slope, by differences.
 void expect_touching(const Strength& strength, double stress) {
     const Coulomb line = strength.tangent(stress);
     const double h = 1e-5 * stress;
@@ -43,7 +43,7 @@ TEST(Strength, HoekBrownTouchesItsCirclesOfMohr) {
     for (const double minor : {0.0, 2e4, 1e5, 1e6}) {
         const double major = minor + 30e6 * std::pow(0.067 * minor / 30e6 + 2.5e-5, 0.619);
         const double centre = 0.5 * (major + minor), radius = 0.5 * (major - minor);
-        // No part of the circle lies above the envelope, and one point lies on it.
+        // No part of the circle is above the envelope, and one point is on it.
         double nearest = INFINITY;
         for (int k = 1; k < 2000; ++k) {
             const double angle = k * std::numbers::pi / 2000, n = centre + radius * std::cos(angle);

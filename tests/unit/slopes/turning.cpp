@@ -12,7 +12,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 const Vec3 weight(0, 0, -1), none = Vec3::Zero();
 
-/// Corners of a level floor from x = -1 to `end`, as seen from the centre of a block above it.
+/// Corners of a level floor from x = -1 to `end`, relative to the centre of a block above it.
 std::vector<RestingCorner> floor_to(double end, const Coulomb& strength) {
     std::vector<RestingCorner> corners;
     for (const double x : {-1.0, end})
@@ -30,7 +30,7 @@ TEST(Turning, ABlockTipsOverTheEdgeOfAFloorThatEndsBeforeItsCentre) {
 }
 
 TEST(Turning, FrictionHoldsABlockInANotchOffItsMiddle) {
-    // Lines of reaction at 45 degrees, less or more friction, meet below the weight: sin(2 friction) = d.
+    // Lines of reaction at 45 degrees, plus and minus the friction angle, intersect below the weight: sin(2 friction) = d.
     for (const double d : {0.1, 0.5, 0.9}) {
         const double needed = std::tan(0.5 * std::asin(d)), friction = std::tan(40 * degree);
         for (const double turn : {0.0, 0.3, 1.1}) {

@@ -1,4 +1,4 @@
-// A model with something of everything, and hostile changes of its state one by one: for tests and fuzzers of saves.
+// A model with objects of every kind, and hostile changes of its state one by one: for tests and fuzzers of saves.
 #pragma once
 
 #include "commands/session.hpp"
@@ -13,12 +13,12 @@
 
 namespace kaya::test {
 
-/// Led along the state of a model it counts the columns and values that hold numbers, or changes one number of one of them.
+/// Passed along the state of a model it counts the columns and values that hold numbers, or changes one number of one of them.
 class Mutation {
 public:
     using Choose = std::function<std::uint64_t()>;
 
-    /// Counts alone.
+    /// Only counts.
     Mutation() = default;
     Mutation(std::size_t place, Choose choose) : place_(place), choose_(std::move(choose)) {}
 

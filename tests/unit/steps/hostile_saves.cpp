@@ -1,5 +1,5 @@
-// Save files whose numbers somebody has changed and whose digest and hash are right: from the file to the model to three
-// cycles. What is wrong is refused with a message; nothing crashes, and nothing is our own fault.
+// Save files with modified numbers and valid digest and hash: from the file to the model to three cycles. Invalid files are refused with a
+// message, without crashes and internal errors.
 #include "hostile_model.hpp"
 
 #include "commands/save_session.hpp"
@@ -14,7 +14,7 @@
 namespace kaya::test {
 namespace {
 
-// KAYA_HOSTILE_SAVES says how many.
+// KAYA_HOSTILE_SAVES sets their number.
 TEST(HostileSaves, AreRefusedOrRunButNeverCrash) {
     const char* given = std::getenv("KAYA_HOSTILE_SAVES");
     const int files = given ? std::atoi(given) : 150;

@@ -1,5 +1,5 @@
-// Decks made by chance from a seed: the time step in use never exceeds the bound, and a run that is saved and restored at any
-// cycle goes on with the same bits.
+// Random decks from a seed: the time step never exceeds the bound, and a run that is saved and restored at any cycle continues with the
+// same bits.
 #include "commands/save_session.hpp"
 #include "commands/session.hpp"
 
@@ -25,7 +25,7 @@ namespace {
 
 using test::Chance;
 
-/// Lines that are run one after another, and cycles between them.
+/// Lines that are run in order, with cycles between them.
 struct Part {
     std::string line;
     int cycles = 0;
@@ -101,7 +101,7 @@ public:
         std::fclose(results_);
         std::fclose(messages_);
     }
-    /// False when the command is refused, as some of those that chance makes are.
+    /// False if the command is refused, as some random commands are.
     bool run(const std::string& line) {
         try {
             session_->interpreter.run_text(line, "random.3dd");
@@ -134,7 +134,7 @@ void expect_same_when_restored(Run& run, int cycles, const std::string& where) {
     }
 }
 
-/// By the bound of all bodies as they are now.
+/// By the bound of all bodies in their present state.
 double largest_stable_step(const Model& model) {
     const Adjacency adjacency = make_adjacency(model);
     StepBounds bounds;
@@ -142,7 +142,7 @@ double largest_stable_step(const Model& model) {
     return bounds.limit(model, adjacency).stable;
 }
 
-/// Cycles that were looked at.
+/// Returns the number of checked cycles.
 int check(std::uint64_t seed) {
     Run run;
     Chance c(seed + 1000000);
@@ -153,7 +153,7 @@ int check(std::uint64_t seed) {
             EXPECT_EQ(run.hashes(), before) << "seed " << seed << ": refused, and not without a trace: " << part.line;
         }
         for (int i = 0; i < part.cycles; ++i) {
-            if (!run.run("cycle 1")) return looked_at; // nothing to run, or a law that gives up
+            if (!run.run("cycle 1")) return looked_at; // no model to run, or a failing law
             ++looked_at;
             const double step = run.session().model.clock.time_step, stable = largest_stable_step(run.session().model);
             EXPECT_LE(step, stable) << "seed " << seed << ", cycle " << run.session().model.clock.cycle;
@@ -166,8 +166,8 @@ int check(std::uint64_t seed) {
     return looked_at;
 }
 
-/// Runs the deck while its density is scaled, and restores it right after cycles in which masses have changed: what was noted of a
-/// contact before that must not count. The number of times.
+/// Runs the deck with density scaling, and restores it directly after cycles in which masses have changed: data noted of a contact before
+/// must not be used. Returns the number of times.
 int restore_after_changes_of_mass(std::uint64_t seed) {
     constexpr int most = 4; // of a deck
     Run run;
@@ -188,7 +188,7 @@ int restore_after_changes_of_mass(std::uint64_t seed) {
     return restored;
 }
 
-/// The whole deck once more with so many threads.
+/// The whole deck again with the given number of threads.
 std::uint64_t final_hash(std::uint64_t seed, int threads) {
     Run run(threads);
     for (const Part& part : random_deck(seed)) {
@@ -204,7 +204,7 @@ int number_from(const char* variable, int otherwise) {
     return given ? std::atoi(given) : otherwise;
 }
 
-// KAYA_RANDOM_DECKS says how many, KAYA_FIRST_SEED where they begin; the slow test asks for more.
+// KAYA_RANDOM_DECKS sets their number, KAYA_FIRST_SEED the first seed; the slow test runs more.
 TEST(RandomDecks, TheStepStaysBelowTheBoundAndARestoredRunGoesOnWithTheSameBits) {
     const int decks = number_from("KAYA_RANDOM_DECKS", 40), first = number_from("KAYA_FIRST_SEED", 1);
     int looked_at = 0;
@@ -222,7 +222,7 @@ TEST(RandomDecks, ARunThatIsRestoredWhenMassesHaveChangedGoesOnWithTheSameBits) 
         restored += restore_after_changes_of_mass(static_cast<std::uint64_t>(seed));
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
-    EXPECT_GE(restored, decks / 4); // masses do change
+    EXPECT_GE(restored, decks / 4); // masses change
 }
 
 TEST(RandomDecks, OneTwoAndFourThreadsGiveTheSameBits) {

@@ -1,5 +1,5 @@
-// Random joint systems behind a face and above a roof, without friction: the blocks that leave their place when the model cycles
-// are those that block theory names.
+// Random joint systems behind a face and above a roof, without friction: the blocks that leave their position when the model cycles are
+// those of block theory.
 #include "commands/session.hpp"
 #include "commands/stability.hpp"
 
@@ -24,9 +24,9 @@ namespace {
 
 constexpr double size = 10,
                  moved = 0.03 * size; // length
-constexpr double look = 0.25,         // time between looks at who has left
-    longest_wait = 10;                // for one that theory names; 20 degrees of plunge take half a second
-constexpr double rest = 2.5;          // time without anyone leaving
+constexpr double look = 0.25,         // time between checks
+    longest_wait = 10;                // for a removable block; 20 degrees of plunge take half a second
+constexpr double rest = 2.5;          // time without a departure
 
 /// A cube of rock with three joint sets. A roof is open below; a face is open to +x and above.
 std::string system(std::mt19937& random, bool roof) {
@@ -64,7 +64,7 @@ struct Outcome {
     std::size_t free = 0, named = 0, gone = 0;
 };
 
-/// The blocks that theory lets go.
+/// The removable blocks by theory.
 std::set<std::int32_t> named_by_theory(Session& session, Outcome& outcome) {
     std::set<std::int32_t> named;
     for (const BodyStability& body : stability_of(session.model, session.joints)) {
@@ -76,8 +76,8 @@ std::set<std::int32_t> named_by_theory(Session& session, Outcome& outcome) {
     return named;
 }
 
-/// The blocks that leave their place. Who has left is taken away, as theory does: it does not ask whether the way out is long enough for
-/// what comes behind.
+/// The blocks that leave their position. They are deleted, as in theory, which does not test whether the path is long enough for the blocks
+/// behind them.
 std::set<std::int32_t> gone_by_cycling(Session& session, const std::set<std::int32_t>& named) {
     Model& model = session.model;
     std::set<std::int32_t> gone;
@@ -94,7 +94,7 @@ std::set<std::int32_t> gone_by_cycling(Session& session, const std::set<std::int
     return gone;
 }
 
-/// What cycling says, with blocks that turn or with blocks that only shift.
+/// Results of cycling, with rotation or with translation only.
 struct Comparison {
     std::set<std::int32_t> named, gone;
     std::string text() const {
@@ -130,8 +130,8 @@ TEST(RemovableBlocks, AreTheSameByBlockTheoryAndByCycling) {
             ++equal;
             continue;
         }
-        // Theory moves one block at a time, and blocks may lean on each other and turn together. What it names must leave all the same;
-        // and where no block can turn, nothing else does.
+        // Theory moves one block at a time, but blocks may lean on each other and rotate together. Blocks named by theory must leave in any
+        // case; without rotation no other block leaves.
         EXPECT_TRUE(std::ranges::includes(free.gone, free.named)) << "system " << seed << ": " << free.text();
         const Comparison straight = compare(seed, false, again);
         EXPECT_EQ(straight.named, straight.gone) << "system " << seed << " without turning";

@@ -114,7 +114,7 @@ TEST(Design, SobolNumbersFillTheSquareMoreEvenlyThanChance) {
     Study study = sampled(Design::Method::sobol, 1024);
     study.factors = {scattering("x", Distribution::Kind::uniform, 0, 1),
                      scattering("y", Distribution::Kind::uniform, 0, 1)};
-    // The mean of x y is 1/4; by chance its error would be about 0.22 / 32 = 0.007.
+    // The mean of x y is 1/4; with random samples its error would be about 0.22 / 32 = 0.007.
     double sum = 0;
     for (const auto& one : cases_of(study))
         sum += number_of(one.values[0].second) * number_of(one.values[1].second) / 1024;

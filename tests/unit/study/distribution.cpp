@@ -6,7 +6,7 @@
 namespace kaya {
 namespace {
 
-/// The mean and deviation of many quantiles, evenly spaced in their parts.
+/// The mean and deviation of many quantiles, evenly spaced in probability.
 std::pair<double, double> moments(const Distribution& d) {
     constexpr int count = 200000;
     double sum = 0, squares = 0;
@@ -59,7 +59,7 @@ TEST(Distribution, ACutKeepsNumbersInsideAndTheirOrder) {
         EXPECT_LE(value, 1);
         before = value;
     }
-    // Half of what lies between: Phi(x) = (Phi(0.5) + Phi(1)) / 2.
+    // Half of the probability between: Phi(x) = (Phi(0.5) + Phi(1)) / 2.
     EXPECT_NEAR(d.quantile(0.5), normal_quantile(0.5 * (normal_part(0.5) + normal_part(1))), 1e-12);
 }
 

@@ -73,7 +73,7 @@ TEST_F(Reader, TextsOfValuesGiveBackTheSameBitsAndKind) {
 }
 
 struct Wrong {
-    const char* text; ///< behind deck and results
+    const char* text; ///< after deck and results
     int line;
     const char* message;
     const char* hint = "";
@@ -109,11 +109,11 @@ const std::string zero_samples = with_two("[design]\nmethod = \"random\"\nsample
 INSTANTIATE_TEST_SUITE_P(
     All, WrongStudies,
     testing::Values(
-        Wrong{"", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [", 4, "this is no TOML"},
+        Wrong{"", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [", 4, "this is not valid TOML"},
         Wrong{"[parameters]\nf = []\n", 4, "the list of 'f' is empty"},
         Wrong{"[parametres]\nf = [1]\n", 1, "no parameter varies"},
         Wrong{"[parameters]\nf = [1]\n[limit]\nseconds = 1\n", 5, "a study has no 'limit'", "limits"},
-        Wrong{"[parameters]\n\"1f\" = [1]\n", 4, "'1f' is no name of a parameter"},
+        Wrong{"[parameters]\n\"1f\" = [1]\n", 4, "'1f' is not a valid name of a parameter"},
         Wrong{"[parameters]\nf = { distribution = \"norml\", mean = 1, deviation = 1 }\n", 4,
               "there is no distribution 'norml'", "normal"},
         Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 0 }\n", 4,
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[parameters]\nf = [1, 2]\n[limits]\nseconds = -1\n", 6, "'seconds' must be above 0"},
         Wrong{
             "[parameters]\nf = [1, 2]\n[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\ntolerance = 0.1\n",
-            4, "'f' varies besides a search"},
+            4, "'f' varies in addition to a search"},
         Wrong{"[critical]\nparameter = \"g\"\nof = \"slip\"\nfrom = 0\nto = 1\n", 3, "needs 'tolerance'"},
         Wrong{"[parameters]\nf = [1, 2]\ng = [1]\n[design]\nmethod = \"list\"\n", 5, "a list needs as many values"},
         Wrong{"[parameters]\nf = [1, 2]\n[design]\nmethod = \"one-at-a-time\"\n", 4, "needs the base of 'f'"},

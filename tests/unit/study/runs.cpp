@@ -127,7 +127,7 @@ TEST_F(LocalRunsTest, ADamagedOutcomeIsSaid) {
     EXPECT_THROW(all(double_of), Diagnostic);
 }
 
-/// A function in the place of runs.
+/// A function in place of runs.
 class Computed : public Runs {
 public:
     explicit Computed(std::function<double(const std::map<std::string, double>&)> f) : f_(std::move(f)) {}
@@ -194,7 +194,7 @@ TEST(SearchTest, OneParameterAndAnAnswerOutsideOfTheBounds) {
     Computed runs([](auto values) { return values["a"]; });
     const auto answer = fit_parameters(study, runs);
     EXPECT_NEAR(answer.found[0].value, 10, 1e-2);
-    EXPECT_TRUE(std::isnan(answer.found[0].deviation)); // one observation, one parameter, nothing known of its error
+    EXPECT_TRUE(std::isnan(answer.found[0].deviation)); // one observation, one parameter, unknown error
 }
 
 } // namespace

@@ -19,7 +19,7 @@ TEST(Statistics, MomentsOfNumbersAndOfAPointEstimate) {
 }
 
 TEST(Statistics, TheIntervalOfAProbability) {
-    // Clopper and Pearson for 3 of 20, as tables give it: 0.0321 to 0.3789.
+    // Clopper and Pearson for 3 of 20, from tables: 0.0321 to 0.3789.
     std::vector<double> truths(20, 0.0), weights(20, 1.0);
     truths[1] = truths[7] = truths[19] = 1;
     const auto p = probability_of(truths, weights);
@@ -67,7 +67,7 @@ TEST(Statistics, AResponseSurfaceFindsAPolynomialInUnitsOfAnySize) {
     EXPECT_NEAR(response->terms[2].factor, -1e-9, 1e-15);
     EXPECT_NEAR(response->terms[4].factor, 5e-10, 1e-15);
     outcomes.resize(5);
-    EXPECT_FALSE(response_of("f", {cases.begin(), cases.begin() + 5}, outcomes)); // six factors of five runs
+    EXPECT_FALSE(response_of("f", {cases.begin(), cases.begin() + 5}, outcomes)); // six coefficients from five runs
 }
 
 TEST(Statistics, ATornadoHasTheLongestBarFirst) {

@@ -65,7 +65,7 @@ TEST(VtkBlocks, TrianglesOfAFaceBecomeOnePolygonWhereTheyMakeOne) {
     ASSERT_EQ(grid->GetCell(1)->GetNumberOfFaces(), 4);
     EXPECT_EQ(grid->GetCell(1)->GetFace(0)->GetNumberOfPoints(), 4);
     EXPECT_EQ(grid->GetCell(1)->GetFace(1)->GetNumberOfPoints(), 3);
-    // Two triangles that meet in a corner only are no polygon and stay triangles.
+    // Two triangles with only one common corner are not a polygon and remain triangles.
     model.triangles.gridpoints[5] = {4, 7, 3};
     grid = parsed(vtk_blocks(model));
     EXPECT_EQ(grid->GetCell(1)->GetNumberOfFaces(), 5);
@@ -109,7 +109,7 @@ TEST(VtkArrays, CarryTheKindOfTheirQuantity) {
               "stress/length");
 }
 
-// What a user can list can be seen: each field is an array, or a part of one.
+// Every listed field is an array, or a part of one.
 TEST(VtkArrays, EveryFieldOfTheModelIsThere) {
     const Model model = hand_made_model();
     const auto blocks = parsed(vtk_blocks(model)), faces = parsed(vtk_faces(model)),
@@ -146,7 +146,7 @@ TEST(VtkFaces, ATriangleForEachOfTheModel) {
     EXPECT_THAT(row_of(grid->GetCellData(), "block_id", 0), ElementsAre(1));
 }
 
-// Two bricks, one shifted on the other: the joint is where both are.
+// Two bricks, one shifted on the other: the joint is their common part.
 TEST(VtkJoints, PolygonsCoverTheCommonPartOfTheFaces) {
     Bench bench;
     bench.brick({0, 0, 0}, {1, 1, 1}), bench.brick({0.25, 0, 1}, {1.25, 1, 2});

@@ -17,7 +17,7 @@ using namespace kaya::test;
 
 namespace {
 
-/// The bytes before compression that one block of the file holds: arrays below, at and above it are tried.
+/// The uncompressed bytes of one block of the file: arrays below, at and above it are tested.
 constexpr std::size_t block = 1U << 18;
 
 template <class Number>
@@ -53,7 +53,7 @@ struct Draw {
     }
 };
 
-/// As many tuples of `components` doubles as fill one block; one fewer, one more; none.
+/// As many tuples of `components` doubles as fill one block; one fewer, one more; zero.
 std::size_t tuples_of(int trial, Draw& draw) {
     const std::array<std::size_t, 6> sizes{0, 1, block / 8 - 1, block / 8, block / 8 + 1, 2 * block / 8};
     return trial < 6 ? sizes[static_cast<std::size_t>(trial)] : draw.below(3000);

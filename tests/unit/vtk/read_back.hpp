@@ -1,4 +1,4 @@
-// What VTK's own reader makes of the bytes of a .vtu file.
+// The bytes of a .vtu file as read by VTK.
 #pragma once
 
 #include "tests/unit/scratch_folder.hpp"

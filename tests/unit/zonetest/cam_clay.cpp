@@ -1,5 +1,5 @@
-// A zone model that comes from outside of the program (tests/plugins/zones/cam-clay.cpp), led along paths on the bench. Its end in
-// the critical state does not depend on the way there, so that closed forms hold to the last digits.
+// An external zone model (tests/plugins/zones/cam-clay.cpp) on paths of the bench. Its final critical state does not depend on the path, so
+// closed forms hold to the last digits.
 #include "base/diagnostic.hpp"
 #include "tests/unit/scratch_folder.hpp"
 #include "zonetest/zone_bench.hpp"
@@ -59,7 +59,7 @@ TEST_F(CamClay, UnloadingGoesBackOnTheOtherLine) {
     const ZoneCurve curve = follow(start, path);
     const SingleZone &turn = curve.points[400], &end = curve.points.back();
     EXPECT_NEAR(end.mean_stress() / turn.mean_stress(), std::exp(3 * 0.3 * each / kappa), 1e-9);
-    EXPECT_NEAR(end.history[0] / -turn.mean_stress(), 1, 1e-9); // what it has carried
+    EXPECT_NEAR(end.history[0] / -turn.mean_stress(), 1, 1e-9); // its largest pressure
 }
 
 // At the same volume p/py = ((M^2 + ny^2)/(M^2 + n^2))^L for each state on the yield surface, n = q/p and L = 1 - kappa/lambda: from

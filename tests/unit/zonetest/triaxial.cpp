@@ -41,12 +41,12 @@ TEST_F(Bench, MohrCoulombYieldsAtItsTriaxialStrengthAndDilatesAsAsked) {
     EXPECT_NEAR(last.stress[2], n * confining - 2 * c * std::sqrt(n), 1e-6 * std::abs(last.stress[2]));
     EXPECT_NEAR(last.stress[0], confining, 1e-6 * std::abs(confining));
     EXPECT_NEAR(last.stress[1], confining, 1e-6 * std::abs(confining));
-    // In flow the volume grows by 2 sin psi / (1 - sin psi) of what the axis shortens by... less its own shortening.
+    // In flow the volume increases by 2 sin psi / (1 - sin psi) of the axial shortening.
     const SingleZone& before = curve.points[curve.points.size() - 2];
     const double axial = last.strain[2] - before.strain[2],
                  m = (1 + std::sin(psi * degree)) / (1 - std::sin(psi * degree));
     EXPECT_NEAR(last.volume_strain() - before.volume_strain(), -axial * (m - 1), 1e-9 * std::abs(axial));
-    EXPECT_NEAR(last.strain[0], last.strain[1], 1e-9); // on the edge of the surface both ways are open
+    EXPECT_NEAR(last.strain[0], last.strain[1], 1e-9); // on the edge of the surface both directions are admissible
     EXPECT_TRUE(curve.findings.empty());
     const double young = 9 * bulk * shear / (3 * bulk + shear);
     EXPECT_NEAR((curve.points[1].stress[2] - confining) / curve.points[1].strain[2], young, 1e-6 * young);
@@ -61,7 +61,7 @@ TEST_F(Bench, HoekBrownYieldsOnItsCurve) {
     EXPECT_TRUE(curve.findings.empty());
 }
 
-/// The envelope of shear stresses as the upper edge of many circles of Mohr: by another way than the model.
+/// The envelope of shear stresses as the upper edge of many Mohr circles: independent of the model.
 double envelope(double normal, double sci, double mb, double s, double a) {
     double highest = 0;
     for (double s3 = -s * sci / mb; s3 < normal; s3 += 2e-4 * sci) {
@@ -106,7 +106,7 @@ TEST_F(Bench, AnisotropicRockIsAsSoftAsItsPlanesAreTurned) {
             const double softness = c2 * c2 / normal + s2 * s2 / plane + s2 * c2 * (1 / shear - 2 * nun / normal);
             const auto& strain = curve.points.back().strain;
             EXPECT_NEAR(strain[2] / load / softness, 1, 1e-6) << dip << " " << dip_direction;
-            // Across the load, along strike and square to it; and the shear that the planes bring.
+            // Perpendicular to the load, along strike and perpendicular to it; and the shear caused by the planes.
             const double along_strike = -(c2 * nun / normal + s2 * nu / plane);
             const double down_dip = s2 * c2 * (1 / normal + 1 / plane - 1 / shear) - (c2 * c2 + s2 * s2) * nun / normal;
             EXPECT_NEAR((strain[0] + strain[1]) / load / (along_strike + down_dip), 1, 1e-6)
@@ -163,7 +163,7 @@ TEST_F(Bench, WrongPathsAreRefusedWithTheirFile) {
     }
 }
 
-/// A model whose rows touch each other, that is stiffer than it says and makes work of nothing.
+/// A model whose rows influence each other, that is stiffer than it reports and creates energy.
 ptrdiff_t run_badly(kaya_zbatch* batch) {
     double sum = 0;
     for (std::size_t i = 0; i < batch->n; ++i) sum += batch->strain_inc[2][i];

@@ -3,7 +3,7 @@
 local arch = {}
 arch.radius = 10
 
--- Thickness over mid radius. Gives the moving blocks in order from the right springer and the two springers.
+-- Thickness over mid radius. Returns the moving blocks in order from the right springer and the two springers.
 function arch.build(n, ratio, stiffness, friction)
     local inner, outer = arch.radius * (1 - ratio / 2), arch.radius * (1 + ratio / 2)
     command "delete\nreset time"
@@ -28,7 +28,7 @@ function arch.build(n, ratio, stiffness, friction)
     return voussoirs, springers
 end
 
--- Gravity comes within a second, with local damping.
+-- Gravity is applied within a second, with local damping.
 function arch.load()
     command "damp local\ngravity 0 0 0"
     local start = model.time

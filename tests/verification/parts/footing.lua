@@ -1,7 +1,7 @@
--- A strip footing on ground without weight: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)`
--- presses it and compares N_c, which may lie `low` below Davis's estimate, that is below the exact one of associated flow, and `high` above
--- the exact one, and must not grow any more. With `slanting`
--- the far side is no brick's, so that `gen edge` fills the ground with tetrahedra in no order; it is pressed faster then.
+-- A strip footing on weightless ground: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)` loads
+-- it and compares N_c, which must be at most `low` below Davis's estimate, itself below the exact value for associated flow, and at most
+-- `high` above the exact value, and must be constant. With `slanting` the far side is inclined, so that `gen edge` fills the ground with an
+-- unstructured mesh; it is loaded faster then.
 local verify = require "verify"
 local half, width, height, cohesion = 3, 15, 7.5, 1e5
 return function(name, n, phi, psi, mesh, steps, low, high, slanting)
@@ -34,7 +34,7 @@ return function(name, n, phi, psi, mesh, steps, low, high, slanting)
     local speed = (slanting and 8 or 1) * 1e-2 * size
     command(("bound zvel %g %s"):format(-speed, top))
     command(("cycle %d"):format(steps))
-    command(("bound zvel %g %s"):format(-speed / 5, top)) -- at a low speed inertia carries nothing
+    command(("bound zvel %g %s"):format(-speed / 5, top)) -- at a low speed inertia is negligible
     command(("cycle %d"):format(steps / 4))
     local before = pressure()
     command(("cycle %d"):format(steps / 4))
@@ -43,11 +43,11 @@ return function(name, n, phi, psi, mesh, steps, low, high, slanting)
         if t == 0 then return 2 + math.pi end
         return (math.exp(math.pi * t) * math.tan(math.pi / 4 + math.atan(t) / 2) ^ 2 - 1) / t
     end
-    -- Davis (1968): what flows with another dilation carries at least as much as if strength were that along its velocity characteristics.
+    -- Davis (1968): ground with another dilation carries at least as much as with the strength along its velocity characteristics.
     local f, d = math.rad(phi), math.rad(psi)
     local part = math.cos(d) / (1 - math.sin(d) * math.sin(f))
     local exact, davis = prandtl(math.tan(f)), part * math.cos(f) * prandtl(part * math.sin(f))
-    verify.relative("D6, " .. name, "N_c beside that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
+    verify.relative("D6, " .. name, "N_c, against that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
     verify.absolute("D6, " .. name, "N_c short of Davis's estimate, parts", math.min(0, after / davis - 1), 0, low)
     verify.absolute("D6, " .. name, "growth of N_c in the last quarter, parts", after / before - 1, 0, 0.01)
 end

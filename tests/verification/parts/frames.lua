@@ -1,4 +1,4 @@
--- Bricks, and places in text, in a turned frame.
+-- Bricks, and points in text, in a rotated frame.
 local frames = {}
 
 function frames.text(v) return ("%.17g %.17g %.17g"):format(v.x, v.y, v.z) end

@@ -1,20 +1,23 @@
--- Columns on a stepped base that topple: limit equilibrium from block to block (Goodman and Bray 1976, ASCE Specialty Conference on Rock Engineering, Boulder).
+-- Toppling columns on a stepped base: limit equilibrium from block to block (Goodman and Bray 1976, ASCE Specialty Conference on Rock
+-- Engineering, Boulder).
 local goodman_bray = {}
 
--- Columns of a `width` on steps, across a base that dips by `dip` degrees: `below` of them grow by `rise` each, `above` more get lower by `fall` each.
+-- Columns of a `width` on steps, across a base that dips by `dip` degrees: the height of `below` columns increases by `rise` each, that of
+-- `above` more decreases by `fall` each.
 function goodman_bray.slope(of)
     local slope = { width = of.width, dip = of.dip, step = of.step, heights = {} }
     for n = 1, of.below + of.above do slope.heights[n] = of.rise * math.min(n, of.below) - of.fall * math.max(0, n - of.below) end
     return slope
 end
 
--- Force over the unit weight that must be applied below the first block, from the uppermost block down: what the greater of toppling and sliding needs.
+-- Force over the unit weight that must be applied below the first block, from the uppermost block down: the larger of the forces against
+-- toppling and sliding.
 local function needed(slope, tangent)
     local width, heights, alpha, push = slope.width, slope.heights, math.rad(slope.dip), 0.0
     local function top(n) return heights[n] and n * slope.step + heights[n] or math.huge end
     for n = #heights, 1, -1 do
         local y, base = heights[n], n * slope.step
-        -- Heights at which the block above and the block below touch.
+        -- Heights of contact with the block above and the block below.
         local above, below = math.min(top(n), top(n + 1)) - base, math.min(top(n), top(n - 1)) - base
         local moment = push * (above - tangent * width) + y * width / 2 * (y * math.sin(alpha) - width * math.cos(alpha))
         local slide = push - y * width * (tangent * math.cos(alpha) - math.sin(alpha)) / (1 - tangent ^ 2)
@@ -33,7 +36,8 @@ function goodman_bray.limit(slope)
     return low
 end
 
--- Columns stand upright here, and gravity is turned; they topple towards x, or away from it with the side -1. Gives those that are not fixed.
+-- Columns are vertical here, and gravity is inclined; they topple towards x, or away from it with the side -1. Returns the columns that are
+-- not fixed.
 function goodman_bray.build(slope, side)
     local width, deep = slope.width, 2 * slope.width
     command "delete\nreset time"

@@ -3,8 +3,9 @@ local jointed_slope = {}
 
 local height, face, thick = 260, 55, 10
 
--- Sets are { dip, dip direction, spacing, a place on a joint }; rock reaches `front` before the toe, `back` behind the crest and `deep` below the toe, `edge` is that of zones; without it
--- blocks are rigid, and those around the edge of the model are fixed. Weight has come on, and strengths are those of the case.
+-- Sets are { dip, dip direction, spacing, a point on a joint }; rock extends `front` before the toe, `back` behind the crest and `deep`
+-- below the toe, `edge` is that of zones; without it blocks are rigid, and those around the edge of the model are fixed. The weight is
+-- applied, and strengths are those of the case.
 function jointed_slope.build(front, back, deep, edge, sets)
     local crest = height / math.tan(math.rad(face))
     local line = "poly prism"
@@ -28,7 +29,7 @@ function jointed_slope.build(front, back, deep, edge, sets)
     if edge then command "prop mat 1 bcoh 675e3 bten 0" end
 end
 
--- Factor of safety between the two of a bracket, to a `resolution` of 0.02 or as it says, and the name of the mode of failure, as `solve fos` prints it.
+-- Factor of safety within a bracket, to a `resolution` of 0.02 or as given, and the mode of failure, as printed by `solve fos`.
 function jointed_slope.factor(name, from, to, resolution)
     local file = name .. ".log"
     command(("set log on logfile '%s'\nsolve ratio 1e-5 cycles 20000\nsolve fos resolution %g bracket %g %g\nset log off"):format(file, resolution or 0.02, from, to))

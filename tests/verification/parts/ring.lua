@@ -1,7 +1,7 @@
 -- A semicircular arch of 20 voussoirs of 9 degrees with plane faces, 0.5 m deep; those at the springings are fixed.
 local ring = {}
 
--- Gives the voussoirs in order from the right springing.
+-- Returns the voussoirs in order from the right springing.
 function ring.build(inner, outer, damping)
     local n = 20
     command "delete\nreset time damp"
@@ -25,7 +25,7 @@ function ring.build(inner, outer, damping)
     return voussoirs
 end
 
--- The contact between two blocks, and the forces of its sub-contacts as { place, normal force, shear force }.
+-- The contact between two blocks, and the forces of its sub-contacts as { position, normal force, shear force }.
 function ring.joint(one, other)
     for c in contacts() do
         local a, b = c.block1.id, c.block2.id

@@ -1,8 +1,9 @@
--- How a rigid wedge above two planes through the origin of a cube of 10 m sits on them while it slides: moments decide it, which the closed form leaves out.
+-- The support of a rigid wedge that slides above two planes through the origin of a cube of 10 m: it depends on moments, which the closed
+-- form omits.
 local wedge = require "parts.wedge"
 local seat = {}
 
-local half, step = 5, 0.5 -- of the cube, and of the squares and cubes that stand for areas and volumes
+local half, step = 5, 0.5 -- of the cube, and of the squares and cubes for numerical integration
 
 local function above(place, normals)
     for _, n in ipairs(normals) do if n:dot(place) < 0 then return false end end
@@ -23,7 +24,7 @@ local function six(force, place)
     return { force.x, force.y, force.z, moment.x, moment.y, moment.z }
 end
 
--- Places of both joints: what a unit of normal displacement is of the wedge's motion, and what a unit of pressure with its friction does to it.
+-- Points of both joints: the normal displacement by a unit of the wedge's motion, and the force of a unit of pressure with its friction.
 local function places(na, nb, line, tangent)
     local centre, found = centroid(na, nb), {}
     for _, pair in ipairs { { na, nb }, { nb, na } } do
@@ -38,7 +39,7 @@ local function places(na, nb, line, tangent)
     return found
 end
 
--- Gauss with pivots; nil where there is no one answer. The right side stands in the last column.
+-- Gauss elimination with pivots; nil without a unique solution. The right side is the last column.
 local function solve(rows)
     local n = #rows
     for c = 1, n do
@@ -56,8 +57,8 @@ local function solve(rows)
     return x
 end
 
--- The part of the joints' area that is closed while the wedge slides along its line at the limit, with a normal pressure as of springs that do not pull; nil where no
--- such state is found. Its weight is 1; x is its small motion and the force along the line that is left over.
+-- The fraction of the joints' area that is closed while the wedge slides along its line at the limit, with the normal pressure of
+-- no-tension springs; nil if no such state is found. Its weight is 1; x is its small motion and the residual force along the line.
 function seat.closed_part(a, b)
     local exact = wedge.closed_form(a, b)
     local na, nb, line, tangent = wedge.normal(a), wedge.normal(b), exact.line, math.tan(math.rad(exact.friction))
