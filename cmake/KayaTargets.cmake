@@ -41,7 +41,7 @@ set(KAYA_NO_FALSE_WARNINGS -Wno-array-bounds -Wno-restrict -Wno-stringop-overflo
 set(KAYA_NO_FALSE_WARNINGS "$<$<CXX_COMPILER_ID:GNU>:${KAYA_NO_FALSE_WARNINGS}>")
 
 # Reading these takes a third of the time of a build; they are read once, for all libraries (as far as the preset wants that). They are the
-# system's, so that a change of our own headers makes no more anew than it must.
+# system's, so that a change of kaya's own headers compiles no more than it must.
 set(KAYA_READ_ONCE <Eigen/Geometry> <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h> <functional> <limits> <map>
   <memory> <numeric> <optional> <set> <sstream> <string> <variant> <vector>)
 function(kaya_read_once name)

@@ -48,7 +48,7 @@ constexpr Explanation explanations[] = {
      "Another name at one letter from it is read: this one may be a slip of the pen. Whole decks are looked at, with\n"
      "the files that they call; nothing is said when a restored model or an unknown file may read it."},
     {"never-set", "a name of FISH that nothing sets",
-     "A variable that nothing sets is 0. Set it, write 'global NAME' in a function, or mend the name. Nothing is said\n"
+     "A variable that nothing sets is 0. Set it, write 'global NAME' in a function, or correct the name. Nothing is said\n"
      "when a restored model, a file that is not known before the run, or Lua may set it."},
     {"never-ended", "a function or a chunk of Lua without its end",
      "A 'def' needs a line with 'end' alone, and 'lua' a line with 'endlua' alone. Inside a function each loop, if,\n"
@@ -96,8 +96,8 @@ constexpr Explanation explanations[] = {
      "Files that begin with a point are settings of programs, files that end in .so are libraries of code. Give another name."},
     {"wide-folder", "a run in the home folder or in /",
      "Without --trust a run may write everything that is not hidden below the folder where it starts and below that of its deck:\n"
-     "in the home folder that is all of the user's work. Give decks a folder of their own, and start runs there."},
-    {"library-not-allowed", "a joint model that nobody has allowed",
+     "in the home folder that is all of the user's work. Put decks into a separate folder, and start runs there."},
+    {"library-not-allowed", "a joint model without permission",
      "A library is code that can do whatever you can. Those of the installed folder, of --joints and of KAYA_JOINTS are loaded;\n"
      "another one is loaded after 'kaya allow FILE', until the file changes. 'kaya jmodel build' allows the library that it makes."},
     // Scripts.

@@ -7,7 +7,7 @@ namespace kaya {
 
 namespace {
 
-/// Letters that have a meaning of their own in man pages.
+/// Letters with a special meaning in man pages.
 std::string escaped(std::string_view text) {
     std::string result;
     bool at_start = true;

@@ -14,8 +14,8 @@ namespace kaya {
 namespace {
 
 /// Asks below a page. False: no further page.
-bool goes_on() {
-    print_text(stdout, "-- more: the return key goes on, q ends --");
+bool continues() {
+    print_text(stdout, "-- more: the return key continues, q ends --");
     std::fflush(stdout);
     bool on = false;
     for (bool waits = true; waits;) {
@@ -50,7 +50,7 @@ void show_by_pages(Output& output, const std::string& text) {
             output.flush();
             part.clear();
             shown = 0;
-            if (!goes_on()) return;
+            if (!continues()) return;
         }
         part += line + "\n";
     }

@@ -220,7 +220,7 @@ std::optional<Diagnostic> warning_of_wide_folder(const std::vector<std::string>&
     if (!at_home && !is_wide("/")) return std::nullopt;
     Diagnostic warning(
         fmt::format("the run may write every file below {} that is not hidden", at_home ? "your home folder" : "/"),
-        "move the deck to a folder of its own, and start it there");
+        "move the deck to a separate folder, and start it there");
     warning.severity = Severity::warning;
     warning.code = "wide-folder";
     return warning;

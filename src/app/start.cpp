@@ -18,8 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_run_options(CLI::App& app, RunOrder& order) {
-    app.add_option("deck", order.decks,
-                   "command files, run one after the other in one session; - is the standard input");
+    app.add_option("deck", order.decks, "command files, run in order in one session; - is the standard input");
     app.add_option("--threads", order.options.threads,
                    "threads to use; 0 is one for each core; results do not depend on it")
         ->check(CLI::Range(0, 4096));
@@ -29,7 +28,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
     app.add_option("--watch", order.watch,
-                   "a port: a browser on this machine can look at the run while it goes on; 0: any that is free")
+                   "a port: a browser on this machine can look at the run while it continues; 0: any that is free")
         ->check(CLI::Range(0, 65535));
     app.add_option("--into", order.into, "the folder for files that the run writes; it is made if it is not there");
     app.add_flag("--strict", order.options.strict, "warnings are errors");

@@ -55,7 +55,7 @@ fs::path folder_to_name(const fs::path& file, const fs::path& whole) {
            "name an ordinary file; --trust allows pipes and devices");
 }
 
-/// A pipe could hold the run up for ever, and a file with two names lies in two places, of which one may be anywhere.
+/// A pipe could hold the run up for ever, and a file with two names is in two places, and one of them may be anywhere.
 void refuse_kind(const fs::path& file, const struct stat& info) {
     if (S_ISDIR(info.st_mode)) return; // its reader reports it
     if (!S_ISREG(info.st_mode)) refuse_other_kind(file);
@@ -246,7 +246,7 @@ fs::path Gate::may_load(const fs::path& file) {
     if (is_script && !in_folder) may_read(file);
     const fs::path name = is_script ? file : in_folder && is_library_name(whole) ? whole : may_load_by_digest(whole);
     if (name.empty())
-        refuse("library-not-allowed", fmt::format("joint model {} is code that nobody has allowed", file.string()),
+        refuse("library-not-allowed", fmt::format("joint model {} is code without permission", file.string()),
                fmt::format("if you know where it comes from, allow it once with: kaya allow {}", quoted(file)));
     code_.insert(whole);
     return name;

@@ -139,7 +139,7 @@ void Autosave::keep_copy() {
         print_text(stderr, fmt::format("\nthe model could not be kept in '{}': {}\n", name, problem.message));
         return;
     }
-    print_text(stderr, fmt::format("\nthe model after cycle {0} is kept in '{1}': 'restore {1}' goes on from there\n",
+    print_text(stderr, fmt::format("\nthe model after cycle {0} is kept in '{1}': 'restore {1}' continues from there\n",
                                    last_good_.cycle(), name));
 }
 

@@ -67,7 +67,7 @@ void run(Session& session, const lang::Title& command) { session.title = command
 void run(Session& session, const lang::Pause&) {
     // A background run that reads its commands from a file cannot be continued by a key.
     if (session.output.quiet || !session.output.on_terminal() || !has_keyboard()) return;
-    session.output.say("pause: press Enter to go on");
+    session.output.say("pause: press Enter to continue");
     auto pressed = read_key();
     while (pressed && *pressed != '\n' && *pressed != '\r' && *pressed != key::interrupt) pressed = read_key();
     if (pressed == key::interrupt) session.interrupt();

@@ -108,7 +108,7 @@ public:
     /// Files with that ending (".lua") are made into models by `maker`.
     void add_loader(const std::string& ending, Maker maker) { makers_[ending] = std::move(maker); }
 
-    /// Is asked with each file before anything of it runs, and gives the name by which the file is to be opened. Throws Diagnostic to refuse it.
+    /// Is called with each file before anything of it runs, and returns the name by which the file is to be opened. Throws Diagnostic to refuse it.
     std::function<std::filesystem::path(const std::filesystem::path&)> before_loading;
 
     /// The model with that keyword; loads it if necessary. Libraries named as in 3DEC, libjmodelslip009.so, are opened to read their

@@ -10,7 +10,7 @@ namespace kaya {
 /// on one that was cut off, as by a full disk.
 std::string fault_of_library_file(const std::filesystem::path& file);
 
-/// Loads the library of that name, an absolute path, and calls its function `entry` in a process of its own. Says what became of that process when it
+/// Loads the library of that name, an absolute path, and calls its function `entry` in a separate process. Says what became of that process when it
 /// did not come back well: "crashes when it is loaded (signal 11)". Empty when all is well, also when the library
 /// cannot be loaded at all, or lacks the function: that is found again, with its reason, where it does no harm.
 std::string fault_of_loading(const std::filesystem::path& name, const char* entry);

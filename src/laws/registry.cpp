@@ -64,7 +64,7 @@ std::shared_ptr<void> open_library(const fs::path& file, const fs::path& name) {
     if (const auto fault = fault_of_loading(name, entry_point); !fault.empty())
         refuse(
             "joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
-            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+            "look at what its source does before any of its functions is called: static objects, the functions that describe it");
     // Local symbols keep models apart.
     void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
@@ -151,11 +151,12 @@ const JointModel& JointRegistry::get(std::string_view name) {
         const auto names = available();
         const auto near = did_you_mean(keyword, {names.begin(), names.end()});
         std::error_code ignored;
-        const std::string beside = fmt::format("./{}.so", name);
+        const std::string in_folder = fmt::format("./{}.so", name);
         Diagnostic error(fmt::format("there is no joint model '{}'", name),
-                         fs::exists(beside, ignored) ? fmt::format("a file of that name is here: write {}", beside)
-                         : near.empty()              ? "give one of the names below, or the file of a joint model"
-                                                     : fmt::format("did you mean '{}'?", near));
+                         fs::exists(in_folder, ignored)
+                             ? fmt::format("a file of that name is here: write {}", in_folder)
+                         : near.empty() ? "give one of the names below, or the file of a joint model"
+                                        : fmt::format("did you mean '{}'?", near));
         error.code = "joint-model-unknown";
         if (names.empty()) error.add("no joint models were found in the folders that are searched");
         else error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));

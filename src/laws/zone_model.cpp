@@ -48,7 +48,7 @@ std::unique_ptr<ZoneModel> open(const fs::path& file, const fs::path& name) {
     if (const auto fault = fault_of_loading(name, zone_law.entry_point); !fault.empty())
         refuse(
             "zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
-            "look at what its source does before anything is asked of it: static objects, the functions that describe it");
+            "look at what its source does before any of its functions is called: static objects, the functions that describe it");
     const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);

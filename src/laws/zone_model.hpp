@@ -60,7 +60,7 @@ public:
     void set_path(const std::vector<std::filesystem::path>& folders) { path_ = with_zone_folders(folders); }
     void set_tables(const kaya_jtables* tables) { tables_ = tables; }
 
-    /// Is asked with each file before anything of it runs, and gives the name by which the file is to be opened. Throws Diagnostic to refuse it.
+    /// Is called with each file before anything of it runs, and returns the name by which the file is to be opened. Throws Diagnostic to refuse it.
     std::function<std::filesystem::path(const std::filesystem::path&)> before_loading;
 
     /// The model with that keyword; loads it if necessary. A name with a slash or with the ending .so is a file. Throws Diagnostic: not

@@ -20,7 +20,7 @@ const char* outcome(Call call, int port) {
     const bool refused =
         call(number, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 && errno == EACCES;
     close(number);
-    return refused ? "refused" : "let through"; // also where another program has the port, or nobody listens
+    return refused ? "refused" : "let through"; // also where another program has the port, or no program listens
 }
 
 } // namespace
