@@ -208,7 +208,7 @@ TEST_P(EveryModel, NeverGivesBackMoreThanItGot) {
     }
 }
 
-TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
+TEST_P(EveryModel, StaysWhereItIsInManyCyclesOfSmallLoad) {
     auto j = joint();
     j.load(1);
     for (int k = 0; k < 20; ++k) j.step(0, {1e-6, 0, 0});
@@ -228,14 +228,16 @@ TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
     cycles(1000);
     const double normal = j.normal_stress(), shear = j.shear_stress(), before = meter.put_in;
     const double stored = 0.5 * shear * shear / j.shear_stiffness[0] * j.area[0];
-    cycles(999'000);
-    EXPECT_NEAR(j.normal_stress(), normal, 1e-8);
+    cycles(249'000);
+    // In a million cycles the drift may be 1e-8, and it is the same in each of them.
+    constexpr double drift = 2.5e-9;
+    EXPECT_NEAR(j.normal_stress(), normal, drift);
     // Creep and hysteresis may let go of the shear stress in the mean, and what was stored with it comes out; nothing
     // may add to it.
-    EXPECT_LE(j.shear_stress(), shear + 1e-8);
+    EXPECT_LE(j.shear_stress(), shear + drift);
     EXPECT_GE(meter.put_in, before - stored - 1e-9 * meter.turned_over);
     const std::string name = GetParam().model;
-    if (name == "elastic" || name.ends_with("mohr")) { EXPECT_NEAR(j.shear_stress(), shear, 1e-8); }
+    if (name == "elastic" || name.ends_with("mohr")) { EXPECT_NEAR(j.shear_stress(), shear, drift); }
 }
 
 TEST_P(EveryModel, GivesTheSameBitsInEveryRow) {
