@@ -1,6 +1,6 @@
-// Sub-contact updates per second of every joint model that ships, on one thread: rows that fit into the cache, and a million rows that do
-// not. The last column is the memory traffic of the million rows relative to that of a = b + s c over as much memory, in the same run: near
-// 1 the model is limited by memory.
+// bench_joints [ROWS]: sub-contact updates per second of every joint model that ships, on one thread: rows that fit into the cache, and a
+// million rows that do not. The last column is the memory traffic of the million rows relative to that of a = b + s c over as much memory,
+// in the same run: near 1 the model is limited by memory.
 #include "laws/batch.hpp"
 #include "laws/joint_model.hpp"
 
@@ -146,14 +146,16 @@ double seconds_per_row(const JointModel& model, std::size_t n, int steps) {
 
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
     kaya::JointRegistry registry;
     registry.set_path({KAYA_JOINT_FOLDER});
-    constexpr std::size_t few = 512, many = 1'000'000;
-    const double memory = triad(7 * many);
-    fmt::print("a = b + s c over 170 MB: {:.1f} GB/s\n\n", memory / 1e9);
-    fmt::print("{:22} {:>24} {:>24} {:>12} {:>12}\n", "model", "512 rows, M updates/s", "1e6 rows, M updates/s", "GB/s",
-               "of a=b+sc");
+    const std::size_t few = 512, many = argc > 1 ? std::max(1ul, std::strtoul(argv[1], nullptr, 10)) : 1'000'000;
+    const std::size_t column = 7 * many;
+    const double memory = triad(column);
+    fmt::print("a = b + s c over {:.3g} MB: {:.1f} GB/s\n\n", 3e-6 * sizeof(double) * static_cast<double>(column),
+               memory / 1e9);
+    fmt::print("{:22} {:>24} {:>24} {:>12} {:>12}\n", "model", fmt::format("{} rows, M updates/s", few),
+               fmt::format("{} rows, M updates/s", many), "GB/s", "of a=b+sc");
     for (const auto& [name, values] : values_given) {
         const JointModel& model = registry.get(name);
         const double near = seconds_per_row(model, few, 400), far = seconds_per_row(model, many, 3);

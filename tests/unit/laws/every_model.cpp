@@ -207,7 +207,7 @@ TEST_P(EveryModel, NeverReturnsMoreEnergyThanItReceived) {
     }
 }
 
-TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
+TEST_P(EveryModel, StaysWhereItIsInManyCyclesOfSmallLoad) {
     auto j = joint();
     j.load(1);
     for (int k = 0; k < 20; ++k) j.step(0, {1e-6, 0, 0});
@@ -227,13 +227,15 @@ TEST_P(EveryModel, StaysWhereItIsInAMillionCyclesOfSmallLoad) {
     cycles(1000);
     const double normal = j.normal_stress(), shear = j.shear_stress(), before = meter.put_in;
     const double stored = 0.5 * shear * shear / j.shear_stiffness[0] * j.area[0];
-    cycles(999'000);
-    EXPECT_NEAR(j.normal_stress(), normal, 1e-8);
+    cycles(249'000);
+    // The limit for a million cycles is 1e-8; drift grows with their number.
+    constexpr double drift = 2.5e-9;
+    EXPECT_NEAR(j.normal_stress(), normal, drift);
     // Creep and hysteresis may reduce the mean shear stress and release its stored energy; it must not increase.
-    EXPECT_LE(j.shear_stress(), shear + 1e-8);
+    EXPECT_LE(j.shear_stress(), shear + drift);
     EXPECT_GE(meter.put_in, before - stored - 1e-9 * meter.turned_over);
     const std::string name = GetParam().model;
-    if (name == "elastic" || name.ends_with("mohr")) { EXPECT_NEAR(j.shear_stress(), shear, 1e-8); }
+    if (name == "elastic" || name.ends_with("mohr")) { EXPECT_NEAR(j.shear_stress(), shear, drift); }
 }
 
 TEST_P(EveryModel, GivesTheSameBitsInEveryRow) {
