@@ -2,7 +2,9 @@
 
 #include "commands/handlers.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 namespace kaya {
 
@@ -23,6 +25,20 @@ Bodies pick_bodies(Session& session, const lang::RangePhrase& range) {
                        "effect")
                 .at(range.place));
     return bodies;
+}
+
+void check_rotation(const Model& model, const Bodies& bodies, const std::array<std::optional<double>, 6>& velocity,
+                    const Place& place) {
+    const std::span along = std::span(velocity).first<3>(), about = std::span(velocity).last<3>();
+    const auto given = [](const std::optional<double>& value) { return value.has_value(); };
+    const auto moves = [](const std::optional<double>& value) { return value.value_or(0) != 0; };
+    if (std::ranges::none_of(about, given)) return;
+    if (std::ranges::none_of(velocity, moves) && std::ranges::all_of(along, given)) return;
+    const auto is_rigid = [&](Row block) { return !model.blocks.deformable[block]; };
+    if (bodies.empty() || std::ranges::any_of(bodies.blocks, is_rigid)) return;
+    throw Diagnostic("all that is in range has zones, and gridpoints of zones have no rotation",
+                     "give them velocities (xvel, yvel, zvel), or leave the blocks without zones")
+        .at(place);
 }
 
 } // namespace kaya

@@ -284,6 +284,7 @@ void bound(Session& session, const lang::Boundary& command) {
     if (any(command.reaction)) put_reactions(session, command);
     if (any(command.velocity) || any(command.free)) {
         const Bodies bodies = pick_bodies(session, command.range);
+        check_rotation(model, bodies, command.velocity, command.place);
         for (int k = 0; k < components; ++k) {
             if (command.velocity[k]) prescribe_velocity(model, bodies, k, *command.velocity[k], function);
             if (command.free[k]) release_velocity(model, bodies, k);
@@ -388,6 +389,7 @@ void run(Session& session, const lang::Apply& command) {
                     "load its gridpoints with bound, or exclude it from the range")
                     .at(command.place);
     if (command.at && !blocks.empty()) check_place_of_load(session, command, blocks);
+    check_rotation(model, {blocks, {}}, command.velocity, command.place);
     for (int k = 0; k < components; ++k)
         if (command.velocity[k]) prescribe_velocity(model, {blocks, {}}, k, *command.velocity[k], function);
     for (const auto& [speed, direction] : command.directed_velocity)

@@ -132,7 +132,7 @@ private:
         if (model_.structures.cables.empty()) return;
         take_structure_properties(model_);
         std::vector<CableChain> chains;
-        run_cables(model_, chains);
+        run_cables(model_, chains, 0);
         const auto& nodes = model_.structures.cable_nodes;
         for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
             const Row block = block_of_node(model_, node);

@@ -195,7 +195,7 @@ void Cycle::move(StepSums& sums) {
 
 double Cycle::run_structures(double step) {
     Lists& s = *lists_;
-    return run_cables(model_, s.cables) + run_members(model_, s.members, step);
+    return run_cables(model_, s.cables, step) + run_members(model_, s.members, step);
 }
 
 /// The responses: joints, zones, ties, structures.

@@ -1,6 +1,7 @@
 #include "mechanics/run_cables.hpp"
 
 #include "base/reduce.hpp"
+#include "mechanics/rock_motion.hpp"
 #include "model/cables.hpp"
 
 #include <Eigen/Geometry>
@@ -22,15 +23,18 @@ const StructureProperties& properties_of(const Model& model, Row cable) {
 
 bool in_rock(const Model& model, Row node) { return block_of_node(model, node) != no_row; }
 
-/// Nodes between parts of the rock stay on the straight line between them; free ends move with the nearest node in the rock.
-void place_free_nodes(Model& model, const Span& span) {
+/// Nodes in the rock move with it. Nodes between parts of the rock stay on the straight line between them; free ends move with the nearest
+/// node in the rock.
+void place_nodes(Model& model, const Span& span, double step) {
     auto& nodes = model.structures.cable_nodes;
     Row before = no_row; // the last node in the rock
     Vec3 shift = Vec3::Zero();
     for (Row node = span.first; node < span.end(); ++node) {
         if (in_rock(model, node)) {
-            const Vec3 now = place_of_node(model, node);
-            shift = now - nodes.position[node];
+            const Vec3 before_step = nodes.position[node];
+            const Vec3 now =
+                is_placed(model, nodes, node) ? follow_rock(model, nodes, node, before_step, step) : before_step;
+            shift = now - before_step;
             if (before == no_row)
                 for (Row free = span.first; free < node; ++free) nodes.position[free] += shift;
             else
@@ -178,7 +182,7 @@ Vec3 direction_at(const Model& model, Row node) {
     return unit_between(nodes, std::max(span.first, node - 1), std::min(span.end() - 1, node + 1));
 }
 
-double run_cables(Model& model, std::vector<CableChain>& chains) {
+double run_cables(Model& model, std::vector<CableChain>& chains, double step) {
     auto& cables = model.structures.cables;
     auto& nodes = model.structures.cable_nodes;
     chains.resize(cables.size());
@@ -192,7 +196,7 @@ double run_cables(Model& model, std::vector<CableChain>& chains) {
                 const Span span = cables.nodes[cable];
                 CableChain& chain = chains[i];
                 chain.places.assign(nodes.position.begin() + span.first, nodes.position.begin() + span.end());
-                place_free_nodes(model, span);
+                place_nodes(model, span, step);
                 fill_chain(model, cable, chain);
                 chain.solve();
                 take_chain(model, cable, chain);

@@ -1,5 +1,5 @@
 // Forces of the cables: docs/theory/cables.md.
-// reads: blocks.centroid, blocks.orientation, gridpoints.position, zones.stress, structures.properties
+// reads: blocks.centroid, blocks.orientation, blocks.velocity, gridpoints.position, gridpoints.velocity, zones.stress, structures.properties, settings, clock.time_step
 // writes: structures.cable_nodes
 #pragma once
 
@@ -12,9 +12,9 @@
 namespace kaya {
 
 /// Reads positions of blocks and gridpoints and zone stresses; writes positions, slips and forces of the nodes and bars of cables. Every
-/// cable is in equilibrium with the present rock. `chains` is scratch memory. Returns the work of the rock on the cables since the last
-/// call.
-double run_cables(Model& model, std::vector<CableChain>& chains);
+/// cable is in equilibrium with the present rock, `step` after the last call. `chains` is scratch memory. Returns the work of the rock on
+/// the cables since then.
+double run_cables(Model& model, std::vector<CableChain>& chains, double step);
 
 /// Upper bounds of the stiffness with which a cable holds the rock at a node, along it and across. Equations (7) and (8) of
 /// docs/theory/cables.md.

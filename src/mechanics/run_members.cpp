@@ -2,6 +2,7 @@
 
 #include "base/reduce.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/rock_motion.hpp"
 #include "mechanics/rotation.hpp"
 #include "model/measure.hpp"
 
@@ -28,29 +29,12 @@ void turn_by(Quaternion& rotation, const Vec3& angle) {
     rotation = plain((turn * quaternion(rotation)).normalized());
 }
 
-/// Velocity of the rock at a node.
-Vec3 rock_velocity(const Model& model, Row node) {
-    const auto& nodes = model.structures.member_nodes;
-    const auto& blocks = model.blocks;
-    const Row block = rock_block(model, nodes, node);
-    if (nodes.zone[node] == no_row)
-        return blocks.velocity[block] +
-               blocks.rotational_velocity[block].cross(nodes.rock[node] - blocks.centroid[block]);
-    const auto& corners = model.zones.gridpoints[blocks.zones[block].first + nodes.zone[node]];
-    Vec3 velocity = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) velocity += nodes.weights[node][k] * model.gridpoints.velocity[corners[k]];
-    return velocity;
-}
-
-/// Updates the rock point of a node. In small strain the point stays, and its displacement is stored separately.
-void follow_rock(Model& model, Row node, Hold hold, double step) {
+/// Updates the rock point of a node.
+void take_rock_point(Model& model, Row node, Hold hold, double step) {
     auto& nodes = model.structures.member_nodes;
-    if (hold == Hold::none) {
-        nodes.rock[node] = nodes.position[node];
-        return;
-    }
-    if (!model.settings.large_strain) nodes.rock_shift[node] += step * rock_velocity(model, node);
-    nodes.rock[node] = rock_place(model, nodes, node) + nodes.rock_shift[node];
+    Vec3& rock = nodes.rock[node];
+    rock = hold == Hold::none ? nodes.position[node]
+                              : follow_rock(model, nodes, node, rock, step) + nodes.rock_shift[node];
 }
 
 /// Nodes without springs move with the rock. A pinned node turns freely.
@@ -163,7 +147,8 @@ double run_node(Model& model, const MemberLists& lists, Row node, double step) {
     }
     // Work of springs, elements and weight on nodes and rock is taken from the member.
     const Vec3 shift = step * nodes.velocity[node], turn = step * nodes.spin[node];
-    const Vec3 of_rock = hold == Hold::springs ? Vec3(step * rock_velocity(model, node)) : shift;
+    const Vec3 of_rock =
+        hold == Hold::springs ? Vec3(step * rock_velocity(model, nodes, node, nodes.rock[node])) : shift;
     const double work =
         -0.5 * ((force + nodes.force[node]).dot(shift) + (moment + nodes.moment[node]).dot(turn) +
                 (on_rock + nodes.rock_force[node]).dot(of_rock) + (turning_rock + nodes.rock_moment[node]).dot(turn));
@@ -211,7 +196,7 @@ double run_members(Model& model, MemberLists& lists, double step) {
         for (std::size_t i = first; i < last; ++i) {
             const Row node = static_cast<Row>(i);
             const Hold hold = lists.holds[i];
-            follow_rock(model, node, hold, step);
+            take_rock_point(model, node, hold, step);
             if (!moves_by_itself(hold)) take_motion_of_rock(model, node, hold, step);
             lists.poses[i] = {nodes.position[i], quaternion(nodes.rotation[i]).toRotationMatrix()};
         }

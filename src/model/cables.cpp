@@ -22,11 +22,6 @@ bool has_bar(const CableNodes& nodes, Row node) {
     return next < nodes.size() && nodes.cable[next] == nodes.cable[node];
 }
 
-Vec3 place_of_node(const Model& model, Row node) {
-    const auto& nodes = model.structures.cable_nodes;
-    return is_placed(model, nodes, node) ? rock_place(model, nodes, node) : nodes.position[node];
-}
-
 double cable_force(const Model& model, Row node) {
     const auto& nodes = model.structures.cable_nodes;
     const bool before = node > 0 && has_bar(nodes, node - 1), after = has_bar(nodes, node);

@@ -93,9 +93,6 @@ Row block_of_node(const Model& model, Row node);
 /// The row of a cable's node, counted from its first; no_row when there is none.
 Row node_of_cable(const Model& model, std::int32_t number, Row offset);
 
-/// Where the rock at a node is now; of a node outside of the rock its last place.
-Vec3 place_of_node(const Model& model, Row node);
-
 /// Whether it has a bar to the next node; the last one of a cable has none.
 bool has_bar(const CableNodes& nodes, Row node);
 

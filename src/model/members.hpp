@@ -57,7 +57,7 @@ public:
     Column<Vec3> normal;          ///< of its face, out of the rock, at creation; 0: on no face
     Column<double> share;         ///< of the area of a liner, of the length of a beam
     Column<Vec3> rock;            ///< place of the rock at the node
-    Column<Vec3> rock_shift;      ///< displacement of the rock in small strain, where its position is fixed
+    Column<Vec3> rock_shift;      ///< displacement of the rock in small strain, of saves that do not have it in `local`
     Column<Quaternion> rock_turn; ///< of a clamped node in the axes of its block
     Column<Vec3> position;
     Column<Quaternion> rotation; ///< from how it was made

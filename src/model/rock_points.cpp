@@ -139,7 +139,7 @@ Vec3 rock_place(const Model& model, const RockPoints& points, Row row) {
     const auto& corners = model.zones.gridpoints[model.blocks.zones[block].first + points.zone[row]];
     Vec3 place = Vec3::Zero();
     for (std::size_t k = 0; k < 4; ++k) place += points.weights[row][k] * model.gridpoints.position[corners[k]];
-    return place;
+    return place + points.local[row];
 }
 
 std::int32_t nodes_in_rock(const Model& model, const RockPoints& points, const Span& nodes) {

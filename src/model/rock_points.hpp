@@ -18,7 +18,8 @@ struct RockPoints {
     Column<std::int32_t> shape;            ///< Blocks::shape when it was placed there
     Column<Row> zone;                      ///< counted from the first of its block; no_row in a rigid block
     Column<std::array<double, 4>> weights; ///< of the zone's gridpoints, sum 1
-    Column<Vec3> local;                    ///< in a rigid block: from its centroid, in its own axes
+    Column<Vec3>
+        local; ///< in a rigid block: from its centroid, in its own axes; in a zone: from the place that its weights give
 
     template <class Visit> void rock_columns(Visit&& visit) {
         visit("block", block, link<Blocks>());

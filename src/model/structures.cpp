@@ -70,6 +70,29 @@ private:
     const StructureProperties* properties_ = nullptr;
 };
 
+/// Grout whose whole strength is friction carries nothing in rigid blocks, which have no stress.
+void check_grout(const Model& model, Row cable) {
+    const auto& cables = model.structures.cables;
+    const auto& nodes = model.structures.cable_nodes;
+    const StructureProperties& p = model.structures.properties.at(cables.property[cable]);
+    if (p.grout_stiffness == 0 || p.grout_friction == 0 || p.grout_cohesion > 0) return;
+    std::int32_t in_rock = 0;
+    const Span span = cables.nodes[cable];
+    for (Row node = span.first; node < span.end(); ++node) {
+        if (nodes.anchored[node] || block_of_node(model, node) == no_row) continue;
+        if (nodes.zone[node] != no_row) return;
+        ++in_rock;
+    }
+    if (in_rock == 0) return;
+    throw Diagnostic(
+        fmt::format(
+            "the grout of cable {} has friction only (fbond), and all its nodes lie in rigid blocks, where no stress "
+            "presses on it: it would carry nothing",
+            cables.number[cable]),
+        fmt::format("give the grout a strength of its own (structure property {} sbond ...), or the blocks zones",
+                    cables.property[cable]));
+}
+
 /// Checks the link of a node to the rock.
 void check_link(const Model& model, Row node) {
     const auto& nodes = model.structures.member_nodes;
@@ -106,8 +129,10 @@ void place_structures(Model& model) {
 
 void take_structure_properties(Model& model) {
     const auto& [cables, cable_nodes, members, member_nodes, beams, liners, properties, next_number] = model.structures;
-    for (std::size_t cable = 0; cable < cables.size(); ++cable)
+    for (std::size_t cable = 0; cable < cables.size(); ++cable) {
         Check(model.structures, cable_kind, cables.number[cable], cables.property[cable]).run();
+        check_grout(model, static_cast<Row>(cable));
+    }
     for (std::size_t member = 0; member < members.size(); ++member)
         Check(model.structures, static_cast<StructureKind>(members.kind[member]), members.number[member],
               members.property[member])
