@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
 #include <span>
 
 namespace kaya {
@@ -133,6 +135,7 @@ public:
             const auto& answer = found->answer;
             const bool rigorous = method == SliceMethod::spencer || method == SliceMethod::morgenstern_price;
             std::string remark = surface_text(found->surface);
+            remark += through(columns, found->surface);
             if (answer.pulled > 0) remark += fmt::format("; {} of its slices pulled", answer.pulled);
             table.add({std::string(name_of(method)), fmt::format("{:.4f}", answer.factor),
                        rigorous ? fmt::format("{:.4f}", answer.lambda) : "", remark});
@@ -147,6 +150,7 @@ public:
                 Fault::run);
         session_.model.clock.factor_of_safety = best_->answer.factor;
         session_.output.say(fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
+        doubt_joints(columns);
         if (25 * best_->answer.pulled > command_.slices && command_.crack == 0)
             session_.note_once("the upper end of the slip surface is in tension",
                                "a tension crack there is nearer to the truth: crack d");
@@ -155,6 +159,42 @@ public:
     }
 
 private:
+    /// What the surface runs through: names of strengths with their parts of its length.
+    std::string through(const SlopeColumns& columns, const SlipSurface& surface) const {
+        std::map<std::string, double> lengths;
+        double whole = 0;
+        const auto body = body_above(columns, surface, static_cast<int>(command_.slices));
+        for (const Slice& slice : body->slices) {
+            const auto strength = static_cast<std::size_t>(slice.strength - section_.strengths.data());
+            lengths[section_.names[strength]] += slice.base_length();
+            whole += slice.base_length();
+        }
+        std::vector<std::string> parts;
+        for (const auto& [name, length] : lengths)
+            parts.push_back(lengths.size() == 1 ? name : fmt::format("{} ({:.0f} %)", name, 100 * length / whole));
+        return fmt::format("; through {}", fmt::join(parts, ", "));
+    }
+
+    /// Joints that are weaker than the rock around them, under the weight above, may let blocks slide or topple before the body slides.
+    void doubt_joints(const SlopeColumns& columns) {
+        std::size_t weaker = 0;
+        for (const SectionJoint& joint : section_.joints) {
+            const SectionPoint middle = 0.5 * (joint.from + joint.to), along = joint.to - joint.from;
+            const Strength* rock = columns.strength_at(middle, SectionPoint::Zero());
+            const double level = along.x() / along.norm(), stress = columns.column(middle).weight * level * level;
+            const auto strength_of = [stress](const Strength& s) { return s.tangent(stress).at(stress); };
+            weaker += rock == nullptr || !rock->fails() ||
+                      strength_of(section_.strengths[joint.strength]) < strength_of(*rock);
+        }
+        if (weaker == 0) return;
+        session_.warn(
+            Diagnostic(fmt::format("{} of the section {} weaker than the rock next to {}: blocks between joints may "
+                                   "slide or topple at a lower factor than this surface",
+                                   counted(weaker, "joint"), weaker == 1 ? "is" : "are", weaker == 1 ? "it" : "them"),
+                       "look at `list stability` and `solve fos`; `polylines` can follow joints, circles cannot")
+                .at(command_.place));
+    }
+
     SlipSurface given_surface(const SlopeColumns& columns) const {
         if (command_.circle) {
             const auto surface =

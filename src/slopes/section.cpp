@@ -251,6 +251,7 @@ public:
             if (x > first_ + least && x < last_ - least) marks.push_back(x);
         };
         for (const SectionPoint& point : columns_.ground()) add(point.x());
+        for (const SectionTraction& traction : section_.tractions) add(traction.from.x()), add(traction.to.x());
         if (!surface_.circle)
             for (const SectionPoint& point : surface_.points) add(point.x());
         std::ranges::sort(marks);
@@ -279,7 +280,8 @@ public:
         slice.pore_pressure = pressure(base) + section_.pressure_ratio * column.weight;
         slice.strength = columns_.strength_at(base, surface_.circle ? SectionPoint::Zero() : SectionPoint(b - a));
         if (slice.strength == nullptr) return std::nullopt;
-        add_open_water(slice, from, to, {middle, *top}, base.y());
+        const double covered = add_loads(slice, from, to, base);
+        add_open_water(slice, from, to, {middle, *top}, base, 1 - covered);
         return slice;
     }
 
@@ -303,26 +305,64 @@ private:
         return section_.pore_pressure ? std::max(0.0, section_.pore_pressure(at)) : 0.0;
     }
 
-    /// Pressure of open water: normal to the ground, into it; next to an upright part of the ground it acts on the adjacent slice.
-    void add_open_water(Slice& slice, double from, double to, const SectionPoint& top, double base_height) const {
+    /// A force at a place, to the right of the section and upward.
+    void push(Slice& slice, const SectionPoint& force, const SectionPoint& at, const SectionPoint& base) const {
+        slice.downward -= force.y();
+        slice.rightward += sense_ * force.x();
+        slice.load_moment += sense_ * (force.x() * (at.y() - base.y()) - force.y() * (at.x() - base.x()));
+    }
+
+    /// Stresses on the ground and forces in the body, but for those below the slip surface. Returns the part of the slice's top that has
+    /// a stress.
+    double add_loads(Slice& slice, double from, double to, const SectionPoint& base) const {
+        const double near = 1e-9 * chord_.norm();
+        const auto in_body = [&](const SectionPoint& at) { return at.y() >= surface_height(surface_, at.x()) - near; };
+        const auto here = [&](double x) { return x >= from && (x < to || to == last_) && x <= to; };
+        double covered = 0;
+        for (const SectionTraction& t : section_.tractions) {
+            if (t.from.x() > to) break;
+            const double run = t.to.x() - t.from.x(), length = (t.to - t.from).norm();
+            const double first = std::max(t.from.x(), from), last = std::min(t.to.x(), to);
+            const bool upright = run < near;
+            if (upright ? !here(t.from.x()) : !(last > first)) continue;
+            const double begin = upright ? 0 : (first - t.from.x()) / run,
+                         end = upright ? 1 : (last - t.from.x()) / run;
+            // Two places of Gauss are exact for force and moment.
+            for (const double place : {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)}) {
+                const double part = between(begin, end, place);
+                const SectionPoint at = t.from + part * (t.to - t.from);
+                if (in_body(at))
+                    push(slice, 0.5 * (end - begin) * length * (t.at_from + part * (t.at_to - t.at_from)), at, base);
+            }
+            const SectionPoint middle = t.from + 0.5 * (begin + end) * (t.to - t.from);
+            if (std::abs(columns_.ground_at(middle.x()).value_or(INFINITY) - middle.y()) < 1e3 * near && !upright)
+                covered += (last - first) / (to - from);
+        }
+        for (const SectionForce& force : section_.forces) {
+            if (force.at.x() > to) break;
+            if (here(force.at.x()) && in_body(force.at)) push(slice, force.force, force.at, base);
+        }
+        return std::min(covered, 1.0);
+    }
+
+    /// Open water lies on the ground: its pressure acts along the normal, into it; and beside an upright part of the ground, on the
+    /// slice that it bounds. `part` of the top has no stress that the deck gave: such a stress holds the water's.
+    void add_open_water(Slice& slice, double from, double to, const SectionPoint& top, const SectionPoint& base,
+                        double part) const {
         using Side = SlopeColumns::Side;
         const double left = *columns_.ground_at(from, Side::right), right = *columns_.ground_at(to, Side::left);
-        const double on_top = pressure(top);
-        slice.downward = on_top * slice.width;
-        double moment = 0;
-        const auto push = [&](double force, double height) {
-            slice.rightward += force;
-            moment += force * (height - base_height);
-        };
-        push(sense_ * on_top * (right - left), top.y());
+        const double on_top = pressure(top), before = slice.rightward;
+        if (on_top > 0)
+            slice.still_pressure = std::min(slice.pore_pressure, on_top + section_.water_weight * (top.y() - base.y()));
+        push(slice, part * on_top * SectionPoint(right - left, -slice.width), {base.x(), top.y()}, base);
         const auto limit_side = [&](double x, double high, double low, double direction) {
             if (!(high > low)) return;
             const double force = 0.5 * (pressure({x, high}) + pressure({x, low})) * (high - low);
-            push(sense_ * direction * force, between(low, high, 1.0 / 3));
+            push(slice, {part * direction * force, 0}, {base.x(), between(low, high, 1.0 / 3)}, base);
         };
         limit_side(to, right, to < last_ ? *columns_.ground_at(to, Side::right) : right, -1);
         limit_side(from, left, from > first_ ? *columns_.ground_at(from, Side::left) : left, 1);
-        slice.rightward_arm = slice.rightward != 0 ? moment / slice.rightward : 0;
+        slice.water_push = slice.rightward - before;
     }
 };
 

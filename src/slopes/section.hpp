@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace kaya {
@@ -21,6 +22,16 @@ struct SectionCell {
     std::size_t strength = 0;          ///< index into SlopeSection::strengths
 };
 
+/// A stress on a straight line, per length of it and per thickness: vectors at its ends, which change evenly between them.
+struct SectionTraction {
+    SectionPoint from, to, at_from, at_to;
+};
+
+/// A force, per thickness.
+struct SectionForce {
+    SectionPoint at, force;
+};
+
 /// A joint: a slip surface that runs along it has its strength.
 struct SectionJoint {
     SectionPoint from, to;
@@ -31,6 +42,9 @@ struct SlopeSection {
     std::vector<SectionCell> cells;
     std::vector<SectionJoint> joints;
     std::vector<Strength> strengths;
+    std::vector<std::string> names;                           ///< of the strengths, as users read them
+    std::vector<SectionTraction> tractions;                   ///< on the ground, from left to right
+    std::vector<SectionForce> forces;                         ///< of point loads and structures, the same
     std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
     double pressure_ratio = 0; ///< additional pore pressure, over the weight of the column above
     double water_weight = 0;   ///< force/length^3, of water in a tension crack

@@ -101,11 +101,13 @@ std::optional<double> Statics::ordinary() {
     double holding = 0, driving = 0;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const Slice& slice = body_.slices[i];
-        normal_[i] = down(i) * cosine(i) - right(i) * sine(i);
+        // Water at rest carries itself: its pressure on the sides of a slice, which the method leaves out, balances what it pushes.
+        const double still = slice.still_pressure * slice.width;
+        normal_[i] = (down(i) - still) * cosine(i) - (right(i) - slice.water_push) * sine(i) + still / cosine(i);
         holding += held(i) + normal_[i] * lines_[i].tan_friction;
         driving += slice.weight * sine(i) + slice.downward * sine(i);
         driving += body_.radius ? (body_.seismic * slice.weight * (body_.centre_heights[i] - slice.centroid_arm) +
-                                   slice.rightward * (body_.centre_heights[i] - slice.rightward_arm)) /
+                                   slice.rightward * body_.centre_heights[i] - slice.load_moment) /
                                       *body_.radius
                                 : right(i) * cosine(i);
     }
@@ -119,7 +121,7 @@ std::optional<double> Statics::bishop() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const Slice& slice = body_.slices[i];
         driving += down(i) * sine(i) + (body_.seismic * slice.weight * (body_.centre_heights[i] - slice.centroid_arm) +
-                                        slice.rightward * (body_.centre_heights[i] - slice.rightward_arm)) /
+                                        slice.rightward * body_.centre_heights[i] - slice.load_moment) /
                                            *body_.radius;
     }
     if (!(driving > 0)) return std::nullopt;
@@ -214,7 +216,7 @@ double Statics::end_moment(double lambda) {
         const double left = lambda * between(i) * thrust_[i], at_right = lambda * between(i + 1) * thrust_[i + 1];
         const double half = 0.5 * slice.width;
         moment += (thrust_[i] + thrust_[i + 1]) * half * std::tan(slice.base_angle) - (left + at_right) * half +
-                  body_.seismic * slice.weight * slice.centroid_arm + slice.rightward * slice.rightward_arm;
+                  body_.seismic * slice.weight * slice.centroid_arm + slice.load_moment;
         heights_[i + 1] = thrust_[i + 1] != 0 ? moment / thrust_[i + 1] : 0;
     }
     return moment;

@@ -11,14 +11,16 @@ namespace kaya {
 
 /// One slice. It slides to the right; lengths and angles refer to that direction.
 struct Slice {
-    double width = 0;         ///< length
-    double base_angle = 0;    ///< radians, positive where the base dips to the right
-    double weight = 0;        ///< force/length
-    double pore_pressure = 0; ///< stress, at the middle of the base
-    double downward = 0;      ///< load on the top, force/length
-    double rightward = 0;     ///< load on the top or its side, force/length
-    double rightward_arm = 0; ///< its height above the middle of the base
-    double centroid_arm = 0;  ///< height of the centre of weight above the middle of the base
+    double width = 0;          ///< length
+    double base_angle = 0;     ///< radians, positive where the base goes down to the right
+    double weight = 0;         ///< force/length
+    double pore_pressure = 0;  ///< stress, at the middle of the base
+    double downward = 0;       ///< load on the slice, force/length
+    double rightward = 0;      ///< the same
+    double water_push = 0;     ///< part of it that is the pressure of open water
+    double still_pressure = 0; ///< part of the pore pressure that open water above the slice has at rest
+    double load_moment = 0;    ///< of both about the middle of the base, clockwise
+    double centroid_arm = 0;   ///< height of the centre of weight above the middle of the base
     const Strength* strength = nullptr;
 
     double base_length() const;
