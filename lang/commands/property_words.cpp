@@ -36,11 +36,11 @@ const std::vector<PropertyWord>& joint_property_words() {
         {{"jcoh", "jcohesion"}, "jcohesion", "stress", "cohesion of joints", from_zero},
         {{"jten", "jtension"}, "jtension", "stress", "tensile strength of joints", from_zero},
         {{"jdil", "jdilation"}, "jdilation", "degrees", "dilation angle of joints", {}},
-        {{"zdil", "zdilation"}, "zdilation", "length", "slip at which dilation stops", {}},
+        {{{"zdil"}, {"zdilation"}, {"zerdilation", 6}}, "zdilation", "length", "slip at which dilation stops", {}},
         // In full only: jrc and jrco are properties of other joint models.
-        {{{"jrfric", 6}, {"jrfriction", 6}}, "jrfriction", "degrees", "residual friction angle of joints", {}},
-        {{{"jrcoh", 5}, {"jrcohesion", 5}}, "jrcohesion", "stress", "residual cohesion of joints", {}},
-        {{{"jrten", 5}, {"jrtension", 5}}, "jrtension", "stress", "residual tensile strength of joints", {}},
+        {{{"jrfric", 6}, {"jrfriction", 6}, {"resfriction", 6}}, "jrfriction", "degrees", "residual friction angle of joints", {}},
+        {{{"jrcoh", 5}, {"jrcohesion", 5}, {"rescohesion", 6}}, "jrcohesion", "stress", "residual cohesion of joints", {}},
+        {{{"jrten", 5}, {"jrtension", 5}, {"restension", 6}}, "jrtension", "stress", "residual tensile strength of joints", {}},
     };
     return words;
 }

@@ -105,6 +105,23 @@ std::string in_other_order(const Language& language, const Statement& statement)
     return {};
 }
 
+/// "fix range" for `fixrange`: a command, and one of the words that may follow it.
+std::string two_words(const Language& language, const Word& word) {
+    std::string found;
+    for_each_command(language, [&](const CommandSpec& command) {
+        for (const auto& first : command.words) {
+            if (first.word.size() < 3 || !word.folded.starts_with(first.word)) continue;
+            const std::string_view rest = std::string_view(word.folded).substr(first.word.size());
+            std::vector<std::string_view> followers{"range"};
+            for (const auto& keyword : command.keywords) add_words(followers, keyword.words);
+            if (!command.form.empty()) add_words(followers, command.form.front());
+            if (std::find(followers.begin(), followers.end(), rest) != followers.end())
+                found = fmt::format("{} {}", first.word, rest);
+        }
+    });
+    return found;
+}
+
 std::string hint_for_unknown(const Language& language, const Statement& statement,
                              const std::vector<std::string_view>& candidates) {
     const Word& word = statement.words.front();
@@ -113,6 +130,7 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
         return "a comment begins with ;";
     if (const auto ordered = in_other_order(language, statement); !ordered.empty())
         return fmt::format("did you mean '{}'?", ordered);
+    if (const auto apart = two_words(language, word); !apart.empty()) return fmt::format("did you mean '{}'?", apart);
     const bool letters = !word.folded.empty() && word.folded.front() >= 'a' && word.folded.front() <= 'z';
     const auto near = word.kind == WordKind::word && letters ? did_you_mean(word.folded, candidates) : "";
     return near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near);

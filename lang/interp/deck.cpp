@@ -2,6 +2,7 @@
 
 #include "lang/interp/named_word.hpp"
 #include "lang/interp/newer_dialect.hpp"
+#include "lang/interp/other_languages.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -54,6 +55,10 @@ public:
                 // The text after `return` is never read: many decks keep notes there.
                 if (bound->steps.back().command.spec->flow == Flow::leave_file) break;
             } catch (const Diagnostic& problem) {
+                if (const auto other = other_language(statement)) { // what follows is of that language, too
+                    problems_.push_back(*other);
+                    break;
+                }
                 const auto dialect = problem.code == "unknown-command" ? newer_dialect(statement) : std::nullopt;
                 if (dialect) newer.push_back(*dialect);
                 if (!dialect || newer.size() == 1) problems_.push_back(dialect ? *dialect : problem);

@@ -1,5 +1,6 @@
 #include "lang/interp/reader.hpp"
 
+#include "lang/interp/number_hints.hpp"
 #include "lang/interp/odd_letters.hpp"
 
 #include <cmath>
@@ -162,8 +163,9 @@ const Word& Reader::take_value(const ArgumentSpec& argument) {
 namespace {
 
 std::string hint_for_number(const Word& word, const ArgumentSpec& argument) {
-    auto odd = odd_letter_hint(word.text);
-    return odd.empty() ? expected(argument) : odd;
+    if (auto odd = odd_letter_hint(word.text); !odd.empty()) return odd;
+    auto hint = number_hint(word.text);
+    return hint.empty() ? expected(argument) : hint;
 }
 
 std::string hint_for_whole_number(double number) {

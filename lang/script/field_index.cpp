@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace kaya::script {
@@ -54,6 +55,23 @@ std::ptrdiff_t find_field(const std::vector<FieldInfo>& fields, std::string_view
     return -1;
 }
 
+namespace {
+
+struct OtherName {
+    std::string_view other, name;
+};
+
+/// What other programs call a field, where the words are not alike.
+constexpr OtherName other_names[] = {
+    {"centroid", "position"}, {"centre", "position"},
+    {"center", "position"},   {"pos", "position"},
+    {"location", "position"}, {"id", "number"},
+    {"name", "group"},        {"disp", "displacement"},
+    {"vel", "velocity"},      {"unbalanced_force", "force"},
+};
+
+} // namespace
+
 void fail_unknown_field(std::string_view owner, const std::vector<FieldInfo>& fields, std::string_view name) {
     std::vector<std::string_view> names;
     for (const auto& field : fields) names.push_back(field.name);
@@ -61,7 +79,9 @@ void fail_unknown_field(std::string_view owner, const std::vector<FieldInfo>& fi
         if (!field.classic.empty() && field.classic == name)
             throw Diagnostic(fmt::format("{} has no field '{}'", owner, name),
                              fmt::format("in Lua it is called '{}'", field.name), Fault::run);
-    const auto meant = did_you_mean(name, names);
+    std::string_view meant = did_you_mean(name, names);
+    for (const auto& [other, ours] : other_names)
+        if (other == name && std::find(names.begin(), names.end(), ours) != names.end()) meant = ours;
     throw Diagnostic(fmt::format("{} has no field '{}'", owner, name),
                      meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant), Fault::run);
 }

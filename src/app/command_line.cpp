@@ -104,6 +104,8 @@ std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::strin
     }
 }
 
+std::string deck_file(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+
 void require_deck(const CLI::App& app, const std::string& deck) {
     if (const auto misspelt = misspelt_command(app, deck)) throw *misspelt;
     lang::find_deck(deck, {"."});

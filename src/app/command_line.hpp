@@ -16,6 +16,9 @@ Diagnostic mistake_of(const CLI::App& app, const CLI::ParseError& error);
 /// The message for a missing deck whose name looks like a command.
 std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::string& deck);
 
+/// The file of a deck that the command line names: - is the standard input.
+std::string deck_file(const std::string& name);
+
 /// Throws Diagnostic when the deck does not exist; proposes the command that was meant, or the file.
 void require_deck(const CLI::App& app, const std::string& deck);
 

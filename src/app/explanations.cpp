@@ -41,6 +41,9 @@ constexpr Explanation explanations[] = {
     {"newer-dialect", "commands of version 6 and later",
      "'model new', 'block create brick': the whole file is in another dialect. It is reported once for a file, with the\n"
      "classic spelling of its first such line. 'kaya help' lists the classic commands."},
+    {"other-language", "a file of another program",
+     "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC or UDEC. The rest of the file is\n"
+     "not read. 'kaya help' lists the commands."},
     {"never-read", "a variable of FISH that is set and never read",
      "A name that differs by one letter is read: this one may be misspelt. Whole decks are checked, with the files that\n"
      "they call; there is no warning when a restored model or an unknown file may read it."},

@@ -66,7 +66,7 @@ int start(int argc, char** argv) {
         "kaya runs command files of the distinct element method in three dimensions.\n"
         "Files that a deck writes are put into the current folder. Without a deck it reads commands from the terminal.",
         "kaya"};
-    app.set_version_flag("--version", std::string("kaya ") + program_version());
+    app.set_version_flag("--version,-V", std::string("kaya ") + program_version());
     const fs::path program = program_folder(argv[0]);
     const auto joints = [&] { return joint_folders(order, program); };
     std::function<int()> chosen; // the action that replaces a run

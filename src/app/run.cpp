@@ -200,8 +200,7 @@ SandboxOrder sandbox_of(const RunOrder& order, const fs::path& program) {
 Gate::Policy policy_of(const RunOrder& order, const fs::path& program) { return policy_of(sandbox_of(order, program)); }
 
 void prepare_run(RunOrder& order, const CLI::App& app) {
-    for (auto& deck : order.decks)
-        if (deck == "-") deck = "/dev/stdin";
+    for (auto& deck : order.decks) deck = deck_file(deck);
     if (!order.decks.empty()) require_deck(app, order.decks.front());
     if (!order.into.empty()) go_into(order.into, order.decks, order.journal);
 }

@@ -1,6 +1,7 @@
 #include "app/scope.hpp"
 
 #include "app/adapter_cache.hpp"
+#include "app/command_line.hpp"
 #include "app/permissions.hpp"
 
 #include <algorithm>
@@ -40,6 +41,8 @@ const std::array table{
     Scope{"allow", "folders and libraries that are named", "the list of what is allowed", "nothing", {"path"}, {}, {}, none, true},
     Scope{"explain", "nothing", "nothing", "nothing", {}, {}, {}},
     Scope{"help", "nothing", "nothing", "nothing", {}, {}, {}},
+    Scope{"completion", "nothing", "nothing", "nothing", {}, {}, {}},
+    Scope{"manual", "nothing", "nothing", "nothing", {}, {}, {}},
 };
 // clang-format on
 
@@ -81,7 +84,7 @@ void enter_scope(const CLI::App& app, const RunOrder& order, const fs::path& pro
         throw Diagnostic(fmt::format("'{}' has no scope", words), "please report this: src/app/scope.cpp lacks a row",
                          Fault::own);
     SandboxOrder sandbox;
-    sandbox.inputs = words_given(command, scope->inputs);
+    for (const auto& input : words_given(command, scope->inputs)) sandbox.inputs.push_back(deck_file(input));
     sandbox.joint_folders = joint_folders(order, program);
     for (const auto& folder : words_given(command, scope->folders)) sandbox.outputs.emplace_back(folder);
     for (const auto& file : words_given(command, scope->files))

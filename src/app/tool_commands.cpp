@@ -2,8 +2,10 @@
 
 #include "app/command_line.hpp"
 #include "app/explanations.hpp"
+#include "app/manual.hpp"
 #include "app/permissions.hpp"
 #include "app/scope.hpp"
+#include "app/shell_completion.hpp"
 #include "app/tools.hpp"
 #include "commands/deck_report.hpp"
 #include "io/difference.hpp"
@@ -46,7 +48,7 @@ int check(const Names& decks, bool as_json) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
-            const DeckReport report = check_deck(deck, {"."});
+            const DeckReport report = check_deck(deck_file(deck), {"."});
             const std::string text = as_json ? report.json_lines() : report.text(deck);
             if (as_json) fmt::print("{}", text);
             else output.print(text);
@@ -168,7 +170,7 @@ void add_allow(CLI::App& app, std::function<int()>& chosen) {
 void add_check(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "check", "check decks without running them",
                     [](const Words& words) { return check(words.names, words.first); });
-    tool.command->add_option("deck", tool.words->names, "command files")->required();
+    tool.command->add_option("deck", tool.words->names, "command files; - is the standard input")->required();
     tool.command->add_flag("--json", tool.words->first, "one object of JSON per line, for editors");
 }
 
@@ -179,6 +181,22 @@ void add_help(CLI::App& app, std::function<int()>& chosen) {
     });
     tool.command->add_option("command", tool.words->names,
                              "a command, a keyword, or a name of FISH: poly brick, cx_nforce");
+}
+
+void add_completion(CLI::App& app, std::function<int()>& chosen) {
+    const Tool tool(app, chosen, "completion", "print a script with which a shell completes kaya's command line",
+                    [&app](const Words& words) {
+                        fmt::print("{}", completion_script(tool_tree(app), words.name));
+                        return 0;
+                    });
+    tool.command->add_option("shell", tool.words->name, "bash, zsh or fish")->required();
+}
+
+void add_manual(CLI::App& app, std::function<int()>& chosen) {
+    const Tool tool(app, chosen, "manual", "print the page of 'man kaya'", [&app](const Words&) {
+        fmt::print("{}", manual_page(tool_tree(app), program_version()));
+        return 0;
+    });
 }
 
 } // namespace
@@ -194,6 +212,8 @@ void add_tool_commands(CLI::App& app, const RunOrder& order, const std::filesyst
     add_allow(app, chosen);
     add_check(app, chosen);
     add_help(app, chosen);
+    add_completion(app, chosen);
+    add_manual(app, chosen);
 }
 
 } // namespace kaya

@@ -89,7 +89,10 @@ void doubt_damping(Session& session, const lang::Damp& command) {
 
 void doubt_empty_model(Session& session, const Place& place) {
     if (session.model.blocks.empty())
-        session.warn(doubt("there are no blocks: nothing moves", "make them first: poly brick ...").at(place));
+        session.warn(doubt("there are no blocks: nothing moves", session.model.excavated.blocks.size() > 0
+                                                                     ? "all are excavated: fill puts them back"
+                                                                     : "make them first: poly brick ...")
+                         .at(place));
 }
 
 } // namespace kaya

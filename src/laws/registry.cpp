@@ -145,9 +145,12 @@ const JointModel& JointRegistry::get(std::string_view name) {
         if (const auto* model = find_among_3dec(keyword)) return *model;
         const auto names = available();
         const auto near = did_you_mean(keyword, {names.begin(), names.end()});
+        std::error_code ignored;
+        const std::string beside = fmt::format("./{}.so", name);
         Diagnostic error(fmt::format("there is no joint model '{}'", name),
-                         near.empty() ? "give one of the names below, or the file of a joint model"
-                                      : fmt::format("did you mean '{}'?", near));
+                         fs::exists(beside, ignored) ? fmt::format("a file of that name is here: write {}", beside)
+                         : near.empty()              ? "give one of the names below, or the file of a joint model"
+                                                     : fmt::format("did you mean '{}'?", near));
         error.code = "joint-model-unknown";
         if (names.empty()) error.add("no joint models were found in the folders that are searched");
         else error.add(fmt::format("joint models: {}", fmt::join(names, ", ")));

@@ -43,11 +43,12 @@ inline constexpr std::array<kaya_jproperty, property_count> properties = {{
     {"cohesion", "jcohesion coh", "stress", "shear strength at zero normal stress before failure", 0, 0, INFINITY, 0},
     {"tension", "jtension ten", "stress", "tensile strength before failure", 0, 0, INFINITY, 0},
     {"dilation", "jdilation dil", "angle", "angle of dilation while it slips", 0, 0, 89, 0},
-    {"dilation-zero", "zdilation", "length", "slip at which dilation ends; 0: it does not end", 0, 0, INFINITY, 0},
-    {"friction-residual", "jrfriction", "angle", "angle of friction after failure; not given: that before", NAN, 0, 90,
-     1},
-    {"cohesion-residual", "jrcohesion", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
-    {"tension-residual", "jrtension", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
+    {"dilation-zero", "zdilation zerdilation", "length", "slip at which dilation ends; 0: it does not end", 0, 0,
+     INFINITY, 0},
+    {"friction-residual", "jrfriction resfriction", "angle", "angle of friction after failure; not given: that before",
+     NAN, 0, 90, 1},
+    {"cohesion-residual", "jrcohesion rescohesion", "stress", "cohesion after failure", 0, 0, INFINITY, 0},
+    {"tension-residual", "jrtension restension", "stress", "tensile strength after failure", 0, 0, INFINITY, 0},
 }};
 
 enum History : std::size_t { gap, slip, history_count };

@@ -14,7 +14,10 @@ local function run(s, p, h)
     local limit = math.min(trial, s.normal_force * math.tan(math.rad(p.friction)))
     local scale = trial > 0 and limit / trial or 0
     local slipped = s.area > 0 and (trial - limit) / k or 0
-    s.frictional_work = s.frictional_work + 0.5 * (trial + limit) * slipped -- closes the account of energy
+    -- Slip takes up the mean of the forces before and after it; this closes the account of energy.
+    local before = s.shear_force_x * x + s.shear_force_y * y + s.shear_force_z * z
+    local along = trial > 0 and before / trial or 0
+    s.frictional_work = s.frictional_work + 0.5 * (along + limit) * slipped
     s.shear_force_x, s.shear_force_y, s.shear_force_z = x * scale, y * scale, z * scale
     h.slip = h.slip + slipped
     -- Bit 0 is the first state, bit 1 the second.

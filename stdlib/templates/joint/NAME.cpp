@@ -56,8 +56,11 @@ ptrdiff_t run(kaya_jbatch* batch) {
         const double limit = std::min(trial, normal * tangent);
         const double scale = limit / std::max(trial, std::numeric_limits<double>::min());
         const double slipped = area > 0 ? (trial - limit) / (ks * area) : 0;
+        // Slip takes up the mean of the forces before and after it; this closes the account of energy.
+        const double before = x[i] * trial_x + y[i] * trial_y + z[i] * trial_z, after = limit * trial;
 
-        batch->frictional_work[i] += 0.5 * (trial + limit) * slipped; // closes the account of energy
+        batch->frictional_work[i] +=
+            0.5 * (before + after) / std::max(trial, std::numeric_limits<double>::min()) * slipped;
         batch->normal_force[i] = normal;
         x[i] = trial_x * scale;
         y[i] = trial_y * scale;

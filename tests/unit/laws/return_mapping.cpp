@@ -77,7 +77,39 @@ TEST(ReturnMapping, TensionWithoutStrengthTakesAllShear) {
     const auto left = return_to_coulomb(-1e6, 5e5, {1e9, 1e9}, 1e5, 0.5, 0);
     EXPECT_EQ(left.shear, 0);
     EXPECT_DOUBLE_EQ(left.slip, 5e-4);
-    EXPECT_DOUBLE_EQ(left.work(5e5), 0.5 * 5e5 * 5e-4);
+    EXPECT_DOUBLE_EQ(left.work(2e5), 0.5 * 2e5 * 5e-4); // 2e5 stood before the step
+}
+
+/// Friction that falls with slip, tan = r + (p - r) exp(-s/d), sheared under a constant normal stress in a stiff normal spring or a
+/// soft one, with dilation and without. What steps take up is what was put in less what the springs hold, to rounding; without
+/// dilation it goes to the integral of strength over slip with the square of the step.
+TEST(ReturnMapping, WorkIsWhatWasPutInLessWhatIsHeld) {
+    const double peak = std::tan(30 * std::numbers::pi / 180), rest = std::tan(20 * std::numbers::pi / 180);
+    const double scale = 2e-3, far = 5e-3, normal_at_start = 1e6;
+    for (const Springs k : {Springs{2e10, 5e9}, Springs{2e9, 1e9}})
+        for (const double dilation : {0.0, 0.1})
+            for (const int steps : {100, 1000, 10000}) {
+                double normal = normal_at_start, shear = 0, slip = 0, put_in = 0, taken_up = 0;
+                const auto held = [&] { return normal * normal / (2 * k.normal) + shear * shear / (2 * k.shear); };
+                const double held_at_start = held();
+                for (int i = 0; i < steps; ++i) {
+                    const double old_normal = normal, old_shear = shear, step = far / steps;
+                    const auto left = return_to(
+                        [&](double pressure, double more) {
+                            return pressure * (rest + (peak - rest) * std::exp(-(slip + more) / scale));
+                        },
+                        normal, shear + k.shear * step, k, dilation);
+                    normal = left.normal, shear = left.shear, slip += left.slip;
+                    put_in += 0.5 * (old_shear + shear) * step; // no opening: the normal spring is held at both ends
+                    taken_up += left.work(old_shear) - left.lifting(old_normal);
+                }
+                EXPECT_NEAR(taken_up, put_in - (held() - held_at_start), 1e-13 * put_in);
+                if (dilation > 0) continue;
+                const double integral =
+                    normal_at_start * (rest * slip + (peak - rest) * scale * (1 - std::exp(-slip / scale)));
+                // The step in which slip begins is partly elastic: at most ks/8 of its square.
+                EXPECT_NEAR(taken_up, integral, 0.15 * k.shear * (far / steps) * (far / steps));
+            }
 }
 
 /// The shipped model as an independent check: one large step of shear.

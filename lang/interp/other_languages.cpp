@@ -1,0 +1,54 @@
+#include "lang/interp/other_languages.hpp"
+
+#include <fmt/format.h>
+#include <regex>
+
+namespace kaya::lang {
+
+namespace {
+
+struct Neighbour {
+    const char* line; ///< what a line of it looks like, letters of either case
+    const char* what;
+    const char* hint;
+};
+
+constexpr const char* script_hint =
+    "kaya runs command files; scripts in them are FISH (def ... end) or Lua (lua ... endlua)";
+constexpr const char* rock_hint =
+    "kaya has polyhedral blocks: poly brick makes them, jset cuts them, gen edge divides them into zones";
+
+constexpr Neighbour neighbours[] = {
+    {R"((import\s+\S+\s+as\s+\w+|import\s+(itasca|numpy|math|os|sys)|from\s+[\w.]+\s+import\s.*|(def|class)\s+\w+\s*(\(.*\))?:.*|print\s*\(.*\)|for\s+\w+\s+in\s+.*:|if\s+__name__.*))",
+     "this is a line of Python", script_hint},
+    {R"((clear|close|clc|format)\s+(all|long|short)|clc|function\s+.*=.*\(.*\)|(figure|disp|fprintf|plot)\s*\(.*\);?)",
+     "this is a line of MATLAB", script_hint},
+    {R"((zone\s+(create2?d?|cmodel|face|gridpoint|initialize(-stresses)?|history|fill|apply|results|water|relax|geometry-\S+)|structure\s+\S+\s+create|extrude)\s+.*)",
+     "this is a command of FLAC3D", rock_hint},
+    {R"((ball|wall|clump|rblock|cmat|domain|brick|fragment)\s+(create|generate|default|extent|distribute|attribute|property|make|assemble|activate|template)\b.*)",
+     "this is a command of PFC", rock_hint},
+    {R"((block\s+[-+.\d].*|crack\s+[-+.\d].*|round\s+[-+.\d].*|(jregion|jdelete|pgen)\b.*))",
+     "this is a command of UDEC",
+     "kaya is three-dimensional: a slice of one block's thickness does what UDEC does; poly prism makes it, jset cuts it"},
+};
+
+std::regex pattern_of(const char* line) {
+    return std::regex(line, std::regex::ECMAScript | std::regex::icase | std::regex::optimize);
+}
+
+} // namespace
+
+std::optional<Diagnostic> other_language(const Statement& statement) {
+    const std::string text = statement.raw(0);
+    constexpr std::size_t longest = 200; // matching takes a stack that grows with the text
+    if (text.size() > longest) return std::nullopt;
+    for (const auto& neighbour : neighbours) {
+        if (!std::regex_match(text, pattern_of(neighbour.line))) continue;
+        Diagnostic d(neighbour.what, neighbour.hint);
+        d.code = "other-language";
+        return d.at(statement.words.front().place);
+    }
+    return std::nullopt;
+}
+
+} // namespace kaya::lang
