@@ -39,17 +39,17 @@ constexpr Explanation explanations[] = {
      "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
      "The line is where Lua stopped reading; the mistake may be before it."},
     {"newer-dialect", "commands of version 6 and later",
-     "'model new', 'block create brick': the whole file is in another dialect. It is said once for a file, with the classic\n"
-     "spelling of its first such line. 'kaya help' lists the classic commands."},
+     "'model new', 'block create brick': the whole file is in another dialect. It is reported once for a file, with the\n"
+     "classic spelling of its first such line. 'kaya help' lists the classic commands."},
     {"other-language", "a file of another program",
      "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC or UDEC. The rest of the file is\n"
      "not read. 'kaya help' lists the commands."},
-    {"never-read", "a variable of FISH that is set and that nothing reads",
-     "Another name at one letter from it is read: this one may be a slip of the pen. Whole decks are looked at, with\n"
-     "the files that they call; nothing is said when a restored model or an unknown file may read it."},
-    {"never-set", "a name of FISH that nothing sets",
-     "A variable that nothing sets is 0. Set it, write 'global NAME' in a function, or correct the name. Nothing is said\n"
-     "when a restored model, a file that is not known before the run, or Lua may set it."},
+    {"never-read", "a variable of FISH that is set and never read",
+     "A name that differs by one letter is read: this one may be misspelt. Whole decks are checked, with the files that\n"
+     "they call; there is no warning when a restored model or an unknown file may read it."},
+    {"never-set", "a name of FISH that is never set",
+     "A variable that is never set is 0. Set it, write 'global NAME' in a function, or correct the name. There is no\n"
+     "warning when a restored model, a file that is not known before the run, or Lua may set it."},
     {"never-ended", "a function or a chunk of Lua without its end",
      "A 'def' needs a line with 'end' alone, and 'lua' a line with 'endlua' alone. Inside a function each loop, if,\n"
      "case_of, section and command needs its own closing word."},

@@ -7,7 +7,7 @@ namespace kaya {
 
 namespace {
 
-/// Letters with a special meaning in man pages.
+/// The text with escapes for the letters that man pages interpret.
 std::string escaped(std::string_view text) {
     std::string result;
     bool at_start = true;

@@ -28,9 +28,9 @@ void add_run_options(CLI::App& app, RunOrder& order) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
     app.add_option("--watch", order.watch,
-                   "a port: a browser on this machine can look at the run while it continues; 0: any that is free")
+                   "a port: a browser on this machine can follow the run; 0: any free port")
         ->check(CLI::Range(0, 65535));
-    app.add_option("--into", order.into, "the folder for files that the run writes; it is made if it is not there");
+    app.add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
     app.add_flag("--strict", order.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", order.options.quiet, "results, warnings and errors only");
     app.add_option("--set", order.parameters,
@@ -39,7 +39,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
     app.add_flag("--echo", order.options.echo, "show each command before it runs");
     app.add_flag("--trust", order.options.trust, "the deck may use files and libraries anywhere and start programs");
     app.add_option("--script-memory", order.options.script_memory,
-                   "megabytes that scripts of the deck may take; half of the machine's memory if not given")
+                   "megabytes that scripts of the deck may use; half of the machine's memory if not given")
         ->check(CLI::Range(0, 1 << 20));
     app.add_flag("--no-journal", order.no_journal, "do not write the journal (the deck's name with .journal)");
 }
@@ -48,7 +48,7 @@ void add_replay(CLI::App& app, RunOrder& order) {
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", order.journal, "a file that a run has written")->required();
     replaying->add_option("--into", order.into,
-                          "the folder for files that the run writes; it is made if it is not there");
+                          "the folder for files that the run writes; it is created if necessary");
 }
 
 } // namespace

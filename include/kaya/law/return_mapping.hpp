@@ -12,19 +12,19 @@
 
 namespace kaya::joints {
 
-/// What is left of a trial; shear is the length of the vector, whose direction stays.
+/// The stresses after the return; shear is the length of the vector, whose direction does not change.
 ///
-/// A step takes up per area what its mean stresses do on the slip and on the opening that slip makes:
+/// The energy dissipated by a step per area is the work of its mean stresses on the slip and on the opening by dilation:
 ///     (shear_before + shear)/2 slip - (normal_before + normal)/2 opening                                   (2)
-/// which is what is put in less what the springs hold more than before. Stresses before are those at the start of the step,
-/// not of the trial; a shear vector counts with its part along the trial.
+/// It is the work done on the joint less the increase of the energy of its springs. Stresses before are those at the start of the
+/// step, not of the trial; a shear vector counts with its component along the trial.
 struct Returned {
     double normal, shear;
     double slip;    ///< in this step, from 0
-    double opening; ///< that dilation made of the slip
-    /// The first term of (2), energy per area: all of it where nothing dilates.
+    double opening; ///< by dilation
+    /// The first term of (2), energy per area: the whole of it without dilation.
     double work(double shear_before) const { return 0.5 * (shear_before + shear) * slip; }
-    /// The second term of (2): what dilation gives to the load that it lifts. To be taken off.
+    /// The second term of (2): the work of dilation on the load that it lifts, to be subtracted.
     double lifting(double normal_before) const { return 0.5 * (normal_before + normal) * opening; }
 };
 
