@@ -22,7 +22,8 @@ int release(lua_State* L) {
 
 int show(lua_State* L) {
     const auto* diagnostic = static_cast<const Diagnostic*>(lua_touserdata(L, 1));
-    lua_pushstring(L, diagnostic->message.c_str());
+    const char* whose = diagnostic->fault == Fault::own ? "kaya itself failed: " : "";
+    lua_pushfstring(L, "%s%s", whose, diagnostic->message.c_str());
     return 1;
 }
 

@@ -84,7 +84,9 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         RunOrder order = base;
         const auto began = std::chrono::steady_clock::now();
         Outcome outcome;
+        bool is_known = false;
         const auto finish = [&](Session& session) {
+            is_known = true;
             outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
             outcome.cycles = session.model.clock.cycle;
             outcome.warnings = static_cast<std::int64_t>(session.warnings);
@@ -102,7 +104,6 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
             outcome.message = unused_values(session, one, declared);
             if (!outcome.message.empty()) outcome.end = Outcome::End::failed;
             else read_results(session, study.asked, outcome);
-            write_outcome(file, one, outcome);
         };
         order.failed = [&](Session& session, const Diagnostic& error) {
             if (InterruptGuard::was_asked()) return; // the run is done again
@@ -116,9 +117,11 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
             if (outcome.end == Outcome::End::failed && error.place)
                 outcome.message = fmt::format("{}:{}: {}", fs::path(error.place.source->name).filename().string(),
                                               error.place.line, error.message);
-            write_outcome(file, one, outcome);
         };
-        return run(order, program);
+        const int status = run(order, program);
+        // The last thing that a run writes: one that is killed before it is done again, and leaves no lock.
+        if (is_known) write_outcome(file, one, outcome);
+        return status;
     };
 }
 

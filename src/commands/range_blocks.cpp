@@ -6,6 +6,7 @@
 #include "geometry/quality.hpp"
 #include "laws/joint_model.hpp"
 #include "model/build.hpp"
+#include "model/covered_faces.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
 
@@ -133,10 +134,7 @@ RangeTest on_surface(const RangeElement& e, RangeContext& context) {
                          std::string(info_of(context.kind).plural))
             .at(e.place);
     const Model& model = context.model;
-    std::vector<char> covered(model.faces.size(), 0);
-    for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        if (model.contacts.type[c] == ContactType::face_face)
-            covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
+    std::vector<char> covered = faces_in_contact(model);
     const JoinedBodies bodies = joined_bodies(model);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (const Row b : bodies.members(i))

@@ -39,6 +39,9 @@ public:
         const double step = number("the step, or 0 for pairs x y");
         if (!(count >= 1) || count != std::floor(count)) fail("the number of values must be a whole number above 0");
         if (!(step >= 0)) fail("the step must not be below 0");
+        if (!std::isfinite((count - 1) * step))
+            fail(fmt::format("{} values with a step of {} reach x that no number can hold", number_text(count),
+                             number_text(step)));
         script::Table table;
         for (double i = 0; i < count; ++i) {
             const std::string what = fmt::format("value {:.0f} of {:.0f}", i + 1, count);

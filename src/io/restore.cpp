@@ -204,10 +204,13 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
         extras.missing = archive.missing();
         const std::string wrong = inconsistency(fresh);
         if (!wrong.empty()) throw other_state(name, wrong, archive);
-        if (extras.format >= first_comparable_format && state_hash(fresh) != hash)
-            throw archive.unknown().empty()
-                ? other_state(name, "its content does not add up to the state hash in it", archive)
-                : unknown_state(name, archive, extras.program_version);
+        const std::uint64_t present = extras.format >= first_comparable_format ? state_hash(fresh) : hash;
+        if (present != hash) {
+            if (!archive.unknown().empty()) throw unknown_state(name, archive, extras.program_version);
+            static constexpr const char* text =
+                "its content does not add up to the state hash in it: {:016x} is not {:016x}";
+            throw other_state(name, fmt::format(text, present, hash), archive);
+        }
     } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }

@@ -5,6 +5,7 @@
 #include "geometry/face_contact.hpp"
 #include "mechanics/masses.hpp"
 #include "mechanics/rotation.hpp"
+#include "model/covered_faces.hpp"
 #include "model/ties.hpp"
 
 #include <algorithm>
@@ -151,10 +152,7 @@ private:
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
     const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
     // A face covered by another block is not exterior.
-    std::vector<char> covered(model.faces.size(), 0);
-    for (std::size_t c = 0; c < model.contacts.size(); ++c)
-        if (model.contacts.type[c] == ContactType::face_face)
-            covered[model.contacts.face1[c]] = covered[model.contacts.face2[c]] = 1;
+    std::vector<char> covered = faces_in_contact(model);
     for (const Row face : tied_faces(model)) covered[face] = 1;
     std::vector<Row> rows;
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {

@@ -175,9 +175,18 @@ void check_rows_of_blocks(Findings& findings, const Model& model) {
                          fmt::format("shape {} where {} is the next", blocks.shape[i], model.next_shape_number));
 }
 
+/// The cycle asks for properties before it computes masses; of a model that has its masses they must be there.
+void check_materials(Findings& findings, const Model& model) {
+    const auto& blocks = model.blocks;
+    for (std::size_t i = 0; i < blocks.size() && !model.stale.properties() && findings.clean(); ++i)
+        findings.require(blocks.deformable[i] == 0 || model.materials.contains(blocks.material[i]), "blocks", i,
+                         fmt::format("there is no material {}", blocks.material[i]));
+}
+
 void check_blocks(Findings& findings, const Model& model) {
     check_ids(findings, "blocks", model.blocks.ids, model.blocks.id);
     check_rows_of_blocks(findings, model);
+    check_materials(findings, model);
 }
 
 /// Corners of triangles and zones belong to the block that the face or zone belongs to.

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr int most_losses = 3; ///< after that a killed run becomes a failed row
 constexpr double patience = 5; ///< seconds from the request to the end
 constexpr timespec poll{0, 50'000'000};
-constexpr const char* output_file = "output.txt";
+constexpr const char *output_file = "output.txt", *lock_file = ".lock";
 
 timespec now() {
     timespec time{};
@@ -100,9 +100,12 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
     if (const auto failed = door::make_folders(folder, Use::write))
         throw Diagnostic(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
                          "runs that are done are kept", Fault::run);
-    FileLock lock = FileLock::of(folder / ".lock", FileLock::Kind::alone);
+    FileLock lock = FileLock::of(folder / lock_file, FileLock::Kind::alone);
     if (!lock.is_held()) return Start::elsewhere;
-    if (folder_.outcome(one)) return Start::done;
+    if (folder_.outcome(one)) {
+        sweep(folder);
+        return Start::done;
+    }
     const Descriptor output = door::open(folder / output_file, Use::write, O_WRONLY | O_CREAT | O_TRUNC);
     if (!output)
         throw Diagnostic(fmt::format("cannot write {}: {}", (folder / output_file).string(), std::strerror(errno)),
@@ -122,7 +125,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
 /// Removes the files that are not kept; the files on how the run went remain.
 void LocalRuns::sweep(const fs::path& folder) const {
     std::error_code ignored;
-    door::remove(folder / ".lock");
+    door::remove(folder / lock_file);
     if (!options_.kept) return;
     std::vector<fs::path> unwanted;
     for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
@@ -208,8 +211,9 @@ void LocalRuns::stop_all(int signal) {
 
 std::vector<Outcome> LocalRuns::all(const std::vector<Case>& cases) {
     std::vector<const Case*> left;
-    for (const auto& one : cases)
-        if (!folder_.outcome(one)) left.push_back(&one);
+    std::error_code ignored;
+    for (const auto& one : cases) // a lock next to an outcome: the study was killed before it swept the run
+        if (!folder_.outcome(one) || fs::exists(folder_.run(one.number) / lock_file, ignored)) left.push_back(&one);
     progress_.begin(cases.size(), cases.size() - left.size());
     std::ranges::reverse(left);         // taken from the back
     std::vector<const Case*> elsewhere; // other processes do them

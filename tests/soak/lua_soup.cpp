@@ -163,7 +163,7 @@ std::string LuaSoup::statement(Chance& c) const {
 
 std::string LuaSoup::chunk(Chance& c) const {
     std::string text = "lua\n";
-    for (int k = 3 + c.below(12); k > 0; --k) text += fmt::format("pcall(function() {} end)\n", statement(c));
+    for (int k = 3 + c.below(12); k > 0; --k) text += fmt::format("try(function() {} end)\n", statement(c));
     return text + "endlua\n";
 }
 

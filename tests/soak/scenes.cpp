@@ -1,5 +1,6 @@
 #include "scenes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
@@ -93,8 +94,9 @@ std::string stl_text() {
     return text + "endsolid block\n";
 }
 
-template <class Number> void put(std::string& bytes, Number value) {
+template <class Number> void put(std::string& bytes, Number value, bool big_endian = false) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    if (big_endian) std::reverse(bytes.end() - sizeof value, bytes.end());
 }
 
 std::string stl_binary() {
@@ -112,16 +114,42 @@ std::string stl_binary() {
 constexpr const char* ply_elements = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
                                      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
 
-std::string ply_binary() {
-    std::string bytes = std::string("ply\nformat binary_little_endian 1.0\n") + ply_elements;
+std::string ply_binary(bool big_endian) {
+    std::string bytes =
+        fmt::format("ply\nformat binary_{}_endian 1.0\n{}", big_endian ? "big" : "little", ply_elements);
     for (const auto& p : corners)
-        for (const double x : p) put(bytes, static_cast<float>(x));
+        for (const double x : p) put(bytes, static_cast<float>(x), big_endian);
     for (const auto& t : triangles) {
         put(bytes, std::uint8_t{3});
-        for (const int v : t) put(bytes, static_cast<std::int32_t>(v));
+        for (const int v : t) put(bytes, static_cast<std::int32_t>(v), big_endian);
     }
     return bytes;
 }
+
+// Concave: two blocks, joined.
+constexpr const char* step = R"(o step
+g rock
+v 0 0 0
+v 2 0 0
+v 2 0 1
+v 1 0 1
+v 1 0 2
+v 0 0 2
+v 0 1 0
+v 2 1 0
+v 2 1 1
+v 1 1 1
+v 1 1 2
+v 0 1 2
+f 1 2 3 4 5 6
+f -1 -2 -3 -4 -5 -6
+f 1 7 8 2
+f 2 8 9 3
+f 3/1/1 9/1/1 10/1/1 4/1/1
+f 4 10 11 5
+f 5 11 12 6
+f 6 12 7 1
+)";
 
 constexpr const char* msh_new = R"($MeshFormat
 4.1 0 8
@@ -263,7 +291,9 @@ const std::vector<Sample>& samples() {
         {"stone.obj", tetrahedron("o one\n", "v {} {} {}\n", "", "f {} {} {}\n", 1, "")},
         {"block.ply",
          tetrahedron(std::string("ply\nformat ascii 1.0\n") + ply_elements, "{} {} {}\n", "", "3 {} {} {}\n", 0, "")},
-        {"coded.ply", ply_binary()},
+        {"step.obj", step},
+        {"coded.ply", ply_binary(false)},
+        {"turned.ply", ply_binary(true)},
         {"block.wrl", tetrahedron("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [\n",
                                   "{} {} {},\n", "] } coordIndex [\n", "{}, {}, {}, -1,\n", 0, "] } }\n")},
         {"block.msh", msh_new},
@@ -271,6 +301,8 @@ const std::vector<Sample>& samples() {
         {"block.3dgrid", grid},
         {"crest.pit", pit},
         {"ground.xyz", "# rings\n0 0 2\n10 0 3\n10 8 3\n0 8 2\n0 0 2\n\n3 2 1\n7 2 1\n7 6 1\n3 6 1\n3 2 1\n"},
+        {"ground.asc", "ncols 4\nnrows 3\nxllcorner -1\nyllcenter 0\ncellsize 4\nNODATA_value -9999\n"
+                       "2 3 2 1\n1 2 3 2\n2 2 -9999 1\n"},
         {"waves.tab", "quake\n4 0.01\n1\n2\n-1\n0.5\n"},
         {"pairs.tab", "pairs\n3 0\n0 1\n1 2\n2 -1\n"},
         {"slip.lua", lua_model},

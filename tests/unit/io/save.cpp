@@ -223,6 +223,12 @@ TEST(Restore, ModelsWhoseTablesDoNotFitTogetherAreRefused) {
                 HasSubstr("free id 4000000000 of contacts"));
     EXPECT_THAT(refused(image_of([](Model& m) { m.contacts.id.push_back({}); })).message, HasSubstr("other rows"));
     EXPECT_THAT(refused(image_of([](Model& m) { m.histories.time.push_back(1); })).message, HasSubstr("histories"));
+    EXPECT_THAT(refused(image_of([](Model& m) {
+                    m.clock.time_step = 1e-4;
+                    m.stale.properties_computed();
+                    m.blocks.material[0] = 7;
+                })).message,
+                HasSubstr("row 0 of blocks: there is no material 7"));
 }
 
 TEST(Restore, ADigestThatDoesNotFitTheContentIsNoticed) {
@@ -235,7 +241,9 @@ TEST(Restore, ADigestThatDoesNotFitTheContentIsNoticed) {
     const auto place = image.find(bytes);
     ASSERT_NE(place, std::string::npos);
     image[place] = static_cast<char>(image[place] ^ 1);
-    EXPECT_THAT(refused(with_trailer(image)).message, HasSubstr("does not add up to the state hash"));
+    // tests/app/hostile_saves reads that hash, and writes it.
+    EXPECT_THAT(refused(with_trailer(image)).message,
+                HasSubstr(fmt::format("does not add up to the state hash in it: {:016x} is not", hash)));
 }
 
 namespace {

@@ -100,16 +100,21 @@ TEST_F(LocalRunsTest, ARunThatTakesTooLongIsEnded) {
 }
 
 TEST_F(LocalRunsTest, FilesThatNobodyWantsGo) {
-    all(
-        [](const Case& one, const fs::path& file) {
-            std::ofstream("a.png") << "x";
-            std::ofstream("b.csv") << "x";
-            return double_of(one, file);
-        },
-        {1, false, {}, std::vector<std::string>{"*.png"}});
-    EXPECT_TRUE(fs::exists(folder_ / "study/runs/000001/a.png"));
-    EXPECT_FALSE(fs::exists(folder_ / "study/runs/000001/b.csv"));
-    EXPECT_TRUE(fs::exists(folder_ / "study/runs/000001/output.txt"));
+    const fs::path run = folder_ / "study/runs/000001";
+    for (int call = 0; call < 2; ++call) {
+        all(
+            [](const Case& one, const fs::path& file) {
+                std::ofstream("a.png") << "x";
+                std::ofstream("b.csv") << "x";
+                return double_of(one, file);
+            },
+            {1, false, {}, std::vector<std::string>{"*.png", "started"}});
+        for (const char* kept : {"a.png", "output.txt", "outcome.toml"}) EXPECT_TRUE(fs::exists(run / kept)) << kept;
+        for (const char* gone : {"b.csv", ".lock"}) EXPECT_FALSE(fs::exists(run / gone)) << gone;
+        // As if the study had been killed after the outcome of the run.
+        for (const char* left : {"b.csv", ".lock"}) std::ofstream(run / left) << "";
+    }
+    EXPECT_EQ(starts(1), 1U);
 }
 
 TEST_F(LocalRunsTest, AnotherStudyOrDeckInOneFolderIsRefused) {
