@@ -65,49 +65,49 @@ constexpr std::chrono::seconds silence_time{5}; ///< without taking a byte of it
 constexpr std::chrono::seconds answer_time{60}; ///< to the last byte of it
 constexpr int tick = 100;                       ///< milliseconds after which limits are looked at
 
-/// Serves one request and is closed. No call on its socket blocks.
-struct Connection {
-    tcp::socket socket;
-    std::string head;                        ///< of the request, as far as it has come
-    std::string answer;                      ///< the head of the answer; empty: the request is not whole
-    std::shared_ptr<const std::string> body; ///< that follows
-    std::size_t sent = 0;                    ///< of both
-    SteadyClock::time_point began = SteadyClock::now();
-    SteadyClock::time_point last = began; ///< when a byte went either way
-
-    explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
-
-    bool is_asking() const { return answer.empty(); }
-    bool is_late(SteadyClock::time_point now) const {
-        return is_asking() ? now - began > head_time : now - last > silence_time || now - began > answer_time;
-    }
-    std::string_view left() const {
-        return sent < answer.size() ? std::string_view(answer).substr(sent)
-                                    : std::string_view(*body).substr(sent - answer.size());
-    }
-    /// False when the other side has closed, or the request is too long.
-    bool read() {
-        std::array<char, 2048> part{};
-        const auto size = ::recv(socket.native_handle(), part.data(), part.size(), MSG_DONTWAIT);
-        if (size < 0) return errno == EAGAIN || errno == EINTR;
-        head.append(part.data(), static_cast<std::size_t>(size));
-        last = SteadyClock::now();
-        return size > 0 && head.size() <= longest_head;
-    }
-    /// False when all is sent, or the other side has closed.
-    bool write() {
-        const auto text = left();
-        const auto size = ::send(socket.native_handle(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (size < 0) return errno == EAGAIN || errno == EINTR;
-        sent += static_cast<std::size_t>(size);
-        last = SteadyClock::now();
-        return sent < answer.size() + body->size();
-    }
-};
-
 } // namespace
 
 struct PageServer::Server {
+    /// Serves one request and is closed. No call on its socket blocks.
+    struct Connection {
+        tcp::socket socket;
+        std::string head;                        ///< of the request, as far as it has come
+        std::string answer;                      ///< the head of the answer; empty: the request is not whole
+        std::shared_ptr<const std::string> body; ///< that follows
+        std::size_t sent = 0;                    ///< of both
+        SteadyClock::time_point began = SteadyClock::now();
+        SteadyClock::time_point last = began; ///< when a byte went either way
+
+        explicit Connection(tcp::socket accepted) : socket(std::move(accepted)) {}
+
+        bool is_asking() const { return answer.empty(); }
+        bool is_late(SteadyClock::time_point now) const {
+            return is_asking() ? now - began > head_time : now - last > silence_time || now - began > answer_time;
+        }
+        std::string_view left() const {
+            return sent < answer.size() ? std::string_view(answer).substr(sent)
+                                        : std::string_view(*body).substr(sent - answer.size());
+        }
+        /// False when the other side has closed, or the request is too long.
+        bool read() {
+            std::array<char, 2048> part{};
+            const auto size = ::recv(socket.native_handle(), part.data(), part.size(), MSG_DONTWAIT);
+            if (size < 0) return errno == EAGAIN || errno == EINTR;
+            head.append(part.data(), static_cast<std::size_t>(size));
+            last = SteadyClock::now();
+            return size > 0 && head.size() <= longest_head;
+        }
+        /// False when all is sent, or the other side has closed.
+        bool write() {
+            const auto text = left();
+            const auto size = ::send(socket.native_handle(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+            if (size < 0) return errno == EAGAIN || errno == EINTR;
+            sent += static_cast<std::size_t>(size);
+            last = SteadyClock::now();
+            return sent < answer.size() + body->size();
+        }
+    };
+
     boost::asio::io_context context;
     tcp::acceptor acceptor{context};
     std::string path; ///< "/0f3a.../"

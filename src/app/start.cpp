@@ -27,8 +27,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
         ->check([](const std::string& folder) {
             return fs::is_directory(folder) ? std::string() : fmt::format("there is no folder {}", folder);
         });
-    app.add_option("--watch", order.watch,
-                   "a port: a browser on this machine can follow the run; 0: any free port")
+    app.add_option("--watch", order.watch, "a port: a browser on this machine can follow the run; 0: any free port")
         ->check(CLI::Range(0, 65535));
     app.add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
     app.add_flag("--strict", order.options.strict, "warnings are errors");
@@ -47,8 +46,7 @@ void add_run_options(CLI::App& app, RunOrder& order) {
 void add_replay(CLI::App& app, RunOrder& order) {
     auto* replaying = app.add_subcommand("replay", "run a journal again and compare the final state");
     replaying->add_option("journal", order.journal, "a file that a run has written")->required();
-    replaying->add_option("--into", order.into,
-                          "the folder for files that the run writes; it is created if necessary");
+    replaying->add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
 }
 
 } // namespace

@@ -89,7 +89,7 @@ void check_grout(const Model& model, Row cable) {
             "the grout of cable {} has friction only (fbond), and all its nodes lie in rigid blocks, where no stress "
             "presses on it: it would carry nothing",
             cables.number[cable]),
-        fmt::format("give the grout a strength of its own (structure property {} sbond ...), or the blocks zones",
+        fmt::format("give the grout a strength (structure property {} sbond ...), or the blocks zones",
                     cables.property[cable]));
 }
 
