@@ -31,13 +31,13 @@ std::string number_hint(std::string_view text) {
     const std::string whole(text);
     char* rest = nullptr;
     const double number = std::strtod(whole.c_str(), &rest);
-    const std::string_view behind(rest);
-    if (rest == whole.c_str() || behind.empty()) return {};
-    const auto unit = std::ranges::find(units, fold(behind), &Unit::name);
+    const std::string_view suffix(rest);
+    if (rest == whole.c_str() || suffix.empty()) return {};
+    const auto unit = std::ranges::find(units, fold(suffix), &Unit::name);
     if (unit != units.end())
         return fmt::format("numbers have no units: write {:g} when the deck counts in {}", number * unit->factor,
                            unit->base);
-    if (behind.find_first_not_of("0123456789.eE+-*/^()") == behind.npos && behind.find_first_of("*/^+-") != behind.npos)
+    if (suffix.find_first_not_of("0123456789.eE+-*/^()") == suffix.npos && suffix.find_first_of("*/^+-") != suffix.npos)
         return fmt::format("brackets make arithmetic of it: [{}]", text);
     return {};
 }
