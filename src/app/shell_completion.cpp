@@ -56,11 +56,11 @@ std::vector<std::string> option_words(const ToolNode& node) {
 }
 
 /// "''|check|'study show'": the patterns of all subcommands, each behind the words before it.
-std::string ways_down(const std::vector<ToolNode>& tree) {
-    std::vector<std::string> ways;
+std::string branches_below(const std::vector<ToolNode>& tree) {
+    std::vector<std::string> branches;
     for (const auto& node : tree)
-        for (const auto& name : node.subcommands) ways.push_back(for_sh(node.words + "/" + name));
-    return fmt::format("{}", fmt::join(ways, "|"));
+        for (const auto& name : node.subcommands) branches.push_back(for_sh(node.words + "/" + name));
+    return fmt::format("{}", fmt::join(branches, "|"));
 }
 
 std::string for_bash(const std::vector<ToolNode>& tree) {
@@ -75,7 +75,7 @@ _kaya() {{
     done
     case $at in
 )",
-                    ways_down(tree));
+                    branches_below(tree));
     for (const auto& node : tree) {
         auto words = node.subcommands;
         for (auto& value : values_of(node)) words.push_back(std::move(value));
@@ -107,7 +107,7 @@ _kaya() {{
     done
     case $at in
 )",
-                                   ways_down(tree));
+                                   branches_below(tree));
     for (const auto& node : tree) {
         text += fmt::format("        {})", for_sh(node.words));
         for (const auto& name : node.subcommands) {

@@ -146,9 +146,9 @@ const JointModel& JointRegistry::get(std::string_view name) {
         const auto names = available();
         const auto near = did_you_mean(keyword, {names.begin(), names.end()});
         std::error_code ignored;
-        const std::string beside = fmt::format("./{}.so", name);
+        const std::string nearby = fmt::format("./{}.so", name);
         Diagnostic error(fmt::format("there is no joint model '{}'", name),
-                         fs::exists(beside, ignored) ? fmt::format("a file of that name is here: write {}", beside)
+                         fs::exists(nearby, ignored) ? fmt::format("a file of that name is here: write {}", nearby)
                          : near.empty()              ? "give one of the names below, or the file of a joint model"
                                                      : fmt::format("did you mean '{}'?", near));
         error.code = "joint-model-unknown";
