@@ -133,6 +133,12 @@ std::string before(std::string_view example) {
     return {};
 }
 
+/// Joined blocks are rigid, and only rigid blocks rotate.
+bool of_rigid_blocks(std::string_view example) {
+    return example.starts_with("join") || example.find("rzvel") != example.npos ||
+           example.find("xrvel") != example.npos;
+}
+
 TEST_F(ExamplesTest, RightExamplesRun) {
     write_inputs(write);
     const Options options = [] {
@@ -152,8 +158,7 @@ TEST_F(ExamplesTest, RightExamplesRun) {
                 const auto run = [&](const std::string& text) { session.interpreter.run_text(text, "example"); };
                 try {
                     run(setting);
-                    if (!example.text.starts_with("join"))
-                        run("gen edge 1 range region 3\n"); // joined blocks are rigid
+                    if (!of_rigid_blocks(example.text)) run("gen edge 1 range region 3\n");
                     run("save settled\nsave 'two words'\n" + before(example.text));
                     run(std::string(example.text));
                     ++count;

@@ -253,7 +253,7 @@ TEST(Compat, BatchesWithoutRoomForObjectsAreRefused) {
     TestJoint joint(compat("wear"), wear_values);
     auto batch = joint.batch();
     batch.object = nullptr;
-    EXPECT_THAT(run_batch(*joint.model, batch)->message, HasSubstr("keeps objects"));
+    EXPECT_THAT(run_batch(*joint.model, batch)->message, HasSubstr("stores objects"));
 }
 
 } // namespace
