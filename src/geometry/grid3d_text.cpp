@@ -1,6 +1,6 @@
 // The lines of a .3dgrid file.
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "geometry/input_text.hpp"
 #include "geometry/grid3d.hpp"
 #include "geometry/words.hpp"
 
@@ -170,9 +170,8 @@ Grid3d read_grid3d(std::string_view text, const std::string& file) {
 }
 
 Grid3d read_grid3d_file(const std::string& path) {
-    const auto text = file_text(path);
-    if (!text) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    return is_msh(path) ? read_msh(*text, path) : read_grid3d(*text, path);
+    const std::string text = input_text(path);
+    return is_msh(path) ? read_msh(text, path) : read_grid3d(text, path);
 }
 
 bool is_msh(const std::string& path) {

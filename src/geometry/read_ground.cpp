@@ -2,7 +2,7 @@
 #include "geometry/ground.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "geometry/input_text.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/pit.hpp"
 #include "geometry/surface_files.hpp"
@@ -141,10 +141,9 @@ Ground read_ground(const std::string& path) {
         }
         return {std::move(corners), std::move(triangles)};
     }
-    const auto text = file_text(path);
-    if (!text) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    if (suffix == ".pit") return ground_from_pit(*text, path);
-    return suffix == ".asc" ? ground_from_grid(*text, path) : ground_from_points(*text, path);
+    const std::string text = input_text(path);
+    if (suffix == ".pit") return ground_from_pit(text, path);
+    return suffix == ".asc" ? ground_from_grid(text, path) : ground_from_points(text, path);
 }
 
 } // namespace kaya

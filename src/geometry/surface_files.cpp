@@ -1,7 +1,7 @@
 #include "geometry/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "geometry/input_text.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/face_soup.hpp"
 #include "geometry/surface_checks.hpp"
@@ -55,9 +55,8 @@ std::vector<NamedSurface> read_surfaces(const std::string& path) {
     if (format == formats.end())
         throw Diagnostic(fmt::format("{} does not have the suffix of a surface file", path),
                          "use .stl, .obj, .ply or .wrl");
-    const auto bytes = file_text(path);
-    if (!bytes) throw Diagnostic(fmt::format("{} cannot be opened", path), "check the name and the folder");
-    return format->read(*bytes, path);
+    const std::string bytes = input_text(path);
+    return format->read(bytes, path);
 }
 
 } // namespace kaya
