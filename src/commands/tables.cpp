@@ -4,8 +4,10 @@
 #include "commands/handlers.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <set>
 #include <sstream>
@@ -20,7 +22,7 @@ public:
     TableFile(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
         const auto text = file_text(path);
         if (!text)
-            throw Diagnostic(fmt::format("the table file '{}' cannot be read", name_),
+            throw Diagnostic(fmt::format("the table file '{}' cannot be read: {}", name_, std::strerror(errno)),
                              "check the name; it is searched next to the deck and in the current folder");
         std::istringstream in(*text);
         for (std::string line; std::getline(in, line);) {
