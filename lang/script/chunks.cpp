@@ -7,6 +7,8 @@
 #include "lang/script/values.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <map>
 #include <sstream>
@@ -134,7 +136,7 @@ void run_chunk(Machine& machine, const std::string& text, const Place& place) {
 void run_chunk_file(Machine& machine, const fs::path& file, const Place& place) {
     std::string text;
     if (!read_file(machine, file, text))
-        throw Diagnostic(fmt::format("the Lua file '{}' cannot be read", file.string()),
+        throw Diagnostic(fmt::format("the Lua file '{}' cannot be read: {}", file.string(), std::strerror(errno)),
                          "the path counts from the working folder")
             .at(place);
     machine.script_folder = file.parent_path();
