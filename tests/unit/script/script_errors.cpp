@@ -305,7 +305,7 @@ TEST(ScriptErrors, ATrustedDeckMayDoAll) {
 TEST(ScriptErrors, AMissingLuaFile) {
     Stage s;
     EXPECT_EQ(message_of([&] { s.scripts.run_lua_file("nowhere.lua", deck("lua nowhere.lua\n")); }),
-              "test.3ddat:1:1: error: the Lua file 'nowhere.lua' cannot be read\n"
+              "test.3ddat:1:1: error: the Lua file 'nowhere.lua' cannot be read: No such file or directory\n"
               "     1 | lua nowhere.lua\n"
               "       | ^ the path counts from the working folder");
 }
