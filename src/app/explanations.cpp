@@ -97,7 +97,7 @@ constexpr Explanation explanations[] = {
     {"wide-folder", "a run in the home folder or in /",
      "Without --trust a run may write everything that is not hidden below the folder where it starts and below that of its deck:\n"
      "in the home folder that is all of the user's work. Put decks into a separate folder, and start runs there."},
-    {"library-not-allowed", "a joint model without permission",
+    {"library-not-allowed", "a joint model that has not been allowed",
      "A library is code that can do whatever you can. Those of the installed folder, of --joints and of KAYA_JOINTS are loaded;\n"
      "another one is loaded after 'kaya allow FILE', until the file changes. 'kaya jmodel build' allows the library that it makes."},
     // Scripts.

@@ -246,7 +246,7 @@ fs::path Gate::may_load(const fs::path& file) {
     if (is_script && !in_folder) may_read(file);
     const fs::path name = is_script ? file : in_folder && is_library_name(whole) ? whole : may_load_by_digest(whole);
     if (name.empty())
-        refuse("library-not-allowed", fmt::format("joint model {} is code without permission", file.string()),
+        refuse("library-not-allowed", fmt::format("joint model {} is code that has not been allowed", file.string()),
                fmt::format("if you know where it comes from, allow it once with: kaya allow {}", quoted(file)));
     code_.insert(whole);
     return name;
