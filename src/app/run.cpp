@@ -31,14 +31,17 @@ fs::path program_folder(const char* called_as) {
     return failed ? fs::absolute(called_as).parent_path() : self.parent_path();
 }
 
+std::vector<fs::path> own_joint_folders(const fs::path& program) {
+    return {program / "joints", program.parent_path() / "lib/kaya/joints"}; // built, installed
+}
+
 namespace {
 
 /// Folders whose libraries are loaded without permission: those of the command line, next to the program or its installation, KAYA_JOINTS
 /// (separated by ':').
 std::vector<fs::path> trusted_folders(const RunOrder& order, const fs::path& program) {
     std::vector<fs::path> folders = order.options.joint_folders;
-    folders.push_back(program / "joints");
-    folders.push_back(program.parent_path() / "lib/kaya/joints"); // where it is installed
+    for (const auto& own : own_joint_folders(program)) folders.push_back(own);
     if (const char* listed = std::getenv("KAYA_JOINTS")) {
         std::string_view rest(listed);
         while (!rest.empty()) {
@@ -234,6 +237,7 @@ int run(RunOrder& order, const fs::path& program) {
         shut_in(sandbox_of(order, program)); // before there are threads: each has its own lock
     }
     order.options.joint_folders = joint_folders(order, program);
+    order.options.own_joints = own_joint_folders(program);
     Session session(order.options);
     session.painter = painter;
     const std::vector<std::string> inputs = sandbox_of(order, program).inputs;

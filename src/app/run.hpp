@@ -39,6 +39,9 @@ struct RunOrder {
 /// The folder of the program itself: joint models that ship lie next to it.
 std::filesystem::path program_folder(const char* called_as);
 
+/// Folders of the joint models that ship.
+std::vector<std::filesystem::path> own_joint_folders(const std::filesystem::path& program);
+
 /// Folders searched for joint models, first match wins; beside the deck last.
 std::vector<std::filesystem::path> joint_folders(const RunOrder& order, const std::filesystem::path& program);
 

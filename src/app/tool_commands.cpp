@@ -4,6 +4,7 @@
 #include "app/explanations.hpp"
 #include "app/manual.hpp"
 #include "app/permissions.hpp"
+#include "app/run.hpp"
 #include "app/scope.hpp"
 #include "app/shell_completion.hpp"
 #include "app/tools.hpp"
@@ -49,7 +50,7 @@ int check(const Names& decks, bool as_json) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
-            const DeckReport report = check_deck(deck_file(deck), {"."});
+            const DeckReport report = check_deck(deck_file(deck), {"."}, own_joint_folders(program_folder("")));
             const std::string text = as_json ? report.json_lines() : report.text(deck);
             if (!text.empty()) output.print(text);
             if (!report.can_run()) status = static_cast<int>(Fault::deck);

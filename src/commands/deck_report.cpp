@@ -58,7 +58,7 @@ public:
     }
 
     /// Findings about the whole deck. A statement that could not be read may have defined the missing names.
-    void findings(const DeckReview& review) {
+    void findings(DeckReview& review) {
         const bool whole =
             std::ranges::all_of(report.lines, [](const auto& line) { return line.outlook != Outlook::wrong; });
         if (!whole) return;
@@ -134,14 +134,15 @@ std::string DeckReport::json_lines() const {
     return text;
 }
 
-DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders) {
+DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,
+                      const std::vector<std::filesystem::path>& own_joints) {
     const lang::Checks checks = deck_checks();
     const lang::ReadDeck read = lang::read_deck(lang::classic(), deck, folders, &checks);
     const Session session{Options{}}; // knows built-in names
     std::vector<std::filesystem::path> places{std::filesystem::path(deck).parent_path()};
     places.insert(places.end(), folders.begin(), folders.end());
     Reporter reporter;
-    DeckReview review(read.names, *session.scripts, places);
+    DeckReview review(read.names, *session.scripts, places, own_joints);
     review.on_file = [&](const lang::BoundFile& file) { reporter.begin_file(file.source->name); };
     review.on_statement = [&](const lang::BoundCommand& command) { reporter.statement(command); };
     review.on_inner = [&](const Diagnostic* mistake) {

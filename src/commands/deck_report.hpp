@@ -40,7 +40,8 @@ struct DeckReport {
 };
 
 /// Reads a deck, the files that it calls, and the bodies of its FISH functions. Throws Diagnostic when the deck
-/// itself cannot be read.
-DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders);
+/// itself cannot be read. `own_joints` are folders of models that may be loaded.
+DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,
+                      const std::vector<std::filesystem::path>& own_joints = {});
 
 } // namespace kaya

@@ -1,12 +1,14 @@
 #include "commands/deck_review.hpp"
 
 #include "base/door.hpp"
+#include "commands/save_session.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/named_word.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 #include "lang/interp/script_files.hpp"
 
+#include <algorithm>
 #include <any>
 #include <fmt/format.h>
 #include <sstream>
@@ -24,11 +26,21 @@ struct FileRead {
     Place place;
 };
 
+template <class Command>
+bool reads(const lang::BoundCommand& command, std::string Command::*file, const char* kind, FileRead& read) {
+    const auto* found = std::any_cast<Command>(&command.command);
+    if (found != nullptr) read = {found->*file, kind, command.place};
+    return found != nullptr;
+}
+
 FileRead file_read_by(const lang::BoundCommand& command) {
-    if (const auto* table = std::any_cast<lang::TableCommand>(&command.command))
-        return {table->file, "table", command.place};
-    if (const auto* lua = std::any_cast<lang::LuaFile>(&command.command)) return {lua->file, "Lua", command.place};
-    return {};
+    using namespace lang;
+    FileRead read;
+    reads(command, &TableCommand::file, "table", read) || reads(command, &LuaFile::file, "Lua", read) ||
+        reads(command, &Restore::file, "save", read) || reads(command, &Import::file, "geometry", read) ||
+        reads(command, &CutGround::file, "surface", read) || reads(command, &WaterCommand::file, "surface", read) ||
+        reads(command, &JointModelTest::path, "CSV", read);
+    return read;
 }
 
 Diagnostic doubt(std::string message, std::string hint, const Place& place) {
@@ -54,11 +66,12 @@ void DeckReview::file(const lang::BoundFile& file) {
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.check(command, inside);
     materials_.check(command);
+    properties_.check(command);
     if (on_statement) on_statement(command);
     if (!inside) find_file(command);
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
-    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) materials_.check_script(chunk->text);
+    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) check_script(chunk->text);
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
 
@@ -88,6 +101,12 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
 void DeckReview::anything_may_be_made() {
     names_.anything_may_be_made();
     materials_.anything_may_be_given();
+    properties_.anything_may_be_loaded();
+}
+
+void DeckReview::check_script(std::string_view text) {
+    materials_.check_script(text);
+    properties_.check_script(text);
 }
 
 /// A continuation mark without a following line.
@@ -130,7 +149,11 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command))
         defined_.insert(fish::read_function(function->text, function->place).name);
     const FileRead read = command.late ? FileRead{} : file_read_by(command);
-    const bool may_be_written = may_have_written_ || earlier_words_.contains(read.name);
+    const bool is_save = command.command.type() == typeid(lang::Restore);
+    const std::string in_full = is_save ? save_name(read.name) : read.name;
+    const bool may_be_written = may_have_written_ || std::ranges::any_of(earlier_words_, [&](const std::string& word) {
+                                    return word == read.name || (is_save && save_name(word) == in_full);
+                                });
     lang::Lexer lexer(command.place.source, command.place.line);
     lang::Statement words;
     if (command.spec->body_end.empty() && lexer.next(words)) {
@@ -147,7 +170,7 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     for (const auto& folder : folders_) {
         std::error_code failed;
         const fs::path path = folder / read.name;
-        if (!fs::exists(path, failed)) continue;
+        if (!fs::exists(path, failed) && !fs::exists(folder / in_full, failed)) continue;
         if (command.command.type() == typeid(lang::LuaFile)) check_lua_file(path, read.name, read.place);
         return;
     }
@@ -170,7 +193,7 @@ void DeckReview::check_lua_file(const fs::path& path, const std::string& name, c
     if (!fs::is_regular_file(path, failed) || !file || !read_all(file.number(), text))
         return anything_may_be_made(); // the run says why
     names_.check_lua(text);
-    materials_.check_script(text);
+    check_script(text);
     if (lang::may_write_files(text)) may_have_written_ = true;
     try {
         script::check_lua_text(text, {lang::source_from_text(name, text), 1, 1, 1});
@@ -180,12 +203,14 @@ void DeckReview::check_lua_file(const fs::path& path, const std::string& name, c
     }
 }
 
-std::vector<Diagnostic> DeckReview::findings() const {
+std::vector<Diagnostic> DeckReview::findings() {
     std::vector<Diagnostic> all = other_;
     const auto of_names = names_.findings();
     all.insert(all.end(), of_names.begin(), of_names.end());
     const auto of_materials = materials_.findings();
     all.insert(all.end(), of_materials.begin(), of_materials.end());
+    const auto of_properties = properties_.findings(laws_);
+    all.insert(all.end(), of_properties.begin(), of_properties.end());
     return all;
 }
 

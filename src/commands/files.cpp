@@ -23,10 +23,6 @@ namespace fs = std::filesystem;
 // Parts of a save file that belong to the session.
 constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges", part_joints = "joint models";
 
-std::string save_name(const std::string& name) {
-    return fs::path(name).has_extension() ? name : name + std::string(save_ending);
-}
-
 /// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
@@ -115,6 +111,10 @@ void restore_scripts(Session& session, Model& model, const script::ScriptState& 
 }
 
 } // namespace
+
+std::string save_name(const std::string& name) {
+    return fs::path(name).has_extension() ? name : name + std::string(save_ending);
+}
 
 SaveExtras session_extras(Session& session) {
     SaveExtras extras;

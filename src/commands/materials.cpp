@@ -3,11 +3,12 @@
 #include "commands/all_or_nothing.hpp"
 
 #include "commands/plausible.hpp"
+#include "commands/property_meaning.hpp"
 
 #include "commands/handlers.hpp"
 #include "jointtest/bench.hpp"
 #include "lang/commands/language.hpp"
-#include "lang/commands/property_words.hpp"
+#include "laws/given_values.hpp"
 #include "mechanics/contact_properties.hpp"
 #include "mechanics/property_sets.hpp"
 #include "mechanics/zone_laws.hpp"
@@ -33,122 +34,15 @@ constexpr std::array<double Material::*, lang::block_property_count> members{
 
 double Material::*member_of(lang::BlockProperty property) { return members[static_cast<std::size_t>(property)]; }
 
-/// Joint words that every deck may use with `prop`, whatever joint model is loaded: those that the language explains, and two of joint
-/// models of early versions.
-const std::vector<std::string_view>& joint_words() {
-    static const std::vector<std::string_view> words = [] {
-        std::vector<std::string_view> list;
-        for (const auto& known : lang::joint_property_words()) list.push_back(known.name);
-        list.insert(list.end(), {"jphi", "jrdilation"});
-        return list;
-    }();
-    return words;
-}
-
-/// The words of files for early versions, where no joint model has properties of these names.
-using EarlyWord = std::pair<std::string_view, std::string_view>;
-constexpr std::array<EarlyWord, 6> early_words{{{"kn", "jkn"},
-                                                {"ks", "jks"},
-                                                {"fric", "jfriction"},
-                                                {"coh", "jcohesion"},
-                                                {"ten", "jtension"},
-                                                {"dil", "jdilation"}}};
-
-/// Which property of blocks a word or its beginning names.
-std::optional<lang::BlockProperty> find_block_property(std::string_view word) {
-    const auto& known = lang::block_property_words();
-    const auto with = [&](auto fits) {
-        return std::ranges::find_if(known, [&](const auto& p) { return std::ranges::any_of(p.words, fits); });
-    };
-    auto found = with([&](const auto& spelling) { return spelling.word == word; });
-    if (found == known.end()) found = with([&](const auto& spelling) { return spelling.word.starts_with(word); });
-    if (found == known.end()) return std::nullopt;
-    return static_cast<lang::BlockProperty>(found - known.begin());
-}
-
-std::string_view name_of(lang::BlockProperty property) {
-    return lang::block_property_words()[static_cast<std::size_t>(property)].name;
-}
-
-/// The full word of an abbreviated classic joint word; other words are returned unchanged.
-std::string_view whole_word(std::string_view word) {
-    const auto found = std::ranges::find_if(joint_words(), [&](auto known) { return known.starts_with(word); });
-    return found != joint_words().end() ? *found : word;
-}
-
 /// Drops a value that was given before under another spelling of the same word: jfric, jfriction.
 void forget_other_spellings(std::map<std::string, double>& values, const std::string& word) {
-    std::erase_if(
-        values, [&](const auto& entry) { return entry.first != word && whole_word(entry.first) == whole_word(word); });
-}
-
-/// A property of any zone model; the models that ship are loaded for their words.
-const LawTable::Property* find_zone_property(ZoneModels& models, const std::string& word) {
-    const auto among = [&](const auto& list) -> const LawTable::Property* {
-        for (const auto& model : list)
-            if (const auto found = model->find_property(word)) return &model->properties[*found];
-        return nullptr;
-    };
-    if (const auto* found = among(models.loaded())) return found;
-    for (const auto& name : models.available()) models.get(name);
-    return among(models.loaded());
-}
-
-bool is_joint_word(const JointRegistry& joints, std::string_view word) {
-    return std::ranges::any_of(joint_words(), [&](auto known) { return known.starts_with(word); }) ||
-           std::ranges::any_of(joints.loaded(),
-                               [&](const auto& model) { return model->find_property(word).has_value(); });
-}
-
-/// Letters of formulas, and the words that stand for them in a deck.
-struct Symbol {
-    std::string_view word, of_blocks, of_joints;
-};
-constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
-                                          {"em", "ymodulus, with pratio", ""},
-                                          {"emod", "ymodulus, with pratio", ""},
-                                          {"nu", "pratio, with ymodulus", ""},
-                                          {"v", "pratio, with ymodulus", ""},
-                                          {"rho", "density", ""},
-                                          {"gamma", "density: mass per volume, and not weight", ""},
-                                          {"ro", "density", ""},
-                                          {"phi", "bfriction for blocks, jfriction for joints", "jfriction"},
-                                          {"c", "bcohesion for blocks, jcohesion for joints", "jcohesion"},
-                                          {"psi", "bdilation for blocks, jdilation for joints", "jdilation"}}};
-
-[[noreturn]] void refuse_word(const Session& session, const lang::Property::Item& item, bool joint_only) {
-    std::vector<std::string_view> known = joint_words();
-    if (!joint_only)
-        for (const auto& property : lang::block_property_words())
-            for (const auto& spelling : property.words) known.push_back(spelling.word);
-    for (const auto& model : session.joints.loaded()) {
-        const auto words = model->property_words();
-        known.insert(known.end(), words.begin(), words.end());
-    }
-    const auto near = did_you_mean(item.word, known);
-    const auto symbol = std::ranges::find(symbols, std::string_view(item.word), &Symbol::word);
-    const std::string_view meant = symbol == symbols.end() ? "" : joint_only ? symbol->of_joints : symbol->of_blocks;
-    throw Diagnostic(
-        fmt::format("'{}' is not a property of {}", item.word, joint_only ? "joints" : "blocks, nor of joints"),
-        !meant.empty() ? fmt::format("write {}", meant)
-        : near.empty() ? "if it belongs to a joint model, load that first: jmodel load NAME"
-                       : fmt::format("did you mean '{}'?", near))
-        .at(item.place);
-}
-
-double checked(const LawTable::Property& property, const lang::Property::Item& item) {
-    if (property.holds(item.value)) return item.value;
-    throw Diagnostic(
-        fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), property.limits_in_words()))
-        .at(item.place);
+    std::erase_if(values, [&](const auto& entry) {
+        return entry.first != word && whole_joint_word(entry.first) == whole_joint_word(word);
+    });
 }
 
 void set_block_property(Material& material, lang::BlockProperty property, const lang::Property::Item& item) {
-    const auto& known = lang::block_property_words()[static_cast<std::size_t>(property)];
-    if (!known.limits.hold(item.value))
-        throw Diagnostic(
-            fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value), known.limits_in_words))
-            .at(item.place);
+    check_value(property, item);
     material.*member_of(property) = item.value;
     // The pair given last counts.
     using enum lang::BlockProperty;
@@ -282,25 +176,19 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
     for (const auto& name : models) {
         const JointModel* joint = &session.joints.get(name);
         for (const auto& [word, value] : material.joint) {
-            const auto index = joint->find_property(word);
             const auto place = session.property_places.find({number, word});
-            if (!index || place == session.property_places.end()) continue;
-            const auto& property = joint->properties[*index];
-            if (property.holds(value)) continue;
-            throw Diagnostic(fmt::format("'{}' is {}, but for joint model {} it must be {}", word, number_text(value),
-                                         joint->name, property.limits_in_words()))
-                .at(place->second);
+            if (!joint->find_property(word) || place == session.property_places.end()) continue;
+            try {
+                accepting_property(*joint, joint_law.noun, word, value);
+            } catch (Diagnostic& mistake) {
+                mistake.at(place->second);
+                throw;
+            }
         }
     }
 }
 
 } // namespace
-
-std::string whole_property_word(std::string_view word) {
-    if (const auto property = find_block_property(word)) return std::string(name_of(*property));
-    const auto early = std::ranges::find(early_words, word, &EarlyWord::first);
-    return std::string(whole_word(early != early_words.end() ? early->second : word));
-}
 
 void run(Session& session, const lang::Property& typed) {
     lang::Property command = typed;
@@ -312,18 +200,18 @@ void run(Session& session, const lang::Property& typed) {
     Material material = existing == session.model.materials.end() ? Material{} : existing->second;
     Items of_joints;
     for (const auto& item : command.items) {
-        const auto property = command.joint ? std::nullopt : find_block_property(item.word);
-        if (property) {
-            set_block_property(material, *property, item);
-            session.property_places[{number, std::string(name_of(*property))}] = item.place;
-        } else if (is_joint_word(session.joints, item.word)) of_joints.push_back(item);
-        else if (const auto early = std::ranges::find(early_words, std::string_view(item.word), &EarlyWord::first);
-                 early != early_words.end())
-            of_joints.push_back({std::string(early->second), item.value, item.place});
-        else if (const auto* of_zones = command.joint ? nullptr : find_zone_property(session.joints.zones, item.word)) {
-            material.zone[of_zones->name] = checked(*of_zones, item);
-            session.property_places[{number, of_zones->name}] = item.place;
-        } else refuse_word(session, item, command.joint);
+        const PropertyMeaning meaning = property_meaning(session.joints, item, command.joint);
+        if (meaning.block) {
+            set_block_property(material, *meaning.block, item);
+            session.property_places[{number, std::string(name_of(*meaning.block))}] = item.place;
+        } else if (meaning.zone) {
+            check_value(*meaning.zone, item);
+            material.zone[meaning.zone->name] = item.value;
+            session.property_places[{number, meaning.zone->name}] = item.place;
+        } else {
+            of_joints.push_back(item);
+            of_joints.back().word = meaning.joint;
+        }
     }
     if (!of_joints.empty()) {
         pointing_at(of_joints, [&](std::size_t* failed) {
@@ -445,7 +333,7 @@ double material_value(const Model& model, const JointRegistry& joints, std::int6
         return std::isnan(value) ? 0 : value;
     }
     for (const auto& [name, value] : found->second.joint)
-        if (name == word || whole_word(name) == whole_word(word)) return value;
+        if (name == word || whole_joint_word(name) == whole_joint_word(word)) return value;
     return 0;
 }
 

@@ -13,9 +13,6 @@ void check_materials(Session& session);
 /// for a word that `prop` does not know.
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);
 
-/// The full word of a property of `prop` for all its spellings; a word of a joint model is returned unchanged.
-std::string whole_property_word(std::string_view word);
-
 /// Zone models of blocks with zones, of that material or of any.
 std::set<std::string> zone_models_in_use(const Model& model, std::optional<std::int32_t> material = {});
 

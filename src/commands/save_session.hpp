@@ -14,6 +14,9 @@ class Session;
 /// The suffix that `save` adds to a name.
 inline constexpr std::string_view save_ending = ".kaya.h5";
 
+/// The name of the file of `save NAME` and `restore NAME`.
+std::string save_name(const std::string& name);
+
 /// The part of a save file with a remark in words; `kaya info` shows it.
 inline constexpr std::string_view part_remark = remark_item;
 

@@ -68,7 +68,7 @@ lang::Value Session::value(const std::string& expression, const Place& place) {
 }
 
 void Session::deck_read(const lang::BoundFile& file, const lang::BareNames& names) {
-    DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."});
+    DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."}, options.own_joints);
     review.file(file);
     std::vector<Diagnostic> errors;
     for (const auto& finding : review.findings()) {

@@ -1,5 +1,6 @@
 // zone model, zone property, zone load, zone nmd.
 #include "commands/handlers.hpp"
+#include "laws/given_values.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/excavation.hpp"
 
@@ -36,19 +37,13 @@ void take_out(Session& session, const lang::ZoneModelCommand& command, const std
 std::map<std::string, double> values_of(const ZoneModel& model, const std::vector<lang::Property::Item>& items) {
     std::map<std::string, double> values;
     for (const auto& item : items) {
-        const auto found = model.find_property(item.word);
-        if (!found) {
-            const auto near = did_you_mean(item.word, model.property_words());
-            throw Diagnostic(fmt::format("zone model '{}' has no property '{}'", model.name, item.word),
-                             near.empty() ? "" : fmt::format("did you mean '{}'?", near))
-                .at(item.place);
+        try {
+            const auto found = accepting_property(model, zone_law.noun, item.word, item.value);
+            values[model.properties[found].name] = item.value;
+        } catch (Diagnostic& mistake) {
+            mistake.at(item.place);
+            throw;
         }
-        const auto& property = model.properties[*found];
-        if (!property.holds(item.value))
-            throw Diagnostic(fmt::format("'{}' is {}, but must be {}", item.word, number_text(item.value),
-                                         property.limits_in_words()))
-                .at(item.place);
-        values[property.name] = item.value;
     }
     return values;
 }

@@ -2,6 +2,7 @@
 
 #include "mechanics/remedy.hpp"
 #include "base/memory.hpp"
+#include "laws/given_values.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
 #include "mechanics/property_sets.hpp"
@@ -32,23 +33,8 @@ void put(const JointModel& joint, std::vector<double>& values, const Items& item
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto& [name, value] = items[i];
         if (failed) *failed = i;
-        const auto index = joint.find_property(name);
-        if (!index) {
-            if (!strict) continue;
-            const auto meant = did_you_mean(name, joint.property_words());
-            std::vector<std::string_view> names;
-            for (const auto& property : joint.properties) names.push_back(property.name);
-            Diagnostic d(fmt::format("joint model '{}' has no property '{}'", joint.name, name),
-                         meant.empty() ? fmt::format("it has: {}", fmt::join(names, ", "))
-                                       : fmt::format("did you mean '{}'?", meant));
-            d.code = "unknown-property";
-            throw d;
-        }
-        const auto& property = joint.properties[*index];
-        if (!property.holds(value))
-            throw Diagnostic(fmt::format("'{}' is {:.6g}, but for joint model {} it must be {}", name, value,
-                                         joint.name, property.limits_in_words()));
-        values[*index] = value;
+        if (!strict && !joint.find_property(name)) continue;
+        values[accepting_property(joint, joint_law.noun, name, value)] = value;
     }
 }
 

@@ -26,6 +26,7 @@ class DeckReportTest : public testing::Test {
 protected:
     void write(const char* name, const std::string& text) { test::put(folder_ / name, text); }
     DeckReport report(const char* name) { return check_deck(name, {folder_.path()}); }
+    fs::path folder() const { return folder_.path(); }
 
 private:
     test::ScratchFolder folder_;
@@ -134,6 +135,84 @@ TEST_F(DeckReportTest, LuaIsReadBeforeItRuns) {
     EXPECT_THAT(report("b.3dd").text("b.3dd"), HasSubstr("tools.lua:3:1: wrong: Lua cannot read this: "));
 }
 
+TEST_F(DeckReportTest, FilesThatACommandReadsAreSearched) {
+    write("a.3dd", "poly brick 0 1\nsave base\nrestore base.kaya.h5\nrestore bsae\nimport a.obj\ncut ground b.xyz\n"
+                   "water ground c.xyz\njmodel test mohr d.csv jkn 1 jks 1 jfric 1\n");
+    const std::string search = "; it is searched next to the deck and in the current folder\n";
+    EXPECT_EQ(report("a.3dd").text("a.3dd"), "a.3dd:4:9: wrong: there is no save file 'bsae'" + search +
+                                                 "a.3dd:5:8: wrong: there is no geometry file 'a.obj'" + search +
+                                                 "a.3dd:6:12: wrong: there is no surface file 'b.xyz'" + search +
+                                                 "a.3dd:7:14: wrong: there is no surface file 'c.xyz'" + search +
+                                                 "a.3dd:8:18: wrong: there is no CSV file 'd.csv'" + search +
+                                                 "a.3dd: 8 statements: 3 run, 5 wrong");
+    write("b.3dd", "poly brick 0 1\nrestore a.3dd\nwater off\n@f\ndef f\nend\n");
+    EXPECT_TRUE(report("b.3dd").lines.empty());
+}
+
+/// A line, and what is found in it; a deck with all of them finds the same. Empty: nothing.
+struct PropertyLine {
+    const char* line;
+    const char* found;
+};
+constexpr PropertyLine property_lines[] = {
+    {"prop mat 1 desn 2600", "'desn' is not a property of blocks, nor of joints; did you mean 'dens"},
+    {"prop mat 1 dens 0", "'density' is 0, but must be above 0"},
+    {"prop mat 1 dens 2600 k 1e9 g 1e9 bcoh 1e5", ""},
+    {"prop mat 1 prat 0.5 young 1e9", "'prat' is 0.5, but must be above -1 and below 0.5"},
+    {"prop jmat 1 jfrci 30", "'jfrci' is not a property of joints; did you mean 'jfric"},
+    {"prop jmat 1 jfric 950", "'jfric' is 950, but for joint model"},
+    {"prop jmat 1 kn 1e9 ks 1e9 fric 30 resfriction 20", ""},
+    {"prop jmat 1 jrco 8 jcso 1e8", ""}, // of a model that the deck names later
+    {"prop jmat 1 jrco 8 jsco 1e8", "'jsco' is not a property of joints; did you mean 'jcso'"},
+    {"prop mat 1 ratoi 3", "'ratoi' is not a property of blocks, nor of joints; did you mean '"},
+    {"jmodel jfrci 18", "has no property 'jfrci'"},
+    {"jmodel jkn 1e9 jks 1e9 jrco 8", ""},
+    {"jmodel model barton-bandis jrcoo 8", "joint model 'barton-bandis' has no property 'jrcoo'; did you mean 'jrco'"},
+    {"jmodel model mohr jcso 8", "joint model 'mohr' has no property 'jcso'"},
+    {"jmodel model mohr jfric -1", "'jfric' is -1, but for joint model mohr it must be from 0 to 90"},
+    {"zone model mohr-coulomb frictoin 30",
+     "zone model 'mohr-coulomb' has no property 'frictoin'; did you mean 'friction'"},
+    {"zone model mohr-coulomb friction 95", "'friction' is 95, but for zone model mohr-coulomb it must be"},
+    {"zone property cohesoin 1", "has no property 'cohesoin'"},
+    {"zone property cohesion 1e5", ""},
+    {"prop mat 1 dens [2*0]", ""}, // known at run time only
+};
+
+TEST_F(DeckReportTest, WordsAndValuesOfPropertiesAreLookedUp) {
+    const std::string named = "jmodel load barton-bandis\n";
+    std::string all;
+    std::size_t wrong = 0;
+    for (const auto& [line, found] : property_lines) {
+        write("a.3dd", line + ("\n" + named));
+        all += line + std::string("\n");
+        const auto lines = check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS}).lines;
+        if (*found == '\0') {
+            EXPECT_TRUE(lines.empty()) << line << ": " << lines.front().text;
+            continue;
+        }
+        ++wrong;
+        ASSERT_EQ(lines.size(), 1u) << line;
+        EXPECT_THAT(lines[0].text + "; " + lines[0].hint, HasSubstr(found)) << line;
+        EXPECT_EQ(lines[0].line, 1);
+        EXPECT_GT(lines[0].column, 6) << line;
+    }
+    write("a.3dd", all + named);
+    EXPECT_EQ(check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS}).lines.size(), wrong);
+}
+
+// A model of another folder, a restored model, a model of a script, and a file that is not read may have any property.
+TEST_F(DeckReportTest, PropertiesOfUnknownModelsAreNotDoubted) {
+    write("saved.kaya.h5", "");
+    write("tools.lua", "command 'jmodel load mine'");
+    for (const char* first :
+         {"jmodel load mine", "restore saved", "lua\ncommand 'jmodel load mine'\nendlua", "lua tools.lua",
+          "jmodel model [name]", "def f\n  command\n    jmodel load mine\n  endcommand\nend\n@f"}) {
+        write("a.3dd", first + std::string("\nprop jmat 1 roughness 30\njmodel roughness 30\n"));
+        for (const auto& line : check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS}).lines)
+            EXPECT_THAT(line.text, testing::Not(HasSubstr("roughness"))) << first;
+    }
+}
+
 TEST_F(DeckReportTest, FilesOfTablesAreSearched) {
     write("a.3dd", "table 1 read wave.tab\n");
     EXPECT_THAT(report("a.3dd").text("a.3dd"), HasSubstr("a.3dd:1:14: wrong: there is no table file 'wave.tab'"));
@@ -148,6 +227,7 @@ TEST_F(DeckReportTest, FilesOfTablesAreSearched) {
 TEST_F(DeckReportTest, NamesMayComeFromLuaAndFromSavedModels) {
     write("a.3dd", "lua\nx = 1\nendlua\nprint @x\n");
     EXPECT_TRUE(report("a.3dd").can_run());
+    write("settled.kaya.h5", "");
     write("b.3dd", "restore settled\nprint @x\n");
     EXPECT_TRUE(report("b.3dd").can_run());
     write("c.3dd", "set @name = 'other.dat'\ncall @name\nprint @x\n");

@@ -1,0 +1,101 @@
+#include "commands/deck_properties.hpp"
+
+#include "base/diagnostic.hpp"
+#include "laws/given_values.hpp"
+#include "mechanics/property_sets.hpp"
+
+#include <algorithm>
+#include <any>
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace kaya {
+
+namespace {
+
+/// Calls `accept` for each law until one takes the item. Throws the last refusal of a value, or else the first one of a word.
+template <class Law> void accepted_by_one(const std::vector<std::unique_ptr<Law>>& laws, const char* noun,
+                                          const lang::Property::Item& item) {
+    std::optional<Diagnostic> refusal;
+    for (const auto& law : laws) {
+        const bool known = law->find_property(item.word).has_value();
+        try {
+            accepting_property(*law, noun, item.word, item.value);
+            return;
+        } catch (const Diagnostic& mistake) {
+            if (known || !refusal) refusal = mistake;
+        }
+    }
+    if (refusal) throw Diagnostic(*refusal).at(item.place);
+}
+
+} // namespace
+
+void DeckProperties::check(const lang::BoundCommand& command) {
+    const auto& any = command.command;
+    if (any.type() == typeid(lang::Restore)) restored_ = true; // the save may name any model
+    if (restored_) return;
+    if (command.late) {
+        // Which model it names is known when it runs.
+        if (any.type() == typeid(lang::JointModelCommand) || any.type() == typeid(lang::ZoneModelCommand)) open_ = true;
+        return;
+    }
+    if (const auto* property = std::any_cast<lang::Property>(&any)) {
+        given_.push_back({property->joint ? Of::joint_material : Of::material, {}, property->items});
+    } else if (const auto* joint = std::any_cast<lang::JointModelCommand>(&any)) {
+        if (!joint->model.empty()) joint_models_.insert(joint->model);
+        given_.push_back({Of::joint_model, joint->model, joint->items});
+    } else if (const auto* test = std::any_cast<lang::JointModelTest>(&any)) {
+        joint_models_.insert(test->model);
+        given_.push_back({Of::joint_model, test->model, test->items});
+    } else if (const auto* zone = std::any_cast<lang::ZoneModelCommand>(&any)) {
+        constexpr std::string_view no_rock = "null";
+        if (zone->model == no_rock) return;
+        if (!zone->model.empty()) zone_models_.insert(zone->model);
+        given_.push_back({Of::zone_model, zone->model, zone->items});
+    }
+}
+
+void DeckProperties::check_script(std::string_view text) {
+    constexpr std::array<std::string_view, 5> loading{"model", "call", "restore", "zone", "lua"};
+    if (std::ranges::any_of(loading, [&](auto word) { return text.find(word) != text.npos; })) open_ = true;
+}
+
+void DeckProperties::look_up(const Given& given, const lang::Property::Item& item, JointRegistry& models) {
+    if (given.of == Of::joint_model) {
+        if (given.model.empty()) accepted_by_one(models.loaded(), joint_law.noun, item);
+        else accepting_property(models.get(given.model), joint_law.noun, item.word, item.value);
+    } else if (given.of == Of::zone_model) {
+        if (given.model.empty()) accepted_by_one(models.zones.loaded(), zone_law.noun, item);
+        else accepting_property(models.zones.get(given.model), zone_law.noun, item.word, item.value);
+    } else {
+        const auto meaning = property_meaning(models, item, given.of == Of::joint_material);
+        if (meaning.block) check_value(*meaning.block, item);
+        else if (meaning.zone) check_value(*meaning.zone, item);
+        else if (std::ranges::any_of(models.loaded(), [&](const auto& model) {
+                     return model->find_property(meaning.joint).has_value();
+                 }))
+            accepted_by_one(models.loaded(), joint_law.noun, {meaning.joint, item.value, item.place});
+    }
+}
+
+std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
+    std::vector<Diagnostic> found;
+    if (open_ || given_.empty()) return found;
+    try {
+        models.get(default_joint_model(Model()));
+        for (const auto& name : joint_models_) models.get(name);
+        for (const auto& name : zone_models_) models.zones.get(name);
+        for (const auto& name : models.zones.available()) models.zones.get(name);
+    } catch (const Diagnostic&) { return found; }
+    for (const auto& given : given_)
+        for (const auto& item : given.items) {
+            try {
+                look_up(given, item, models);
+            } catch (Diagnostic& mistake) { found.push_back(mistake.at(item.place)); }
+        }
+    return found;
+}
+
+} // namespace kaya
