@@ -89,7 +89,7 @@ const Values rough = {{"jkn", 1e5}, {"jks", 1e4}, {"resfric", 25}, {"jrco", 8}, 
 const Values rough_guess = {{"jkn", 1e5}, {"jks", 1e4}, {"resfric", 30}, {"jrco", 5}, {"jcso", 100}, {"sigmac", 150}};
 
 TEST_F(JointFit, ErrorsLieWithinTheirStated95PercentIn90To99PercentOfCases) {
-    constexpr int curves = 200;
+    constexpr int curves = 80;
     int inside[2] = {};
     Noise noise(17);
     for (int c = 0; c < curves; ++c) {
