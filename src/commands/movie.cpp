@@ -71,7 +71,7 @@ void run(Session& session, const lang::Movie& command) {
     try {
         const MovieLine line = read_movie_line(words);
         if (!line.unknown.empty())
-            session.note_once(fmt::format("movie ignores '{}'", fmt::join(line.unknown, " ")),
+            session.warn_once(fmt::format("movie ignores '{}'", fmt::join(line.unknown, " ")),
                               "docs/commands/movie.md lists what it reads");
         auto& plots = session.plots;
         if (!line.on) return plots.movies.clear();

@@ -260,7 +260,9 @@ bool write_bytes(Session& session, const std::string& file, const std::function<
         content = bytes();
     } catch (const Diagnostic& problem) {
         session.stop_if_interrupted();
-        session.note_once(fmt::format("no picture: {}", problem.message), problem.hint);
+        const std::string text = fmt::format("no picture: {}", problem.message);
+        if (problem.fault == Fault::run) session.note_once(text, problem.hint); // of the machine, not of the deck
+        else session.warn_once(text, problem.hint);
         return false;
     }
     write_whole_file(session.output_file(file), content);
@@ -295,8 +297,9 @@ void run(Session& session, const lang::Plot& command) {
     auto& plots = session.plots;
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())
-        session.note_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
-                          "docs/commands/plot.md lists what it draws");
+        session.warn_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
+                          line.meant.empty() ? "docs/commands/plot.md lists what it draws"
+                                             : fmt::format("did you mean '{}'?", line.meant));
     switch (line.task) {
     case PlotLine::Task::draw: {
         PlotView once = std::move(line.view);
@@ -310,7 +313,7 @@ void run(Session& session, const lang::Plot& command) {
     case PlotLine::Task::write: {
         const auto named = line.name.empty() ? plots.views.end() : plots.views.find(line.name);
         if (!line.name.empty() && named == plots.views.end())
-            return session.note_once(fmt::format("there is no plot '{}'", line.name), "plot create makes one");
+            return session.warn_once(fmt::format("there is no plot '{}'", line.name), "plot create makes one");
         PlotView view = std::move(line.view);
         if (named != plots.views.end()) view.items = named->second.items;
         view.items.insert(view.items.end(), line.items.begin(), line.items.end());

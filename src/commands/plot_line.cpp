@@ -1,6 +1,9 @@
 // Reads the words of a plot line.
 #include "commands/plot_views.hpp"
 
+#include "base/diagnostic.hpp"
+#include "model/field.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -27,6 +30,7 @@ private:
     using Words = std::initializer_list<const char*>;
 
     bool is(Words any) const {
+        if (listing_) possible_.insert(possible_.end(), any.begin(), any.end());
         return at_ < words_.size() && !words_[at_].quoted &&
                std::ranges::any_of(any, [&](const char* word) { return words_[at_].folded == word; });
     }
@@ -57,8 +61,25 @@ private:
     /// Numbers and texts belong to the word before them.
     void leave_out() {
         const auto& word = words_[at_];
-        if (!word.quoted && !number_at(at_)) line_.unknown.push_back(word.text);
+        if (!word.quoted && !number_at(at_)) {
+            if (line_.unknown.empty()) line_.meant = did_you_mean(word.folded, possible_words());
+            line_.unknown.push_back(word.text);
+        }
         ++at_;
+    }
+
+    /// Those that could stand in the place of one that nothing takes.
+    std::vector<std::string_view> possible_words() {
+        listing_ = true;
+        read_setting() || read_item() || read_detail();
+        listing_ = false;
+        std::vector<std::string_view> words = std::move(possible_);
+        const bool of_joints = !line_.items.empty() && line_.items.back().kind == PlotItem::Kind::joints;
+        const auto quantities = short_field_words(of_joints);
+        words.insert(words.end(), quantities.begin(), quantities.end());
+        for (const auto& field : fields())
+            if (is_colour(std::string(field.name))) words.push_back(field.name);
+        return words;
     }
 
     void read_task() {
@@ -210,7 +231,11 @@ private:
 
     bool is_field() const {
         if (at_ >= words_.size()) return false;
-        const std::string& word = words_[at_].folded;
+        return is_colour(words_[at_].folded);
+    }
+
+    /// Whether the blocks or joints of the item before have this quantity.
+    bool is_colour(const std::string& word) const {
         const bool of_joints = !line_.items.empty() && line_.items.back().kind == PlotItem::Kind::joints;
         if (!line_.items.empty() && line_.items.back().kind >= PlotItem::Kind::arrows) return false;
         return of_joints ? find_joint_field(word).has_value() : find_colour_field(word).has_value();
@@ -239,6 +264,8 @@ private:
     const std::vector<lang::Plot::Item>& words_;
     PlotLine& line_;
     std::size_t at_ = 0;
+    bool listing_ = false; ///< words are listed, none is taken
+    mutable std::vector<std::string_view> possible_;
 };
 
 } // namespace

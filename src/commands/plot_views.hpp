@@ -72,6 +72,7 @@ struct PlotLine {
     PlotView view;             ///< the current view, with the changes of the line
     std::vector<PlotItem> items;
     std::vector<std::string> unknown; ///< words without a meaning in kaya
+    std::string meant;                ///< the known word nearest to the first of them, if one is near
 };
 
 /// Never throws for a word: unknown words are in `unknown`. Values of scripts are already inserted.

@@ -187,6 +187,10 @@ void Session::note_once(const std::string& message, const std::string& hint) {
     if (said_once.insert(message).second) show_note(Diagnostic(message, hint).at(interpreter.current_place()));
 }
 
+void Session::warn_once(const std::string& message, const std::string& hint) {
+    if (said_once.insert(message).second) warn(Diagnostic(message, hint).at(interpreter.current_place()));
+}
+
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
     if (info_of(kind).found_late) find_contacts(model, joints);
     auto rows = select(model, kind, test_of(kind, range), hidden_too);

@@ -35,6 +35,8 @@ public:
     void warn(Diagnostic warning);
     /// Shows a note at the running command, once per text.
     void note_once(const std::string& message, const std::string& hint = {});
+    /// The same as a warning.
+    void warn_once(const std::string& message, const std::string& hint = {});
 
     /// Warns once of each joint or zone model that changes how the processor computes; it was put back.
     void tell_of_arithmetic();

@@ -82,6 +82,15 @@ std::optional<ColourField> find_joint_field(const std::string& word) {
     return made_of(*field);
 }
 
+std::vector<std::string_view> short_field_words(bool of_joints) {
+    std::vector<std::string_view> words;
+    if (of_joints)
+        for (const auto& [word, name] : joint_words()) words.push_back(word);
+    else
+        for (const auto& [word, field] : short_words()) words.push_back(word);
+    return words;
+}
+
 float Colouring::value(const Model& model, Row row) {
     const FieldValue value = field_.get(model, row);
     double number = std::numeric_limits<double>::quiet_NaN();

@@ -37,6 +37,9 @@ std::optional<ColourField> find_colour_field(const std::string& word);
 /// The same of sub-contacts: slip, open, state, nforce ...
 std::optional<ColourField> find_joint_field(const std::string& word);
 
+/// Words of plot lines for quantities, beside the names in fields().
+std::vector<std::string_view> short_field_words(bool of_joints);
+
 /// The blocks with their edges, by the colours of a quantity or all in one colour.
 void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std::optional<ColourField>& field);
 /// The contact faces of blocks, coloured by a quantity; blocks do not hide them.
