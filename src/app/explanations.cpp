@@ -128,6 +128,10 @@ constexpr Explanation explanations[] = {
     {"joint-model-arithmetic", "a model changes how the processor computes",
      "It changes the rounding, flushes very small numbers to 0, or traps divisions by 0, and does not reset it. The\n"
      "program resets it, since later results would differ, also between numbers of threads. -ffast-math does this."},
+    {"joint-model-conduct", "a joint or zone model changes the process of the run",
+     "It started a second process by fork(), which ends the run; it changed the working folder, signal handlers, limits or\n"
+     "the standard streams, which are restored; or it started threads. The message names the model and its file. A model\n"
+     "computes in its own columns and changes nothing else. See docs/safety.md."},
     {"joint-model-other-file", "the file of a joint model has changed since the model was saved",
      "A save file keeps path and SHA-256 of a joint model that was loaded by its path. The run continues with the\n"
      "present file; if the source is the same and only built again, nothing is wrong."},

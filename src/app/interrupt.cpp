@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -35,13 +36,29 @@ void end_if_deaf(int) {
     std::_Exit(static_cast<int>(Fault::run));
 }
 
+double now() {
+    timespec time{};
+    ::clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::atomic<double> asked_at = 0;
+
+/// A signal to the whole process group arrives twice: the second one comes from the process that waits for this one.
+constexpr double echo = 0.2; ///< seconds
+
+void stop_again(int signal) {
+    if (now() - asked_at > echo) end_at_once(signal);
+}
+
 /// Signal-safe only: lock-free atomics, and letting a second signal end the program.
 void stop(int signal) {
     asked = true;
+    asked_at = now();
     if (signal != SIGINT) to_end = true;
     if (Session* session = listening.load(); session != nullptr) session->interrupt();
     ::setitimer(ITIMER_REAL, &patience, nullptr);
-    std::signal(signal, end_at_once);
+    std::signal(signal, stop_again);
 }
 
 } // namespace
@@ -51,7 +68,12 @@ SignalActions::SignalActions() {
 }
 
 SignalActions::~SignalActions() {
-    for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], &actions_[i], nullptr);
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+        ::sigaction(signals_[i], &actions_[i], nullptr);
+        const auto handler = actions_[i].sa_handler;
+        const bool ends = handler == SIG_DFL || handler == end_at_once;
+        if (asked && ends) std::signal(signals_[i], stop_again); // the second copy of the signal may still arrive
+    }
 }
 
 bool SignalActions::ignores(int signal) const {

@@ -2,6 +2,7 @@
 
 #include "base/descriptor.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -21,8 +22,9 @@ constexpr std::uint64_t right_to_refer = 1ULL << 13, right_to_truncate = 1ULL <<
 // These too are missing in the headers of older systems.
 constexpr std::uint64_t to_bind = 1ULL << 0, to_connect = 1ULL << 1; // TCP
 constexpr auto rule_of_port = static_cast<landlock_rule_type>(2);
+constexpr std::uint64_t to_signal = 1ULL << 1;
 struct Ruleset {
-    std::uint64_t files, connections;
+    std::uint64_t files, connections, kept_inside;
 };
 struct PortRule {
     std::uint64_t rights, port;
@@ -62,8 +64,11 @@ bool lock_by_kernel(const KernelLock& lock) {
     const int version = landlock_version();
     if (version == 0) return false;
     const bool with_connections = version >= landlock_with_connections && !lock.connects;
-    const Ruleset handled{all_rights(version), with_connections ? to_bind | to_connect : 0};
-    const std::size_t known = version >= landlock_with_connections ? sizeof handled : sizeof handled.files;
+    const Ruleset handled{all_rights(version), with_connections ? to_bind | to_connect : 0,
+                          version >= landlock_with_signals ? to_signal : 0};
+    const std::size_t known = version >= landlock_with_signals       ? sizeof handled
+                              : version >= landlock_with_connections ? offsetof(Ruleset, kept_inside)
+                                                                     : sizeof handled.files;
     const Descriptor rules(static_cast<int>(::syscall(create_ruleset, &handled, known, 0)));
     if (!rules) return false;
     const std::uint64_t writing = handled.files & ~std::uint64_t{LANDLOCK_ACCESS_FS_EXECUTE};

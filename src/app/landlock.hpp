@@ -11,6 +11,8 @@ namespace kaya {
 int landlock_version();
 /// The first version that restricts connections.
 inline constexpr int landlock_with_connections = 4;
+/// The first version that keeps signals among the locked processes.
+inline constexpr int landlock_with_signals = 6;
 
 /// The allowed files and ports. A folder includes everything below it.
 struct KernelLock {

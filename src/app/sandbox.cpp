@@ -136,6 +136,7 @@ std::string describe_sandbox(const Gate::Policy& policy) {
             ? fmt::format("Landlock {}: native joint models are held to these files too, and start no program", version)
             : std::string("no Landlock: native joint models can do what you can do"));
     if (version >= landlock_with_connections) add_line("connections", std::string("none by TCP, but for --watch"));
+    if (version >= landlock_with_signals) add_line("signals", std::string("none to other programs"));
     add_line("--trust", std::string("lifts all of this"));
     return text;
 }

@@ -7,6 +7,7 @@
 #include "app/scope.hpp"
 #include "app/study_commands.hpp"
 #include "app/tool_commands.hpp"
+#include "laws/run_copies.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -78,12 +79,11 @@ int start(int argc, char** argv) {
         const auto misspelt = order.decks.empty() ? std::nullopt : misspelt_command(app, order.decks.front());
         throw misspelt ? *misspelt : mistake_of(app, error);
     }
-    if (chosen) {
-        enter_scope(app, order, program);
-        return chosen();
-    }
-    prepare_run(order, app);
-    return run(order, program);
+    if (chosen) enter_scope(app, order, program);
+    else prepare_run(order, app);
+    const int status = chosen ? chosen() : run(order, program);
+    refuse_copies();
+    return status;
 }
 
 } // namespace kaya

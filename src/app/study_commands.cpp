@@ -8,6 +8,7 @@
 #include "commands/output.hpp"
 #include "lang/interp/lexer.hpp"
 #include "lang/script/value_text.hpp"
+#include "laws/run_record.hpp"
 #include "model/model.hpp"
 #include "study/local_runs.hpp"
 #include "study/slurm_runs.hpp"
@@ -81,6 +82,7 @@ std::string unused_values(Session& session, const Case& one, const std::set<std:
 /// The work of one process of a study: one run, and its outcome.
 RunCase run_case(const RunOrder& base, const Study& study, const fs::path& program) {
     return [base, study, program, declared = declared_names(study)](const Case& one, const fs::path& file) {
+        begin_run_record(); // each run of a study is a process
         RunOrder order = base;
         const auto began = std::chrono::steady_clock::now();
         Outcome outcome;

@@ -2,6 +2,7 @@
 
 #include "commands/joint_values.hpp"
 #include "commands/lua_joint_models.hpp"
+#include "laws/process_state.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -42,8 +43,10 @@ void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::fil
                    bool trust, std::size_t script_memory) {
     joints.set_path(joint_folders);
     add_lua_loader(joints);
-    joints.before_loading =
-        joints.zones.before_loading = [gate](const std::filesystem::path& file) { return gate->may_load(file); };
+    joints.before_loading = joints.zones.before_loading = [gate](const std::filesystem::path& file) {
+        take_process_state();
+        return gate->may_load(file);
+    };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });
 
     script::Options script_options;

@@ -4,10 +4,12 @@
 
 #include "commands/failure_monitor.hpp"
 #include "commands/handlers.hpp"
+#include "commands/law_conduct.hpp"
 #include "commands/materials.hpp"
 #include "commands/plot_views.hpp"
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
+#include "laws/guard.hpp"
 #include "mechanics/take_over.hpp"
 #include "commands/time_step.hpp"
 
@@ -49,6 +51,7 @@ void advance(Session& session) {
             const Inside inside(session.inside_cycle);
             session.cycle->advance();
         }
+        review_conduct_in_cycle(session, number);
         run_deferred(session);
         shoot_movies(session);
         session.tell_cycled();
@@ -165,6 +168,12 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
     return {};
 }
 
+/// Whether the next cycle is known to be the last one. Its calls of foreign models are checked in full, whatever the number of cycles.
+bool is_last(const Limits& limits, const Clock& start, const Clock& now) {
+    return (limits.cycles && now.cycle + 1 - start.cycle >= *limits.cycles) ||
+           (limits.time && now.time + 1.5 * now.time_step - start.time >= *limits.time);
+}
+
 /// The reason for stopping here; empty to continue.
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
@@ -249,6 +258,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     while (end.why.empty()) {
         try {
             refuse_standing_still(limits, start, session.model.clock);
+            fence_all_calls(session.options.strict || is_last(limits, start, session.model.clock));
             advance(session);
             session.stop_after_cycle();
         } catch (...) {

@@ -1,5 +1,6 @@
 #include "commands/run_name.hpp"
 
+#include "base/ask_again.hpp"
 #include "base/diagnostic.hpp"
 #include "base/door.hpp"
 
@@ -66,7 +67,8 @@ RunNames::Taken RunNames::take(const std::string& stem) {
         std::error_code ignored;
         const fs::path file = fs::absolute(fmt::format(".{}.kaya-lock", name), ignored);
         Lock lock = locked(file);
-        if (lock.busy) continue;
+        const auto is_free = [&] { return !(lock = locked(file)).busy; };
+        if (lock.busy && (number > 1 || !ask_again(is_free))) continue;
         const std::string& taken = lock.file ? name : stem;
         held_[stem] = {taken, std::move(lock.file), file};
         return {taken, true, taken != stem};

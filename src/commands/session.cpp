@@ -2,9 +2,11 @@
 
 #include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
+#include "commands/law_conduct.hpp"
 #include "lang/script/value_text.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
+#include "laws/guard.hpp"
 #include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
@@ -39,6 +41,7 @@ bool calls_file(const lang::BoundCommand& command) {
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)),
       Engine(static_cast<WorldHost&>(*this)) {
+    fence_all_calls(options.strict);
     begin(gate, options.joint_folders, options.trust, options.script_memory);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
@@ -94,6 +97,7 @@ void Session::before(const lang::BoundCommand& command) {
 void Session::after(const lang::BoundCommand& command) {
     tell_of_arithmetic();
     if (commands_of_scripts_ > 0) return;
+    review_conduct(*this);
     if (!calls_file(command)) tell_executed(command, {});
     stopped_after_.reset(); // a script has caught it
 }

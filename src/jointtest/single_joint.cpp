@@ -26,9 +26,8 @@ void SingleJoint::call(const JointStep& step, bool initialise) {
     shear_disp_inc = {step.shear[0], step.shear[1], 0};
     LoneColumns others;
     auto batch = this->batch(*model, *values, step.time, others);
-    const auto failure = initialise ? initialise_fenced(*model, batch)
-                         : fenced_  ? run_fenced(*model, batch)
-                                    : run_batch(*model, batch);
+    const auto failure = initialise ? initialise_batch(*model, batch)
+                                    : run_batch(*model, batch, nullptr, fenced_ ? Guard::fenced : Guard::all);
     if (failure)
         throw Diagnostic(failure->message,
                          fmt::format("normal displacement {:g}, shear displacement {:g} {:g}", normal_disp,

@@ -10,8 +10,6 @@
 #include <cstring>
 #include <exception>
 #include <fmt/format.h>
-#include <iterator>
-#include <utility>
 
 namespace kaya {
 
@@ -55,72 +53,44 @@ BatchFailure thrown_failure(const JointModel& model, const char* what) {
         0, fmt::format("joint model {} threw an exception in a batch that begins with this row: {}", model.name, what)};
 }
 
-/// Checksums of read-only inputs of a model. In a cycle only the properties are checked, which all batches share; the columns are checked
-/// when the model is tried and when it initialises.
-class ReadOnly {
-public:
-    ReadOnly(const JointModel& model, const kaya_jbatch& batch, Guard guard) : columns_(guard == Guard::all) {
-        each(model, batch, [this](std::size_t k, const char*, std::uint64_t sum) {
-            sums_[k] = sum;
-            return false;
-        });
-    }
-    /// The name of the first changed input, or NULL.
-    const char* changed(const JointModel& model, const kaya_jbatch& batch) const {
-        const char* name = nullptr;
-        each(model, batch, [&](std::size_t k, const char* of, std::uint64_t sum) {
-            if (sums_[k] != sum) name = of;
-            return name != nullptr;
-        });
-        return name;
-    }
-
-private:
-    /// Until visit() returns false.
-    template <class Visit> void each(const JointModel& model, const kaya_jbatch& b, Visit visit) const {
-        if (visit(0, "properties", sum_of_bits(b.properties, model.properties.size())) || !columns_) return;
-        const std::pair<const char*, const double*> columns[] = {
-            {"area", b.area},
-            {"normal_disp", b.normal_disp},
-            {"normal_disp_inc", b.normal_disp_inc},
-            {"shear_disp", b.shear_disp[0]},
-            {"shear_disp", b.shear_disp[1]},
-            {"shear_disp", b.shear_disp[2]},
-            {"shear_disp_inc", b.shear_disp_inc[0]},
-            {"shear_disp_inc", b.shear_disp_inc[1]},
-            {"shear_disp_inc", b.shear_disp_inc[2]},
-            {"pore_pressure", b.pore_pressure},
-        };
-        static_assert(std::size(columns) + 1 == count);
-        for (std::size_t k = 0; k < std::size(columns); ++k)
-            if (visit(k + 1, columns[k].first, sum_of_bits(columns[k].second, b.n))) return;
-    }
-
-    static constexpr std::size_t count = 11;
-    bool columns_;
-    std::uint64_t sums_[count] = {};
-};
-
 std::optional<BatchFailure> call(const JointModel& model, const std::function<ptrdiff_t(kaya_jbatch*)>& function,
                                  kaya_jbatch& batch, const std::int32_t* numbers, const char* what, Guard guard) {
     batch.message[0] = '\0';
     if (model.keeps_objects() && batch.object == nullptr)
         return BatchFailure{
             0, fmt::format("joint model {} stores objects, and this batch has no column for them", model.name)};
+    const bool fenced = guard == Guard::fenced && model.who()->foreign;
+    static thread_local FencedBatch<kaya_jbatch> fences; // threads call laws at the same time
+    if (fenced) fences.take(model, batch);
     batch.row = batch.n; // a model that works row by row reports its row
+    const kaya_jbatch before = batch;
+    const std::uint64_t values = sum_of_bits(batch.properties, model.properties.size());
     ptrdiff_t row = -1;
-    const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});
-    ArithmeticGuard arithmetic; // also restores after an exception
-    const ReadOnly read_only(model, batch, guard);
-    try {
-        row = function(&batch);
-    } catch (const std::exception& thrown) { return thrown_failure(model, thrown.what()); } catch (...) {
-        return thrown_failure(model, "not a std::exception");
+    std::optional<BatchFailure> failure;
+    std::optional<Trespass> trespass;
+    {
+        const AtWork at_work(model.who(), what, {.rows = batch.n, .row = &batch.row, .numbers = numbers});
+        ArithmeticGuard arithmetic; // also restores after an exception
+        try {
+            row = function(&batch);
+        } catch (const std::exception& thrown) { failure = thrown_failure(model, thrown.what()); } catch (...) {
+            failure = thrown_failure(model, "not a std::exception");
+        }
+        model.note_arithmetic(arithmetic.put_back());
     }
-    model.note_arithmetic(arithmetic.put_back());
-    if (const char* changed = read_only.changed(model, batch))
-        return BatchFailure{0, fmt::format("joint model {} wrote to '{}', which it may only read", model.name, changed),
-                            true};
+    if (is_other_batch(before, batch)) {
+        trespass = {"wrote to the table of its columns", 0};
+        batch = before;
+    }
+    if (sum_of_bits(batch.properties, model.properties.size()) != values)
+        trespass = {"wrote to 'properties', which it may only read", 0};
+    if (fenced) {
+        if (!trespass) trespass = fences.trespass();
+        fences.give(batch);
+    }
+    if (trespass)
+        return BatchFailure{trespass->row, fmt::format("joint model {} {}", model.name, trespass->what), true};
+    if (failure) return failure;
     if (row == -1) return unusable_output(model, batch, guard);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
         return BatchFailure{0, fmt::format("joint model {} returned row {} of a batch of {} rows, which begins with "
@@ -143,10 +113,10 @@ std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_
         {"normal stiffness", batch.normal_stiffness, false},
         {"shear stiffness", batch.shear_stiffness, false},
     };
-    if (guard == Guard::all)
+    if (guard != Guard::in_cycle)
         for (const auto& output : forces)
             if (auto failure = unusable_row(model, output, batch.n)) return failure;
-    if (guard == Guard::all || batch.stiffness_changed)
+    if (guard != Guard::in_cycle || batch.stiffness_changed)
         for (const auto& output : stiffnesses)
             if (auto failure = unusable_row(model, output, batch.n)) return failure;
     for (std::size_t k = 0; k < model.history.size(); ++k)
@@ -161,7 +131,7 @@ std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batc
 }
 
 std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch, const std::int32_t* numbers) {
-    return call(model, model.functions().initialise, batch, numbers, "initialise", Guard::all);
+    return call(model, model.functions().initialise, batch, numbers, "initialise", Guard::fenced);
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // Calls a joint model over a batch, with a guard around it.
 #pragma once
 
+#include "laws/guard.hpp"
 #include "laws/joint_model.hpp"
 
 #include <optional>
@@ -15,14 +16,9 @@ struct BatchFailure {
     bool trespass = false; ///< it wrote where it must not
 };
 
-/// Which outputs of a joint model are validated.
-enum class Guard { all, in_cycle };
-
 /// Runs one step. Catches exceptions of the model, and checks for forces, stiffnesses and history values that are not finite and for
 /// stiffnesses below 0; nullopt when none is found. Allocates memory only on failure. The columns of a failed batch hold what the model
-/// wrote. `numbers` are those of the rows that users see, for the report of a crash; NULL: the report has rows. `guard`: the cycle sums
-/// forces and work, detects invalid numbers by the sums, and then calls unusable_output(); it checks stiffnesses only when the model
-/// reports that it wrote some.
+/// wrote. `numbers` are those of the rows that users see, for the report of a crash; NULL: the report has rows.
 std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batch,
                                       const std::int32_t* numbers = nullptr, Guard guard = Guard::all);
 
@@ -30,7 +26,7 @@ std::optional<BatchFailure> run_batch(const JointModel& model, kaya_jbatch& batc
 std::optional<BatchFailure> unusable_output(const JointModel& model, const kaya_jbatch& batch,
                                             Guard guard = Guard::all);
 
-/// The same for `initialise`.
+/// The same for `initialise`, fenced.
 std::optional<BatchFailure> initialise_batch(const JointModel& model, kaya_jbatch& batch,
                                              const std::int32_t* numbers = nullptr);
 

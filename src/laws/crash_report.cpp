@@ -1,21 +1,18 @@
 #include "laws/crash_report.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/terminal_text.hpp"
+#include "laws/run_copies.hpp"
+#include "laws/sentence.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <iterator>
-#include <map>
-#include <mutex>
-#include <tuple>
-#include <sys/syscall.h>
+#include <dlfcn.h>
+#include <optional>
+#include <pthread.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 extern "C" const char __executable_start, etext; // linker symbols: the range of the program's code
@@ -33,25 +30,11 @@ thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal ar
 std::atomic<bool> reporting = false;
 std::atomic<void (*)()> act_before_end = nullptr;
 
-std::atomic<const AtCommand*> at_command = nullptr;
-
-/// The call of a foreign model that began last, in any thread.
-std::atomic<const Called*> called_last = nullptr;
-std::atomic<const char*> last_work = nullptr;
-
-/// The present call of a thread, visible to other threads.
-struct alignas(64) Desk {
-    std::atomic<bool> taken = false;
-    std::atomic<const Called*> who = nullptr;
-    std::atomic<const char*> what = nullptr;
-};
-Desk desks[256];
-
-/// The desk of this thread; none where there are more threads than desks.
+/// The desk of a thread in a record; none where there are more threads than desks.
 struct DeskLease {
-    Desk* desk = nullptr;
-    DeskLease() {
-        for (Desk& each : desks) {
+    RunRecord::Desk* desk = nullptr;
+    explicit DeskLease(RunRecord& record) : record_(record) {
+        for (RunRecord::Desk& each : record.desks) {
             bool free = false;
             if (!each.taken.compare_exchange_strong(free, true)) continue;
             desk = &each;
@@ -63,11 +46,24 @@ struct DeskLease {
         desk->who = nullptr;
         desk->taken = false;
     }
+    bool is_of(const RunRecord& record) const { return &record_ == &record; }
+
+private:
+    const RunRecord& record_;
 };
 
-Desk* own_desk() {
-    thread_local const DeskLease lease;
-    return lease.desk;
+RunRecord::Desk* own_desk() {
+    thread_local std::optional<DeskLease> lease;
+    RunRecord& record = run_record();
+    if (!lease || !lease->is_of(record)) lease.emplace(record); // a forked process that began another record
+    return lease->desk;
+}
+
+void sit_down(const Called* who, const char* what) {
+    RunRecord::Desk* const desk = own_desk();
+    if (desk == nullptr) return;
+    if (what != nullptr) desk->what.store(what, std::memory_order_relaxed);
+    desk->who.store(who, std::memory_order_release);
 }
 
 /// An alternative stack for the handler, in case the thread's own is full. Released with the thread.
@@ -91,59 +87,6 @@ void keep_spare_stack() {
     thread_local const SpareStack spare;
     static_cast<void>(spare);
 }
-
-/// Whether a library is in one of the program's folders: next to the program or where it is installed.
-bool ships(const std::string& file) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path(),
-                   folder = fs::weakly_canonical(file, ignored).parent_path();
-    for (const fs::path& own : {program, program.parent_path() / "lib/kaya"})
-        for (const char* kind : {"joints", "zones"})
-            if (folder == own / kind) return true;
-    return false;
-}
-
-/// A sentence in a fixed buffer: a signal handler may neither allocate nor print.
-class Sentence {
-public:
-    Sentence& operator<<(const char* text) {
-        std::string_view rest = text == nullptr ? "" : text;
-        while (!rest.empty()) {
-            const auto character = first_for_terminal(rest);
-            if (length_ + character.size > sizeof text_) break;
-            std::copy_n(character.bytes, character.size, text_ + length_);
-            length_ += character.size;
-            rest.remove_prefix(character.taken);
-        }
-        return *this;
-    }
-    Sentence& operator<<(long number) {
-        char digits[24];
-        std::size_t at = sizeof digits;
-        digits[--at] = '\0';
-        const bool negative = number < 0;
-        unsigned long rest = negative ? 0ul - static_cast<unsigned long>(number) : static_cast<unsigned long>(number);
-        do {
-            digits[--at] = static_cast<char>('0' + rest % 10);
-            rest /= 10;
-        } while (rest > 0);
-        if (negative) digits[--at] = '-';
-        return *this << digits + at;
-    }
-    void write() const {
-        std::size_t done = 0;
-        while (done < length_) {
-            const ssize_t n = ::write(STDERR_FILENO, text_ + done, length_ - done);
-            if (n <= 0) return;
-            done += static_cast<std::size_t>(n);
-        }
-    }
-
-private:
-    char text_[1024];
-    std::size_t length_ = 0;
-};
 
 /// Follows "it" or "the program".
 const char* deed_of(int signal, int code) {
@@ -170,7 +113,12 @@ void add_place(Sentence& sentence, const AtRows& at) {
 }
 
 void add_command(Sentence& sentence) {
-    if (const AtCommand* command = at_command.load()) sentence << "\n  the command: " << command->text();
+    if (run_record().command[0] != '\0') sentence << "\n  the command: " << run_record().command;
+}
+
+/// Writes it; the process that waits for the run then prints nothing.
+void tell(const Sentence& sentence) {
+    if (sentence.write()) run_record().is_told = true;
 }
 
 constexpr const char* what_is_left = "\n  the program ends here; files that were saved before are whole\n";
@@ -178,16 +126,17 @@ constexpr const char* what_is_left = "\n  the program ends here; files that were
 void report(int signal, siginfo_t* info, void*) {
     // Restores the default first: a second crash, here or later, ends the program.
     std::signal(signal, SIG_DFL);
+    if (is_copy()) end_copy(run_record().called_last, run_record().last_work);
     const char* deed = deed_of(signal, info->si_code);
     Sentence sentence;
     if (const CrashReport::Call* call = at_work) {
-        sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' crashed in " << call->what;
+        sentence << "\nerror: " << call->who->noun << " '" << call->who->name << "' crashed in " << call->what;
         add_place(sentence, call->rows);
-        sentence << ": it" << deed << "\n  its library: " << call->who->file.c_str();
+        sentence << ": it" << deed << "\n  its library: " << call->who->file;
         add_command(sentence);
-    } else if (const Called* last = called_last.load()) {
-        sentence << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name.c_str()
-                 << "', in " << last_work.load() << "\n  its library: " << last->file.c_str();
+    } else if (const Called* last = run_record().called_last.load()) {
+        sentence << "\nerror: the program" << deed << "; called last was " << last->noun << " '" << last->name
+                 << "', in " << run_record().last_work.load() << "\n  its library: " << last->file;
         add_command(sentence);
         sentence
             << "\n  a model that writes past its columns, or continues in another thread, does harm after its call; 'kaya jtest' looks for that";
@@ -197,61 +146,64 @@ void report(int signal, siginfo_t* info, void*) {
         sentence << "\n  this is an error of kaya: please report it with the input";
     }
     sentence << what_is_left;
-    sentence.write();
+    tell(sentence);
     last_act();
     raise(signal);
 }
 
-[[noreturn]] void leave(int status) {
-    for (;;) ::syscall(SYS_exit_group, status);
-}
-
-/// exit() runs this in the thread that called it, and so do _exit() and _Exit() of a library.
+/// Runs in the thread that called exit(), _exit() or _Exit(), if a library did.
 void refuse_exit() {
     const CrashReport::Call* call = at_work;
     if (call == nullptr) return;
+    if (is_copy()) end_copy(call->who, call->what);
     Sentence sentence;
-    sentence << "\nerror: " << call->who->noun << " '" << call->who->name.c_str() << "' ended the program by exit() in "
+    sentence << "\nerror: " << call->who->noun << " '" << call->who->name << "' ended the program by exit() in "
              << call->what;
     add_place(sentence, call->rows);
-    sentence << "\n  its library: " << call->who->file.c_str()
+    sentence << "\n  its library: " << call->who->file
              << "\n  a model that fails returns the row and writes a sentence to batch->message" << what_is_left;
     if (::ftrylockfile(stdout) == 0) ::fflush_unlocked(stdout);
-    sentence.write();
+    tell(sentence);
     last_act();
     leave(static_cast<int>(Fault::run));
 }
 
-/// Whether a function that is called from there belongs to the program and not to a library.
-bool is_own(const void* place) { return place >= &__executable_start && place < &etext; }
+/// exit() runs this. An end by the program's own code, such as os.exit() of a trusted deck, is valid; an end by a thread that a law has left
+/// behind is not.
+void at_exit(int status, void*) {
+    refuse_exit();
+    if (::gettid() == ::getpid()) note_end(status);
+}
 
-/// The models that are at work in all threads, each once; false when there are none.
+/// Around fork() of a law; the program forks where none is at work.
+void note_fork() {
+    if (const CrashReport::Call* call = at_work) note_copy(call->who, call->what);
+}
+void begin_forked() {
+    if (!at_work) return begin_original();
+    set_noted();
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+} // namespace
+
+bool is_own_code(const void* place) { return place >= &__executable_start && place < &etext; }
+
 bool add_models_at_work(Sentence& sentence) {
-    const Called* said[std::size(desks)];
+    const RunRecord& record = run_record();
+    const Called* said[RunRecord::most_threads];
     std::size_t count = 0;
-    for (const Desk& desk : desks) {
+    for (const RunRecord::Desk& desk : record.desks) {
         const Called* who = desk.who.load();
         if (who == nullptr) continue;
         bool again = false;
         for (std::size_t k = 0; k < count; ++k) again = again || said[k] == who;
         if (again) continue;
         said[count++] = who;
-        sentence << (count > 1 ? ", " : "") << who->noun << " '" << who->name.c_str() << "' (" << desk.what.load()
-                 << " of " << who->file.c_str() << ")";
+        sentence << (count > 1 ? ", " : "") << who->noun << " '" << who->name << "' (" << desk.what.load() << " of "
+                 << who->file << ")";
     }
     return count > 0;
-}
-
-} // namespace
-
-const Called* called(const std::string& name, const std::string& file, const char* noun) {
-    static std::mutex lock;
-    static auto* const all =
-        new std::map<std::tuple<std::string, std::string, std::string>, Called>; // outlives all exits
-    const std::lock_guard guard(lock);
-    const auto known = all->find({name, file, noun});
-    if (known != all->end()) return &known->second;
-    return &all->try_emplace({name, file, noun}, Called{name, file, noun, !ships(file)}).first->second;
 }
 
 void end_at_once(int signal) {
@@ -260,7 +212,7 @@ void end_at_once(int signal) {
     sentence << "\nstopped in ";
     if (add_models_at_work(sentence)) {
         sentence << "\n";
-        sentence.write();
+        tell(sentence);
     }
     last_act();
     raise(signal);
@@ -290,42 +242,41 @@ void report_crashes() {
         sigaction(signal, &action, nullptr);
     }
     if (std::signal(SIGINT, end_at_once) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
-    std::atexit(refuse_exit);
+    ::on_exit(at_exit, nullptr);
     keep_spare_stack();
+    begin_original();
+    ::pthread_atfork(nullptr, note_fork, begin_forked);
 }
 
-AtCommand::AtCommand(std::string_view text) : before_(at_command) {
-    std::size_t length = 0;
-    for (; length < text.size() && length + 1 < sizeof text_; ++length) {
-        const auto letter = static_cast<unsigned char>(text[length]);
-        text_[length] = letter < ' ' || letter == 0x7f ? '?' : text[length];
-    }
-    text_[length] = '\0';
-    at_command = this;
-}
+WaitsFor::WaitsFor(const Called* who, const char* what) { sit_down(who, what); }
 
-AtCommand::~AtCommand() { at_command = before_; }
+WaitsFor::~WaitsFor() { sit_down(nullptr, nullptr); }
 
 AtWork::AtWork(const Called* who, const char* what, const AtRows& rows) : call_{who, what, rows}, before_(at_work) {
     if (reporting.load(std::memory_order_relaxed)) keep_spare_stack();
     at_work = &call_;
     if (who->foreign) {
-        called_last.store(who, std::memory_order_relaxed);
-        last_work.store(what, std::memory_order_relaxed);
+        RunRecord& record = run_record();
+        record.called_last.store(who, std::memory_order_relaxed);
+        record.last_work.store(what, std::memory_order_relaxed);
+        if (!who->is_suspected.load(std::memory_order_relaxed)) who->is_suspected = true;
     }
-    if (Desk* desk = own_desk()) {
-        desk->what.store(what, std::memory_order_relaxed);
-        desk->who.store(who, std::memory_order_release);
-    }
+    sit_down(who, what);
 }
 
 AtWork::~AtWork() {
+    if (call_.who->foreign && is_copy()) end_copy(call_.who, call_.what);
     at_work = before_;
-    if (Desk* desk = own_desk()) desk->who.store(before_ ? before_->who : nullptr, std::memory_order_relaxed);
+    sit_down(before_ ? before_->who : nullptr, before_ ? before_->what : nullptr);
+}
+
+void note_thread() {
+    if (const CrashReport::Call* call = at_work) call->who->starts_threads = true;
 }
 
 void end_by_exit(const void* caller, int status) {
-    if (!is_own(caller)) refuse_exit();
+    if (!is_own_code(caller)) refuse_exit();
+    else note_end(status);
     leave(status);
 }
 
@@ -336,4 +287,16 @@ void end_by_exit(const void* caller, int status) {
 extern "C" {
 [[noreturn]] void _exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
 [[noreturn]] void _Exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
+[[noreturn]] void quick_exit(int status) noexcept { kaya::end_by_exit(__builtin_return_address(0), status); }
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they define it, too
+// The program cannot check threads that a model leaves behind, so it notes which models start some.
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*function)(void*),
+                              void* argument) {
+    using Function = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+    static const auto next = reinterpret_cast<Function>(::dlsym(RTLD_NEXT, "pthread_create"));
+    kaya::note_thread();
+    return next(thread, attributes, function, argument);
+}
+#endif

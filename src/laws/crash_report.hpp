@@ -1,31 +1,30 @@
 // Reports the running command, and the running joint model or zone model, when the program crashes, ends unexpectedly or hangs.
 #pragma once
 
+#include "laws/run_record.hpp"
+
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 
 namespace kaya {
 
-/// A law whose functions are called. It lives as long as the program, so that a report can name it at any time.
-struct Called {
-    std::string name, file;
-    const char* noun; ///< "joint model"
-    bool foreign;     ///< it does not ship with the program
-};
-
-/// The same one for the same three texts. Not for signal handlers.
-const Called* called(const std::string& name, const std::string& file, const char* noun);
+class Sentence;
 
 /// Installs the reports. A crash (a bad address, a division by zero, abort(), a stack overflow) is reported on the standard error before it
 /// ends the program: the command, and the model that runs in the crashed thread with its file, its function and the sub-contact. If none
 /// runs there, the foreign model that was called last is named: it may have damaged memory that is used later. A model that calls exit(),
-/// or _exit(), ends the program with status 2 and a message. Ctrl-C names the running models.
+/// _exit() or quick_exit(), ends the program with status 2 and a message. Ctrl-C names the running models. A process
+/// that a model forks ends when it returns from the call.
 void report_crashes();
 
-/// The program's version of _exit() and _Exit(): `caller` is the address of the call.
+/// Whether code at that place belongs to the program and not to a library.
+bool is_own_code(const void* place);
+
+/// The program's version of _exit(), _Exit() and quick_exit(): `caller` is the address of the call.
 [[noreturn]] void end_by_exit(const void* caller, int status);
+
+/// Notes that the law that is at work in this thread, if there is one, starts a thread.
+void note_thread();
 
 /// For a signal handler: ends the program by the signal, after naming the models that are at work.
 void end_at_once(int signal);
@@ -38,6 +37,9 @@ void last_act();
 /// For a signal handler: says that the program waits for the models that are at work, if there are any.
 void tell_whom_it_waits_for();
 
+/// Adds the laws that are at work in all threads, each once; false when there are none.
+bool add_models_at_work(Sentence& sentence);
+
 /// Rows of a batch that a law works on. The law writes its position to `row`; until then the position is unknown.
 struct AtRows {
     std::size_t rows = 0;
@@ -47,20 +49,13 @@ struct AtRows {
     const char* noun = "sub-contact";      ///< of a numbered row
 };
 
-/// While it lives, the program runs a command; of nested commands the inner one is reported. For the main thread only.
-class AtCommand {
+/// While it lives, this thread waits for a process that tries a law: Ctrl-C names the law.
+class WaitsFor {
 public:
-    /// The text is copied as far as there is room, without control characters.
-    explicit AtCommand(std::string_view text);
-    ~AtCommand();
-    AtCommand(const AtCommand&) = delete;
-    AtCommand& operator=(const AtCommand&) = delete;
-
-    const char* text() const { return text_; }
-
-private:
-    char text_[200];
-    const AtCommand* before_;
+    WaitsFor(const Called* who, const char* what);
+    ~WaitsFor();
+    WaitsFor(const WaitsFor&) = delete;
+    WaitsFor& operator=(const WaitsFor&) = delete;
 };
 
 /// While it lives, a law is at work in this thread. Costs a few stores; nothing is allocated.

@@ -1,6 +1,7 @@
 #include "laws/library_file.hpp"
 
 #include "base/door.hpp"
+#include "laws/crash_report.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -14,6 +15,11 @@
 #include <unistd.h>
 
 namespace kaya {
+
+bool is_there(const std::filesystem::path& file) {
+    std::error_code impossible;
+    return std::filesystem::exists(file, impossible);
+}
 
 std::string fault_of_library_file(const std::filesystem::path& file) {
     const std::string not_a_library = "is not a shared library";
@@ -45,7 +51,9 @@ namespace {
 
 constexpr unsigned patience = 30; ///< seconds until the loading of a library is stopped
 
-[[noreturn]] void load_and_leave(const std::filesystem::path& name, const char* entry, int answer) {
+[[noreturn]] void load_and_leave(const std::filesystem::path& name, const char* entry, const Called* who, int answer) {
+    begin_run_record(); // the process that tries a library is not the run
+    const AtWork loading(called(who->name, who->file, who->noun), entry);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
     alarm(patience);
     // Its output appears when it is loaded into the program.
@@ -66,15 +74,16 @@ constexpr unsigned patience = 30; ///< seconds until the loading of a library is
 
 } // namespace
 
-std::string fault_of_loading(const std::filesystem::path& name, const char* entry) {
+std::string fault_of_loading(const std::filesystem::path& name, const char* entry, const Called* who) {
     int ends[2];
     if (pipe(ends) != 0) return {};
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        load_and_leave(name, entry, ends[1]);
+        load_and_leave(name, entry, who, ends[1]);
     }
+    const WaitsFor waiting(who, entry);
     close(ends[1]);
     char answer = 0;
     const bool well = child > 0 && read(ends[0], &answer, 1) == 1;

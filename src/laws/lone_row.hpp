@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace kaya {
@@ -37,12 +36,5 @@ struct LoneRow {
     kaya_jbatch batch(const JointModel& model, const std::vector<double>& values, double time_step,
                       LoneColumns& others);
 };
-
-/// Runs one step of a batch of one row, in separate columns between fences: a failure also names the column after or before which the model
-/// wrote. The results are copied to the columns of the batch.
-std::optional<BatchFailure> run_fenced(const JointModel& model, kaya_jbatch& batch);
-
-/// The same for `initialise`.
-std::optional<BatchFailure> initialise_fenced(const JointModel& model, kaya_jbatch& batch);
 
 } // namespace kaya

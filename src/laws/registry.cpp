@@ -60,15 +60,21 @@ void refuse_other_files(const fs::path& file) {
 }
 
 /// `name` is that by which the loader opens the file.
-std::shared_ptr<void> open_library(const fs::path& file, const fs::path& name) {
-    if (const auto fault = fault_of_loading(name, entry_point); !fault.empty())
+void refuse_crashing(const fs::path& file, const fs::path& name, const Called* who) {
+    if (const auto fault = fault_of_loading(name, entry_point, who); !fault.empty())
         refuse(
             "joint-model-crashes", fmt::format("joint model {} {}", file.string(), fault),
             "look at what its source does before any of its functions is called: static objects, the functions that describe it");
+}
+
+std::shared_ptr<void> open_library(const fs::path& file, const fs::path& name, const Called* who) {
     // Local symbols keep models apart.
     void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
-    return {handle, [](void* h) { dlclose(h); }};
+    return {handle, [who](void* h) {
+                const AtWork at_work(who, "unloading");
+                dlclose(h);
+            }};
 }
 
 const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
@@ -107,9 +113,9 @@ std::vector<std::string> JointRegistry::endings() const {
 
 /// The file of that path, else the file in one of the folders.
 fs::path JointRegistry::file_named(const fs::path& name) const {
-    if (fs::exists(name) || name.is_absolute()) return name;
+    if (is_there(name) || name.is_absolute()) return name;
     for (const auto& folder : path_)
-        if (fs::exists(folder / name)) return folder / name;
+        if (is_there(folder / name)) return folder / name;
     return name;
 }
 
@@ -121,9 +127,11 @@ std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     const fs::path name = before_loading ? before_loading(file) : fs::absolute(file);
     if (maker != makers_.end()) return maker->second(file);
     refuse_other_files(file);
-    const AtWork at_work(called(file.filename().string(), file.string(), joint_law.noun), joint_law.entry_point);
+    const Called* who = called(file.filename().string(), file.string(), joint_law.noun);
+    refuse_crashing(file, name, who);
+    const AtWork at_work(who, joint_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
-    const auto library = open_library(file, name);
+    const auto library = open_library(file, name, who);
     auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
     // Objects of a model may outlive the registry, and their code must be there when they go.
     if (model->keeps_objects()) dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -168,7 +176,7 @@ const JointModel& JointRegistry::get(std::string_view name) {
 const JointModel& JointRegistry::load(const fs::path& file) {
     for (const auto& model : models_)
         if (same_file(model->file, file)) return *model;
-    if (!fs::exists(file))
+    if (!is_there(file))
         refuse("joint-model-unknown", fmt::format("there is no joint model file {}", file.string()),
                "a name with a slash or with the ending .so or .lua is a file; give its path from the working folder");
 
@@ -211,7 +219,7 @@ std::optional<fs::path> JointRegistry::file_of(const std::string& keyword) const
     for (const auto& folder : path_)
         for (const auto& ending : endings()) {
             const auto file = folder / (keyword + ending);
-            if (fs::exists(file)) return file;
+            if (is_there(file)) return file;
         }
     return std::nullopt;
 }

@@ -29,7 +29,7 @@ std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::
     LoneRow row;
     LoneColumns others;
     auto batch = row.batch(model, values, 1, others);
-    if (const auto failure = initialise_fenced(model, batch)) {
+    if (const auto failure = initialise_batch(model, batch)) {
         refuse_trespass(model, *failure);
         return std::nullopt;
     }
@@ -39,7 +39,7 @@ std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::
     const auto advance = [&](const char* resists, double& place, double& step, double shift, const double& force) {
         const double before = force, reported_before = reported();
         step = shift;
-        const auto failure = run_fenced(model, batch);
+        const auto failure = run_batch(model, batch, nullptr, Guard::fenced);
         if (failure) refuse_trespass(model, *failure);
         const bool well = !failure;
         place += step;

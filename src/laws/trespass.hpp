@@ -1,20 +1,22 @@
-// Detects writes of a law outside of its columns: columns between fences, and checksums of read-only data.
+// Detects writes of a law outside of its columns: for one call it works on copies of its columns, each between fences.
 #pragma once
+
+#include "kaya/zmodel.h"
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <fmt/format.h>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace kaya {
 
-/// A checksum that any likely change alters.
+/// A sum that no likely change leaves as it is.
 inline std::uint64_t sum_of_bits(const double* column, std::size_t n) {
-    // Two sums, one of them weighted by position, so that it is a vector loop.
+    // Two sums, one of them by places, so that it is a vector loop.
     std::uint64_t sum = 0, placed = 0, place = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const auto bits = std::bit_cast<std::uint64_t>(column[i]);
@@ -25,56 +27,95 @@ inline std::uint64_t sum_of_bits(const double* column, std::size_t n) {
     return sum ^ placed << 1;
 }
 
-/// Up to `Most` columns of one row, each between two fences. Reused to save allocations.
-template <std::size_t Most> class Fences {
+/// A forbidden write of a law, and its row.
+struct Trespass {
+    std::string what; ///< "wrote to 'area', which it may only read"
+    std::size_t row;
+};
+
+/// Copies of columns, with fences before, between and after them. Reused to save allocations.
+class FencedColumns {
 public:
-    Fences() : cells_((Most + 1) * (width + 1), fence) {}
+    void clear() { columns_.clear(); }
 
-    void clear() { count_ = 0; }
-
-    /// Points a column at a fenced one, which receives a copy of it.
-    template <class T> void add(const char* name, T*& column) {
-        std::uint64_t* cell = cells_.data() + cell_of(count_);
-        *cell = fence;
-        std::memcpy(cell, column, sizeof(T));
-        column = reinterpret_cast<T*>(cell);
-        names_[count_] = name;
-        sizes_[count_++] = sizeof(T);
+    /// A column of so many rows; one of constants may only be read. The pointer stays where it is until give().
+    template <class T> void add(const char* name, T*& column, std::size_t rows) {
+        columns_.push_back({name, &column, column, nullptr, rows, sizeof(T), std::is_const_v<T>});
     }
 
-    /// The first column whose fence was overwritten; the fences are then restored.
-    std::optional<std::string> breach() {
-        std::optional<std::string> found;
-        for (std::size_t k = 0; k < count_ && !found; ++k) {
-            const std::uint64_t* cell = cells_.data() + cell_of(k);
-            std::uint64_t tail = 0; // of a column with shorter numbers
-            std::memcpy(&tail, cell, sizeof tail);
-            const bool short_one = sizes_[k] < sizeof tail;
-            if (short_one && tail >> 32 != fence >> 32) found = fmt::format("after the column '{}'", names_[k]);
-            if (!is_whole(cell + 1)) found = fmt::format("after the column '{}'", names_[k]);
-            if (k == 0 && !is_whole(cell - width)) found = fmt::format("before the column '{}'", names_[k]);
+    /// Points all columns at their copies.
+    void take();
+    /// The first forbidden write of the law.
+    std::optional<Trespass> trespass() const;
+    /// Copies the results to the original columns, and points at those again.
+    void give();
+
+private:
+    struct Column {
+        const char* name;
+        void* pointer; ///< to the pointer of the batch
+        const void* own;
+        std::byte* copy;
+        std::size_t rows, size;
+        bool is_read_only;
+        std::size_t bytes() const { return rows * size; }
+    };
+    std::optional<Trespass> breach(const std::byte* from, const std::byte* to, const Column* before,
+                                   const Column* after) const;
+
+    std::vector<Column> columns_;
+    std::vector<std::byte> room_;
+    std::byte* end_ = nullptr; ///< of the last fence
+};
+
+/// Adds the columns that all models have.
+void add_columns(FencedColumns& fences, kaya_jbatch& batch);
+void add_columns(FencedColumns& fences, kaya_zbatch& batch);
+
+/// All columns of a batch of either kind.
+template <class Batch> class FencedBatch {
+public:
+    /// Points the batch at copies of its columns. `Law` is a LawTable.
+    template <class Law> void take(const Law& law, Batch& batch) {
+        fences_.clear();
+        fences_.add("properties", batch.properties, law.properties.size());
+        add_columns(fences_, batch);
+        own_history_ = batch.history;
+        for (std::size_t k = 0; k < law.history.size(); ++k) {
+            history_[k] = batch.history[k];
+            fences_.add(law.history[k].name.c_str(), history_[k], batch.n);
         }
-        if (found) std::fill(cells_.begin(), cells_.end(), fence);
-        return found;
+        batch.history = history_.data();
+        if constexpr (requires { law.fields; }) {
+            own_fields_ = batch.field;
+            for (std::size_t k = 0; k < law.fields.size(); ++k) {
+                fields_[k] = batch.field[k];
+                fences_.add(law.fields[k].name.c_str(), fields_[k], batch.n);
+            }
+            if (batch.field != nullptr) batch.field = fields_.data();
+        }
+        fences_.take();
+    }
+
+    std::optional<Trespass> trespass() const { return fences_.trespass(); }
+
+    /// Gives the batch its columns back, with what the law wrote.
+    void give(Batch& batch) {
+        fences_.give();
+        batch.history = own_history_;
+        if constexpr (requires { batch.field; }) batch.field = own_fields_;
     }
 
 private:
-    /// A number that no model computes.
-    static constexpr std::uint64_t fence = 0x7ff4'6b61'7961'2121;
-    static constexpr std::size_t width =
-        64; ///< length of a fence in numbers: more than a loop that is off by one vector writes
-
-    static std::size_t cell_of(std::size_t k) { return width + k * (width + 1); }
-    static bool is_whole(const std::uint64_t* first) {
-        std::uint64_t others = 0; // the whole fence, so that it is a vector loop
-        for (std::size_t i = 0; i < width; ++i) others |= first[i] ^ fence;
-        return others == 0;
-    }
-
-    std::vector<std::uint64_t> cells_;
-    std::array<const char*, Most> names_{};
-    std::array<std::size_t, Most> sizes_{};
-    std::size_t count_ = 0;
+    FencedColumns fences_;
+    std::array<double*, KAYA_JMODEL_MAX_HISTORY> history_{};
+    std::array<const double*, KAYA_JMODEL_MAX_FIELDS> fields_{};
+    double* const* own_history_ = nullptr;
+    const double* const* own_fields_ = nullptr;
 };
+
+/// Whether a law has changed its batch itself: where its columns are, how many rows they have.
+bool is_other_batch(const kaya_jbatch& before, const kaya_jbatch& after);
+bool is_other_batch(const kaya_zbatch& before, const kaya_zbatch& after);
 
 } // namespace kaya

@@ -45,15 +45,19 @@ void refuse_other_files(const fs::path& file) {
 
 /// `name` is that by which the loader opens the file.
 std::unique_ptr<ZoneModel> open(const fs::path& file, const fs::path& name) {
-    if (const auto fault = fault_of_loading(name, zone_law.entry_point); !fault.empty())
+    const Called* who = called(file.filename().string(), file.string(), zone_law.noun);
+    if (const auto fault = fault_of_loading(name, zone_law.entry_point, who); !fault.empty())
         refuse(
             "zone-model-crashes", fmt::format("zone model {} {}", file.string(), fault),
             "look at what its source does before any of its functions is called: static objects, the functions that describe it");
-    const AtWork at_work(called(file.filename().string(), file.string(), zone_law.noun), zone_law.entry_point);
+    const AtWork at_work(who, zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
     void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) refuse("zone-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
-    const std::shared_ptr<void> library(handle, [](void* h) { dlclose(h); });
+    const std::shared_ptr<void> library(handle, [who](void* h) {
+        const AtWork unloading(who, "unloading");
+        dlclose(h);
+    });
     using Entry = const kaya_zmodel* (*)();
     const auto entry = reinterpret_cast<Entry>(dlsym(handle, zone_law.entry_point));
     if (!entry)
@@ -122,12 +126,28 @@ ZoneModuli ZoneModel::moduli(const std::vector<double>& values) const {
     throw error.add(reason);
 }
 
+namespace {
+
+std::optional<ZoneFailure> unusable_output(const ZoneModel& model, const kaya_zbatch& batch) {
+    static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress",
+                                                "xy stress", "xz stress", "yz stress"};
+    for (int k = 0; k < 6; ++k)
+        if (auto failure = not_finite(model.name, stresses[k], batch.stress[k], batch.n)) return failure;
+    if (auto failure = not_finite(model.name, "dissipation", batch.dissipation, batch.n)) return failure;
+    for (std::size_t k = 0; k < model.history.size(); ++k)
+        if (auto failure = not_finite(model.name, model.history[k].name, batch.history[k], batch.n)) return failure;
+    return std::nullopt;
+}
+
+} // namespace
+
 std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first, const std::int32_t* numbers) const {
     batch.message[0] = '\0';
     batch.row = batch.n;
     batch.tables = tables;
     const AtWork at_work(who(), "run",
                          {.rows = batch.n, .row = &batch.row, .numbers = numbers, .first = first, .noun = "zone"});
+    const kaya_zbatch before = batch;
     const std::uint64_t values = sum_of_bits(batch.properties, properties.size());
     ArithmeticGuard arithmetic;
     ptrdiff_t row = -1;
@@ -142,18 +162,13 @@ std::optional<ZoneFailure> ZoneModel::run(kaya_zbatch& batch, std::int32_t first
             fmt::format("zone model {} threw something other than a std::exception in a batch that begins here", name)};
     }
     note_arithmetic(arithmetic.put_back());
+    if (is_other_batch(before, batch)) {
+        batch = before;
+        return ZoneFailure{0, fmt::format("zone model {} wrote to the table of its columns", name), true};
+    }
     if (sum_of_bits(batch.properties, properties.size()) != values)
         return ZoneFailure{0, fmt::format("zone model {} wrote to 'properties', which it may only read", name), true};
-    if (row == -1) {
-        static constexpr const char* stresses[6] = {"xx stress", "yy stress", "zz stress",
-                                                    "xy stress", "xz stress", "yz stress"};
-        for (int k = 0; k < 6; ++k)
-            if (auto failure = not_finite(name, stresses[k], batch.stress[k], batch.n)) return failure;
-        if (auto failure = not_finite(name, "dissipation", batch.dissipation, batch.n)) return failure;
-        for (std::size_t k = 0; k < history.size(); ++k)
-            if (auto failure = not_finite(name, history[k].name, batch.history[k], batch.n)) return failure;
-        return std::nullopt;
-    }
+    if (row == -1) return unusable_output(*this, batch);
     if (row < 0 || static_cast<std::size_t>(row) >= batch.n)
         return ZoneFailure{0, fmt::format("zone model {} returned row {} of a batch of {} rows, which begins here",
                                           name, row, batch.n)};
@@ -176,7 +191,7 @@ const ZoneModel& ZoneModels::get(std::string_view name) {
     if (name.find('/') != name.npos || name.ends_with(library_ending)) {
         fs::path file(name);
         for (const auto& folder : path_)
-            if (!fs::exists(file) && !file.is_absolute() && fs::exists(folder / name)) file = folder / name;
+            if (!is_there(file) && !file.is_absolute() && is_there(folder / name)) file = folder / name;
         return load(file);
     }
     const std::string keyword = lower_case(name);
@@ -196,7 +211,7 @@ const ZoneModel& ZoneModels::get(std::string_view name) {
 const ZoneModel& ZoneModels::load(const fs::path& file) {
     for (const auto& model : models_)
         if (same_file(model->file, file)) return *model;
-    if (!fs::exists(file))
+    if (!is_there(file))
         refuse("zone-model-unknown", fmt::format("there is no zone model file {}", file.string()),
                "a name with a slash or with the ending .so is a file; give its path from the working folder");
     refuse_other_files(file);
@@ -225,7 +240,7 @@ std::optional<fs::path> ZoneModels::file_of(const std::string& keyword) const {
     const auto find = [&](bool of_zones) -> std::optional<fs::path> {
         for (const auto& folder : path_) {
             const fs::path file = folder / (keyword + library_ending);
-            if ((folder.filename() == "zones") == of_zones && fs::exists(file)) return file;
+            if ((folder.filename() == "zones") == of_zones && is_there(file)) return file;
         }
         return std::nullopt;
     };

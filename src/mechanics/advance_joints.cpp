@@ -191,7 +191,9 @@ void take_pairs(Model& model, std::span<const Row> contacts, PairMotions& pairs)
     if (std::ranges::any_of(next, [&](Row c) { return is_rigid_joint(model, c); })) pairs.take(model, next);
 }
 
-JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, JointScratch& scratch) {
+/// `number` is that of the batch.
+JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, JointForces& forces,
+                        JointScratch& scratch) {
     JointSums sums;
     auto& subs = model.sub_contacts;
     auto& friction = scratch.friction;
@@ -217,7 +219,8 @@ JointSums advance_batch(Model& model, const Batch& batch, JointForces& forces, J
     auto columns = columns_of(model, batch, model.clock.time_step, scratch.columns);
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch, scratch.row_friction);
-    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, Guard::in_cycle))
+    const Guard guard = guard_in_cycle(*batch.model, model.clock.cycle, number);
+    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, guard))
         throw joint_failure(model, batch, *failure);
     if (dashpots) sums.damped = dashpots->finish();
     JointWork after;
@@ -271,7 +274,9 @@ JointSums advance_joints(Model& model, const std::vector<Batch>& batches, JointF
                          PerThread<JointScratch>& scratch) {
     return reduce_chunks(
         batches.size(), 1, JointSums{},
-        [&](std::size_t first, std::size_t) { return advance_batch(model, batches[first], forces, scratch.local()); },
+        [&](std::size_t first, std::size_t) {
+            return advance_batch(model, batches[first], static_cast<std::int64_t>(first), forces, scratch.local());
+        },
         combine);
 }
 

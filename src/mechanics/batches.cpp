@@ -118,8 +118,11 @@ Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFail
     const auto& properties = model.joint_properties[batch.properties];
     const Vec3 x = s.position[row];
     Diagnostic d(fmt::format("joint model '{}' failed: {}", batch.model->name, failure.message),
-                 "look at the model's properties and at how fast the joint is loaded", Fault::run);
-    d.code = "joint-model-failed";
+                 failure.trespass ? "results since the start of the run may be wrong; correct its source: " +
+                                        batch.model->file.string()
+                                  : "look at the model's properties and at how fast the joint is loaded",
+                 Fault::run);
+    d.code = failure.trespass ? "joint-model-trespass" : "joint-model-failed";
     d.add(fmt::format("sub-contact {} of contact {} between blocks {} and {}, at ({:.6g}, {:.6g}, {:.6g})",
                       s.number[row], model.contacts.number[contact],
                       model.blocks.number[model.contacts.block1[contact]],

@@ -37,7 +37,7 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
 template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
     BatchColumns made;
-    for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
+    for (const Batch& batch : make_batches(model, joints)) {
         // Skip incomplete property sets; the command that completes one initialises its contacts.
         if (!batch.model->missing(model.joint_properties[batch.properties].values).empty()) continue;
         const Row last = batch.first + batch.count;
@@ -89,7 +89,7 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
         if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
     call_on_marked(model, joints, changes.moved,
                    [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
-                       return run_batch(joint, rows, numbers);
+                       return run_batch(joint, rows, numbers, Guard::fenced);
                    });
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.moved[row]) continue;

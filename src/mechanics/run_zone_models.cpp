@@ -1,4 +1,5 @@
 #include "base/reduce.hpp"
+#include "laws/zone_trial.hpp"
 #include "mechanics/cell_motion.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/run_cells.hpp"
@@ -38,8 +39,8 @@ private:
     ZoneSums run_batch(Row first, Row count) {
         ZoneColumns columns(model_, first, count, law_);
         strain(columns, first, count);
-        if (const auto failure = law_.model->run(columns.batch, first + 1))
-            throw failed_zone(model_, law_, first + static_cast<Row>(failure->row), *failure);
+        const auto failure = run_guarded(*law_.model, columns.batch, model_.clock.cycle, first + 1);
+        if (failure) throw failed_zone(model_, law_, first + static_cast<Row>(failure->row), *failure);
         ZoneSums sums;
         sums.work = finish(columns, first, count);
         if (damped_) {

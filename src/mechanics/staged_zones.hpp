@@ -1,6 +1,7 @@
 // Batches of cells for a zone model: copied rows, since the model's own rows have another order.
 #pragma once
 
+#include "laws/zone_trial.hpp"
 #include "mechanics/zone_laws.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ template <Row most> struct StagedZones {
     }
     /// Throws Diagnostic when the model fails.
     void run(const Model& model) {
-        if (const auto failure = law_.model->run(batch_, 0, number))
+        if (const auto failure = run_guarded(*law_.model, batch_, model.clock.cycle, number[0], number))
             throw failed_zone(model, law_, number[failure->row] - 1, *failure);
     }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -93,7 +92,7 @@ void try_rows(Model& model, const Batch& part, Reduction& reduction) {
     const double step = model.clock.time_step > 0 ? 1e-6 * model.clock.time_step : 1e-12;
     BatchColumns made;
     auto columns = columns_of(model, part, step, made);
-    if (const auto failure = run_batch(*part.model, columns, subs.number.data() + part.first))
+    if (const auto failure = run_batch(*part.model, columns, subs.number.data() + part.first, Guard::fenced))
         throw joint_failure(model, part, *failure);
     for (Row s = part.first; s < end; ++s) {
         const Force was = before.force(s), is{subs.normal_force[s], subs.shear_force[s]};
@@ -156,7 +155,7 @@ std::vector<Diagnostic> take_over_forces(Model& model, JointRegistry& joints) {
     if (model.taken_over.empty()) return {};
     const std::vector<char> marked = marks_of(model, model.taken_over);
     std::map<std::string, Reduction> reductions; // by joint model
-    for (const Batch& batch : make_batches(model, joints, std::numeric_limits<Row>::max())) {
+    for (const Batch& batch : make_batches(model, joints)) {
         const Row last = batch.first + batch.count;
         const auto& set = model.joint_properties[static_cast<std::size_t>(batch.properties)];
         const bool complete = batch.model->missing(set.values).empty();

@@ -205,8 +205,12 @@ std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {
 Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const ZoneFailure& failure) {
     const Row block = model.zones.block[zone];
     const Vec3 centre = zone_centroid(model, zone);
-    Diagnostic d(failure.message, "look at the model's properties and at how fast the zones are loaded", Fault::run);
-    d.code = "zone-model-failed";
+    Diagnostic d(failure.message,
+                 failure.trespass ? "results since the start of the run may be wrong; correct its source: " +
+                                        law.model->file.string()
+                                  : "look at the model's properties and at how fast the zones are loaded",
+                 Fault::run);
+    d.code = failure.trespass ? "zone-model-trespass" : "zone-model-failed";
     d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model.blocks.number[block],
                       centre.x(), centre.y(), centre.z()));
     const auto& place = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])].place;

@@ -56,8 +56,8 @@ void Painter::end() {
         }
         ::usleep(10'000);
     }
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
+    // Under the kernel's lock it cannot be killed, and ends by its own alarm.
+    if (::kill(process_, SIGKILL) == 0) ::waitpid(process_, nullptr, 0);
     process_ = -1;
 }
 

@@ -1,5 +1,6 @@
 #include "study/study_folder.hpp"
 
+#include "base/ask_again.hpp"
 #include "base/door.hpp"
 #include "base/sha256.hpp"
 #include "base/whole_file.hpp"
@@ -81,8 +82,11 @@ bool is_study_folder(const fs::path& folder) {
 StudyFolder::StudyFolder(fs::path folder, const Study& study, const std::string& version, bool ranks)
     : folder_(fs::absolute(std::move(folder))) {
     make_folder(folder_ / "runs");
-    lock_ = FileLock::of(folder_ / ".lock", ranks ? FileLock::Kind::shared : FileLock::Kind::alone);
-    if (!lock_.is_held())
+    const bool locked = ask_again([&] {
+        lock_ = FileLock::of(folder_ / ".lock", ranks ? FileLock::Kind::shared : FileLock::Kind::alone);
+        return lock_.is_held();
+    });
+    if (!locked)
         throw Diagnostic(fmt::format("another kaya study is at work in {}", folder_.string()),
                          "wait for it, or give another folder: --into FOLDER", Fault::run);
     const toml::table now = about(study, version);
