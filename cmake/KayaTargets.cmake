@@ -44,11 +44,13 @@ set(KAYA_NO_FALSE_WARNINGS "$<$<CXX_COMPILER_ID:GNU>:${KAYA_NO_FALSE_WARNINGS}>"
 # system's, so that a change of kaya's own headers compiles no more than it must.
 set(KAYA_READ_ONCE <Eigen/Geometry> <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h> <functional> <limits> <map>
   <memory> <numeric> <optional> <set> <sstream> <string> <variant> <vector>)
-function(kaya_read_once name)
-  if(name STREQUAL "kaya_base")
+# gcc compiles a file that uses a precompiled header with the optimisation options of that header, whatever its own options say. So each
+# level has a header: that of kaya_base, and that of kaya_once for code that runs once. A file with other options needs none of them.
+function(kaya_read_once name from)
+  if(name STREQUAL from)
     target_precompile_headers(${name} PRIVATE ${KAYA_READ_ONCE})
   else()
-    target_precompile_headers(${name} REUSE_FROM kaya_base)
+    target_precompile_headers(${name} REUSE_FROM ${from})
   endif()
   if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_compile_options(${name} PRIVATE -fpch-preprocess)
@@ -60,10 +62,22 @@ function(kaya_read_once name)
   endif()
 endfunction()
 
-# kaya_library(NAME [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
-# The link line defines which folders may be included.
+# Code that runs once for a command, and not once for a zone or a contact: -O1 compiles it in half of the time of -O3. The
+# numbers are the same at each level, since nothing here allows the compiler to reorder arithmetic (tests/determinism).
+set(KAYA_RUN_ONCE_PER_COMMAND $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+function(kaya_runs_once name)
+  target_compile_options(${name} PRIVATE ${KAYA_RUN_ONCE_PER_COMMAND})
+  kaya_read_once(${name} kaya_once)
+endfunction()
+# The same for files of a library that is compiled at -O3.
+function(kaya_files_run_once)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${KAYA_RUN_ONCE_PER_COMMAND}")
+endfunction()
+
+# kaya_library(NAME [ONCE] [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
+# The link line defines which folders may be included. ONCE: kaya_runs_once.
 function(kaya_library name)
-  cmake_parse_arguments(arg "" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "ONCE" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   add_library(${name} STATIC ${sources})
   kaya_compile_together(${name} "${arg_GROUPS}" "${arg_APART}" ${sources})
@@ -73,8 +87,10 @@ function(kaya_library name)
   target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE kaya_flags ${arg_PRIVATE})
   target_compile_features(${name} PUBLIC cxx_std_20)
   get_target_property(linked ${name} LINK_LIBRARIES)
-  if(linked MATCHES "kaya_(base|laws|model|mechanics|jointtest|interp|io)" OR name STREQUAL "kaya_base")
-    kaya_read_once(${name})
+  if(arg_ONCE)
+    kaya_runs_once(${name})
+  elseif(linked MATCHES "kaya_(base|laws|model|mechanics|jointtest|interp|io)" OR name STREQUAL "kaya_base")
+    kaya_read_once(${name} kaya_base)
   endif()
 endfunction()
 
@@ -103,10 +119,6 @@ endfunction()
 function(kaya_share_templates group)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
 endfunction()
-
-# Code that runs once for a command, and not once for a zone or a contact: -O1 compiles it in three quarters of the time of -O3. The
-# numbers are the same at each level, since nothing here allows the compiler to reorder arithmetic (tests/determinism).
-set(KAYA_RUN_ONCE_PER_COMMAND $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 
 # What it takes to run a deck: the program and the joint models that ship. scripts/run builds this and no tests.
 add_custom_target(program)

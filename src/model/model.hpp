@@ -46,6 +46,14 @@ Vec3 roller_change(const Roller& roller, const Vec3& value, std::uint8_t fixed, 
 enum KeptStrength : std::uint8_t { keep_friction = 1, keep_cohesion = 2, keep_tension = 4 };
 
 struct Model {
+    // In model.cpp: 300 columns are copied or destroyed, too much code for each file that has a model.
+    Model();
+    Model(const Model& other);
+    Model(Model&& other) noexcept;
+    Model& operator=(const Model& other);
+    Model& operator=(Model&& other) noexcept;
+    ~Model();
+
     Blocks blocks;
     Gridpoints gridpoints;
     Faces faces;
