@@ -62,7 +62,7 @@ void DeckProperties::check_script(std::string_view text) {
     if (std::ranges::any_of(loading, [&](auto word) { return text.find(word) != text.npos; })) open_ = true;
 }
 
-void DeckProperties::look_up(const Given& given, const lang::Property::Item& item, JointRegistry& models) {
+void DeckProperties::check_item(const Given& given, const lang::Property::Item& item, JointRegistry& models) {
     if (given.of == Of::joint_model) {
         if (given.model.empty()) accepted_by_one(models.loaded(), joint_law.noun, item);
         else accepting_property(models.get(given.model), joint_law.noun, item.word, item.value);
@@ -92,7 +92,7 @@ std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
     for (const auto& given : given_)
         for (const auto& item : given.items) {
             try {
-                look_up(given, item, models);
+                check_item(given, item, models);
             } catch (Diagnostic& mistake) { found.push_back(mistake.at(item.place)); }
         }
     return found;

@@ -31,7 +31,7 @@ private:
         std::string model; ///< of a line that names it
         std::vector<lang::Property::Item> items;
     };
-    static void look_up(const Given& given, const lang::Property::Item& item, JointRegistry& models);
+    static void check_item(const Given& given, const lang::Property::Item& item, JointRegistry& models);
 
     std::vector<Given> given_;
     std::set<std::string> joint_models_, zone_models_;

@@ -28,7 +28,7 @@ struct Options {
     bool trust = false;                               ///< scripts may use the whole of Lua: files, other programs
     std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no separate limit
     std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
-    std::vector<std::filesystem::path> own_joints;    ///< those of the program; their models are loaded for reading a deck
+    std::vector<std::filesystem::path> own_joints; ///< those of the program; their models are loaded for reading a deck
 };
 
 /// How a command of a deck ended.

@@ -187,7 +187,8 @@ TEST_F(JointBench, SaysWhatIsWrongWithPathOrValues) {
     const std::string good = "normal_stress,shear_displacement\n2,0\n2,0.002\n";
     EXPECT_THAT(refusal(order("mohr", {{"jkn", 1e4}}, good)), HasSubstr("lacks stiffness-shear"));
     EXPECT_THAT(refusal(order("mohr", {{"jknn", 1e4}}, good)), HasSubstr("no property 'jknn'"));
-    EXPECT_THAT(refusal(order("mohr", {{"jfric", 100}}, good)), HasSubstr("'jfric' is 100, but for joint model mohr it must be from 0 to 90"));
+    EXPECT_THAT(refusal(order("mohr", {{"jfric", 100}}, good)),
+                HasSubstr("'jfric' is 100, but for joint model mohr it must be from 0 to 90"));
     EXPECT_THAT(refusal(order("mohr", {{"jkn", 0}, {"jks", 1}}, good)), HasSubstr("stiffness-normal (jkn) is 0"));
     const std::pair<const char*, const char*> paths[] = {
         {"shear_displacement\n0\n1\n", "neither a column normal_displacement nor normal_stress"},
