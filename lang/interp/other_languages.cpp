@@ -1,7 +1,6 @@
 #include "lang/interp/other_languages.hpp"
 
-#include <fmt/format.h>
-#include <regex>
+#include "base/pattern.hpp"
 
 namespace kaya::lang {
 
@@ -32,10 +31,6 @@ constexpr Neighbour neighbours[] = {
      "kaya is three-dimensional: a slice of one block's thickness does what UDEC does; poly prism makes it, jset cuts it"},
 };
 
-std::regex pattern_of(const char* line) {
-    return std::regex(line, std::regex::ECMAScript | std::regex::icase | std::regex::optimize);
-}
-
 } // namespace
 
 std::optional<Diagnostic> other_language(const Statement& statement) {
@@ -43,7 +38,7 @@ std::optional<Diagnostic> other_language(const Statement& statement) {
     constexpr std::size_t longest = 200; // matching takes a stack that grows with the text
     if (text.size() > longest) return std::nullopt;
     for (const auto& neighbour : neighbours) {
-        if (!std::regex_match(text, pattern_of(neighbour.line))) continue;
+        if (!Pattern(neighbour.line, Pattern::Letters::of_either_case).matches(text)) continue;
         Diagnostic d(neighbour.what, neighbour.hint);
         d.code = "other-language";
         return d.at(statement.words.front().place);

@@ -3,6 +3,7 @@
 #include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
 #include "base/door.hpp"
+#include "base/pattern.hpp"
 #include "base/terminal_text.hpp"
 #include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
@@ -15,7 +16,6 @@
 #include <fmt/ranges.h>
 #include <future>
 #include <memory>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <unistd.h>
@@ -70,13 +70,13 @@ int run_program(const Words& words) {
 
 /// A source that returns std::string where the base class has its own text needs the two to be one.
 bool returns_std_string(const std::string& source) {
-    static const std::regex pattern(R"(std::string\s+get(Name|FullName|PluginName|Properties|States|Energies)\s*\()");
-    return std::regex_search(source, pattern);
+    static const Pattern pattern(R"(std::string\s+get(Name|FullName|PluginName|Properties|States|Energies)\s*\()");
+    return pattern.is_in(source);
 }
 
 /// The texts of the sources and of the headers next to them that they include.
 std::string all_text(const std::vector<fs::path>& sources) {
-    static const std::regex include(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
+    static const Pattern include(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re");
     std::string all;
     std::set<fs::path> read;
     std::vector<fs::path> waiting = sources;
@@ -85,8 +85,8 @@ std::string all_text(const std::vector<fs::path>& sources) {
         waiting.pop_back();
         if (!read.insert(file.lexically_normal()).second) continue;
         const std::string text = source_text(file);
-        for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found) {
-            const fs::path adjacent = file.parent_path() / (*found)[1].str();
+        for (const auto& name : include.all(text, 1)) {
+            const fs::path adjacent = file.parent_path() / name;
             if (fs::is_regular_file(adjacent) && door::peek(adjacent)) waiting.push_back(adjacent);
         }
         all += text + "\n";
@@ -204,21 +204,20 @@ void compile(const BuildOrder& order, const fs::path& include, const fs::path& l
 } // namespace
 
 std::vector<std::string> export_macros(const std::string& source) {
-    static const std::regex word(R"([A-Za-z_][A-Za-z0-9_]*_(EXPORTS|LIB)\b)");
-    static const std::regex condition(R"(^[ \t]*#[ \t]*(if|elif))");
+    static const Pattern word(R"([A-Za-z_][A-Za-z0-9_]*_(EXPORTS|LIB)\b)");
+    static const Pattern condition(R"(^[ \t]*#[ \t]*(if|elif))");
     std::set<std::string> macros;
     std::istringstream lines(source);
     for (std::string line; std::getline(lines, line);) {
-        if (!std::regex_search(line, condition)) continue;
-        for (std::sregex_iterator found(line.begin(), line.end(), word), end; found != end; ++found)
-            macros.insert(found->str());
+        if (!condition.is_in(line)) continue;
+        for (auto& macro : word.all(line)) macros.insert(std::move(macro));
     }
     return {macros.begin(), macros.end()};
 }
 
 bool is_native(const std::string& source) {
-    static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]kaya/[jz]model\.h[">])", std::regex::multiline);
-    return std::regex_search(source, pattern);
+    static const Pattern pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]kaya/[jz]model\.h[">])");
+    return pattern.is_in(source);
 }
 
 fs::path include_folder(const fs::path& program_folder) {

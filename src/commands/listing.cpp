@@ -349,17 +349,19 @@ std::string list_memory(Session& session, const lang::List&) {
     constexpr double megabyte = 1 << 20;
     TextTable table({"table", "rows", "columns", "megabytes"});
     double total = 0;
+    const auto add = [&](const char* name, std::size_t rows, std::size_t columns, double bytes) {
+        total += bytes;
+        if (rows > 0)
+            table.add({name, std::to_string(rows), std::to_string(columns), fmt::format("{:.3f}", bytes / megabyte)});
+    };
     session.model.tables([&](const char* name, auto& rows) {
         double bytes = 0;
         std::size_t columns = 0;
-        rows.columns([&](const std::string&, const auto& column, Role) {
+        rows.columns([&](std::string_view, const auto& column, Role) {
             bytes += static_cast<double>(column.capacity() * sizeof(column[0]));
             ++columns;
         });
-        total += bytes;
-        if (rows.size() > 0)
-            table.add(
-                {name, std::to_string(rows.size()), std::to_string(columns), fmt::format("{:.3f}", bytes / megabyte)});
+        add(name, rows.size(), columns, bytes);
     });
     return (table.size() > 0 ? table.text() + "\n" : "") +
            fmt::format("megabytes of all tables = {:.3f}", total / megabyte);

@@ -14,35 +14,36 @@ namespace kaya {
 namespace {
 
 /// An archive that collects all numbers and texts of a state by name.
-class Inventory {
+class Inventory final : public Archive {
 public:
-    std::map<std::string, std::vector<double>> numbers;
+    std::map<std::string, std::vector<double>> all_numbers;
     std::map<std::string, std::string> texts;
 
-    template <class T> void value(const std::string& name, T& value) { add(name, scalars(value), Plain<T>::count); }
-    void text(const std::string& name, std::string& text) { texts[path_ + name] = text; }
-    template <class T> void list(const std::string& name, Column<T>& list) {
-        add(name, scalars(list), list.size() * Plain<T>::count);
-    }
-    template <class T> void column(const std::string& name, Column<T>& column, const T&) { list(name, column); }
-    template <class T> void rows(T&) {}
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
-        section(name, [&] {
-            for (std::size_t k = 0; k < all.size(); ++k) section(std::to_string(k), [&] { visit(all[k]); });
+    void numbers(std::string_view name, const Numbers& value) override {
+        with_type(value, [&](const auto* first, std::size_t count) {
+            all_numbers[path_ + std::string(name)].assign(first, first + count);
         });
     }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
+    void text(std::string_view name, std::string& text) override { texts[path_ + std::string(name)] = text; }
+    void number_list(std::string_view name, NumberList& list) override { numbers(name, list.numbers()); }
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers&) override {
+        numbers(name, column);
+    }
+    void rows(TableRows&) override {}
+    void record_list(std::string_view name, RecordList& records) override {
+        section(name, [&] {
+            for (std::size_t k = 0; k < records.size(); ++k) section(std::to_string(k), [&] { records.visit(k); });
+        });
+    }
+    void group(std::string_view name, const Visit& visit) override {
         const std::string before = path_;
-        path_ += name + "/";
+        path_.append(name).append("/");
         visit();
         path_ = before;
     }
-    template <class Visit> void aside(Visit&& visit) { visit(); }
+    void outside(const Visit& visit) override { visit(); }
 
 private:
-    template <class Number> void add(const std::string& name, const Number* values, std::size_t count) {
-        numbers[path_ + name].assign(values, values + count);
-    }
     std::string path_;
 };
 
@@ -97,7 +98,7 @@ std::string save_file_difference(const std::string& first, const std::string& se
         if (!what.empty()) text += fmt::format("{}: {}\n", name, what);
     };
     const auto only = [&](const void* of_a) { return fmt::format("only in '{}'", of_a ? first : second); };
-    both(a.numbers, b.numbers,
+    both(a.all_numbers, b.all_numbers,
          [&](const std::string& name, const std::vector<double>* one, const std::vector<double>* other) {
              say(name, one && other ? about_numbers(*one, *other) : only(one));
          });

@@ -33,6 +33,7 @@ private:
 
 hid_t type_of(Scalar type) {
     switch (type) {
+    case Scalar::boolean:
     case Scalar::uint8: return H5T_NATIVE_UINT8;
     case Scalar::int32: return H5T_NATIVE_INT32;
     case Scalar::uint32: return H5T_NATIVE_UINT32;
@@ -41,18 +42,6 @@ hid_t type_of(Scalar type) {
     case Scalar::float64: return H5T_NATIVE_DOUBLE;
     }
     return H5I_INVALID_HID;
-}
-
-std::size_t size_of(Scalar type) {
-    switch (type) {
-    case Scalar::uint8: return 1;
-    case Scalar::int32:
-    case Scalar::uint32: return 4;
-    case Scalar::int64:
-    case Scalar::uint64:
-    case Scalar::float64: return 8;
-    }
-    return 8;
 }
 
 /// Turns off three things that HDF5 does by default. It prints its stack of errors on the terminal. It cleans up when the program ends:
@@ -144,7 +133,7 @@ void TreeWriter::open_group(const std::string& name) {
 
 void TreeWriter::close_group() { files_->groups.pop(); }
 
-void TreeWriter::write_attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count) {
+void TreeWriter::attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count) {
     const hsize_t size = count;
     const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
     const Handle attribute(
@@ -153,8 +142,8 @@ void TreeWriter::write_attribute(const std::string& name, Scalar type, const voi
         throw TreeError("cannot write " + files_->groups.path_of(name));
 }
 
-void TreeWriter::write_data(const std::string& name, Scalar type, const void* numbers, std::size_t rows,
-                            std::size_t per_row) {
+void TreeWriter::data(const std::string& name, Scalar type, const void* numbers, std::size_t rows,
+                      std::size_t per_row) {
     const std::array<hsize_t, 2> size{rows, per_row};
     const Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
     const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);

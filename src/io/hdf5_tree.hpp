@@ -3,6 +3,8 @@
 // library follows links to other files, and trusts what it reads.
 #pragma once
 
+#include "base/scalar.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 namespace kaya {
 
@@ -19,15 +20,6 @@ class TreeError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
-
-enum class Scalar { uint8, int32, uint32, int64, uint64, float64 };
-
-template <class T> constexpr Scalar scalar_of() {
-    if constexpr (std::is_same_v<T, double>) return Scalar::float64;
-    else if constexpr (sizeof(T) == 1) return Scalar::uint8;
-    else if constexpr (sizeof(T) == 4) return std::is_signed_v<T> ? Scalar::int32 : Scalar::uint32;
-    else return std::is_signed_v<T> ? Scalar::int64 : Scalar::uint64;
-}
 
 class TreeWriter {
 public:
@@ -39,21 +31,20 @@ public:
 
     /// A few numbers stored with the open group.
     template <class T> void attribute(const std::string& name, const T* numbers, std::size_t count) {
-        write_attribute(name, scalar_of<T>(), numbers, count);
+        attribute(name, scalar_of<T>(), numbers, count);
     }
     /// A table of rows x per_row numbers; light compression where it pays.
     template <class T> void data(const std::string& name, const T* numbers, std::size_t rows, std::size_t per_row) {
-        write_data(name, scalar_of<T>(), numbers, rows, per_row);
+        data(name, scalar_of<T>(), numbers, rows, per_row);
     }
+    void attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count);
+    void data(const std::string& name, Scalar type, const void* numbers, std::size_t rows, std::size_t per_row);
     void text(const std::string& name, const std::string& text);
 
     /// The bytes of the file.
     std::string image();
 
 private:
-    void write_attribute(const std::string& name, Scalar type, const void* numbers, std::size_t count);
-    void write_data(const std::string& name, Scalar type, const void* numbers, std::size_t rows, std::size_t per_row);
-
     struct Files;
     std::unique_ptr<Files> files_;
 };
@@ -71,23 +62,23 @@ public:
     std::set<std::string> names() const;
 
     template <class T> void attribute(const std::string& name, T* numbers, std::size_t count) {
-        read_attribute(name, scalar_of<T>(), numbers, count);
+        attribute(name, scalar_of<T>(), numbers, count);
     }
     /// Rows of that table. It has been made sure that the file is large enough to hold so many.
     template <class T> std::size_t rows(const std::string& name, std::size_t per_row) {
-        return find_rows(name, scalar_of<T>(), per_row);
+        return rows(name, scalar_of<T>(), per_row);
     }
     /// All rows; `numbers` has room for rows() * per_row.
     template <class T> void data(const std::string& name, T* numbers, std::size_t rows, std::size_t per_row) {
-        read_data(name, scalar_of<T>(), numbers, rows, per_row);
+        data(name, scalar_of<T>(), numbers, rows, per_row);
     }
+    // A truth is stored as a uint8.
+    void attribute(const std::string& name, Scalar type, void* numbers, std::size_t count);
+    std::size_t rows(const std::string& name, Scalar type, std::size_t per_row);
+    void data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row);
     std::string text(const std::string& name);
 
 private:
-    void read_attribute(const std::string& name, Scalar type, void* numbers, std::size_t count);
-    std::size_t find_rows(const std::string& name, Scalar type, std::size_t per_row);
-    void read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row);
-
     struct State;
     std::unique_ptr<State> state_;
 };

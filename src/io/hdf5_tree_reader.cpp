@@ -90,7 +90,7 @@ std::set<std::string> TreeReader::names() const {
     return names;
 }
 
-void TreeReader::read_attribute(const std::string& name, Scalar type, void* numbers, std::size_t count) {
+void TreeReader::attribute(const std::string& name, Scalar type, void* numbers, std::size_t count) {
     const auto& attributes = state_->top().attributes;
     const auto found = attributes.find(name);
     if (found == attributes.end()) state_->refuse(name, "is missing");
@@ -99,11 +99,11 @@ void TreeReader::read_attribute(const std::string& name, Scalar type, void* numb
     std::memcpy(numbers, data.data(), data.size());
 }
 
-std::size_t TreeReader::find_rows(const std::string& name, Scalar type, std::size_t per_row) {
+std::size_t TreeReader::rows(const std::string& name, Scalar type, std::size_t per_row) {
     return static_cast<std::size_t>(state_->table(name, type, per_row).extent[0]);
 }
 
-void TreeReader::read_data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row) {
+void TreeReader::data(const std::string& name, Scalar type, void* numbers, std::size_t rows, std::size_t per_row) {
     const auto data = state_->table(name, type, per_row);
     if (data.extent[0] != rows) state_->refuse(name, "is of another size");
     state_->named(name, [&] { hdf5::unpack(data, static_cast<char*>(numbers)); });

@@ -20,20 +20,18 @@ namespace kaya {
 namespace {
 
 /// Checks that the columns of a table in the file have that many rows, before the table grows.
-struct RowCheck {
-    TreeReader& tree;
-    const std::set<std::string>& names;
-    std::size_t rows;
-    std::size_t there = 0, missing = 0; ///< bytes of a row
+struct RowCheck final : ColumnArchive {
+    RowCheck(TreeReader& read, const std::set<std::string>& seen, std::size_t count)
+        : tree(read), names(seen), rows(count) {}
 
-    template <class T> void column(const std::string& name, Column<T>&, const T&) {
-        using S = typename Plain<T>::scalar;
+    void numbers_column(std::string_view column, const Numbers&, const Numbers& initial) override {
+        const std::string name(column);
         if (!names.contains(name)) {
-            missing += sizeof(T);
+            missing += initial.bytes().size();
             return;
         }
-        there += sizeof(T);
-        if (tree.rows<S>(name, Plain<T>::count) != rows) throw TreeError("column " + name + " has other rows");
+        there += initial.bytes().size();
+        if (tree.rows(name, initial.type, initial.each) != rows) throw TreeError("column " + name + " has other rows");
     }
 
     /// Otherwise a small file could request more than any memory.
@@ -41,45 +39,55 @@ struct RowCheck {
         constexpr std::size_t most_missing = 8; // times the size that is present
         return rows == 0 || missing <= most_missing * there;
     }
+
+    TreeReader& tree;
+    const std::set<std::string>& names;
+    std::size_t rows;
+    std::size_t there = 0, missing = 0; ///< bytes of a row
 };
 
 /// Fills the walk of model/state.hpp from a tree. A value that the tree lacks keeps its initial value: the file is older than that column,
 /// value or table.
-class RestoreArchive {
+class RestoreArchive final : public Archive {
 public:
     explicit RestoreArchive(TreeReader& tree) : tree_(tree), left_(tree.names()) {}
 
-    template <class T> void value(const std::string& name, T& value) {
+    void numbers(std::string_view at, const Numbers& value) override {
+        const std::string name(at);
         if (!take(name)) return;
-        if constexpr (std::is_same_v<T, bool>) {
+        if (value.type == Scalar::boolean) {
             std::uint8_t byte = 0;
             tree_.attribute(name, &byte, 1);
             if (byte > 1) throw TreeError(name + " is neither true nor false");
-            value = byte == 1;
+            *static_cast<bool*>(value.first) = byte == 1;
         } else {
-            tree_.attribute(name, scalars(value), Plain<T>::count);
+            tree_.attribute(name, value.type, value.first, value.count());
         }
     }
-    void text(const std::string& name, std::string& text) {
+    void text(std::string_view at, std::string& text) override {
+        const std::string name(at);
         if (take(name)) text = tree_.text(name);
     }
-    template <class T> void list(const std::string& name, Column<T>& list) {
+    void number_list(std::string_view at, NumberList& list) override {
+        const std::string name(at);
         if (!take(name)) return;
-        list.resize(tree_.rows<typename Plain<T>::scalar>(name, Plain<T>::count), new_value<T>());
-        tree_.data(name, scalars(list), list.size(), Plain<T>::count);
+        const Numbers before = list.numbers();
+        list.resize(tree_.rows(name, before.type, before.each));
+        data(name, list.numbers());
     }
-    template <class T> void column(const std::string& name, Column<T>& column, const T&) {
-        if (take(name)) tree_.data(name, scalars(column), column.size(), Plain<T>::count);
+    void numbers_column(std::string_view at, const Numbers& column, const Numbers&) override {
+        const std::string name(at);
+        if (take(name)) data(name, column);
     }
-    template <class T> void rows(T& table) {
+    void rows(TableRows& table) override {
         const std::uint64_t rows = count("rows");
         if (rows > static_cast<std::uint64_t>(std::numeric_limits<Row>::max())) throw TreeError("too many rows");
-        RowCheck check{tree_, left_, static_cast<std::size_t>(rows)};
-        table.columns([&](const std::string& name, auto& column, Role) { visit_column(check, name, column); });
+        RowCheck check(tree_, left_, static_cast<std::size_t>(rows));
+        table.columns(check);
         if (!check.fills()) throw TreeError(path_.substr(0, path_.size() - 1) + " has too few columns for its rows");
         table.resize(static_cast<std::size_t>(rows));
     }
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
+    void record_list(std::string_view name, RecordList& all) override {
         section(name, [&] {
             const std::uint64_t records = count("count");
             all.clear();
@@ -87,17 +95,18 @@ public:
             for (std::uint64_t k = 0; k < records; ++k) {
                 const std::string number = std::to_string(k);
                 left_.erase(number);
-                inside(number, "*/", [&] { visit(all.emplace_back()); });
+                inside(number, "*/", [&] { all.visit_new(); });
             }
         });
     }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
+    void group(std::string_view at, const Visit& visit) override {
+        const std::string name(at);
         if (take(name)) inside(name, name + "/", visit);
     }
-    template <class Visit> void aside(Visit&& visit) { visit(); }
+    void outside(const Visit& visit) override { visit(); }
 
     /// Sees names of the group `name`, which must be there; they are noted after `kind`: records of a list have the same ones.
-    template <class Visit> void inside(const std::string& name, const std::string& kind, Visit&& visit) {
+    template <class Function> void inside(const std::string& name, const std::string& kind, const Function& visit) {
         tree_.open_group(name);
         std::set<std::string> outside = std::exchange(left_, tree_.names());
         const std::size_t length = path_.size();
@@ -127,6 +136,10 @@ private:
         left_.erase(name);
         tree_.attribute(name, &number, 1);
         return number;
+    }
+
+    void data(const std::string& name, const Numbers& numbers) {
+        tree_.data(name, numbers.type, numbers.first, numbers.rows, numbers.each);
     }
 
     void note(std::vector<std::string>& names, const std::string& name) {

@@ -11,6 +11,39 @@
 
 namespace kaya {
 
+void SaveArchive::numbers(std::string_view name, const Numbers& value) {
+    tree_.attribute(std::string(name), value.type, value.first, value.count());
+}
+
+void SaveArchive::text(std::string_view name, std::string& text) { tree_.text(std::string(name), text); }
+
+void SaveArchive::number_list(std::string_view name, NumberList& list) { data(name, list.numbers()); }
+
+void SaveArchive::numbers_column(std::string_view name, const Numbers& column, const Numbers&) { data(name, column); }
+
+void SaveArchive::rows(TableRows& table) {
+    std::uint64_t rows = table.size();
+    value("rows", rows);
+}
+
+void SaveArchive::record_list(std::string_view name, RecordList& records) {
+    section(name, [&] {
+        std::uint64_t count = records.size();
+        value("count", count);
+        for (std::size_t k = 0; k < count; ++k) section(std::to_string(k), [&] { records.visit(k); });
+    });
+}
+
+void SaveArchive::group(std::string_view name, const Visit& visit) {
+    tree_.open_group(std::string(name));
+    visit();
+    tree_.close_group();
+}
+
+void SaveArchive::data(std::string_view name, const Numbers& numbers) {
+    tree_.data(std::string(name), numbers.type, numbers.first, numbers.rows, numbers.each);
+}
+
 std::string save_image(Model& model, const SaveExtras& extras) {
     try {
         TreeWriter tree;

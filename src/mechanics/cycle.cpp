@@ -105,7 +105,7 @@ void Cycle::prepare() {
         s.search = ContactSearch{}; // blocks may have changed
         model_.stale.lists_made();
         model_.tables([](const char*, auto& table) {
-            table.columns([](const std::string&, const auto& column, Role) {
+            table.columns([](std::string_view, const auto& column, Role) {
                 use_large_pages(column.data(), column.size() * sizeof(column[0]));
             });
         });

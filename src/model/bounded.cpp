@@ -48,22 +48,37 @@ std::string object_at(const Model& model, std::string_view table, const Rows& ro
     return fmt::format("{} {}", noun, row + 1);
 }
 
+/// The numbers of a column, `count` in each row.
+struct ColumnNumbers {
+    std::span<const double> all;
+    std::size_t count;
+    double most() const { return count == 3 ? largest_coordinate : std::numeric_limits<double>::max(); } // 3: a vector
+};
+
+/// The first that is invalid; none: as many as there are.
+std::size_t first_invalid(std::string_view name, const ColumnNumbers& numbers) {
+    const double most = numbers.most(), least = may_be_negative(name) ? -most : 0;
+    const auto wrong = std::ranges::find_if(numbers.all, [&](double x) { return !(x >= least && x <= most); });
+    return static_cast<std::size_t>(wrong - numbers.all.begin());
+}
+
+std::string wrong_number(std::string_view name, const std::string& object, const ColumnNumbers& numbers,
+                         std::size_t at) {
+    const double wrong = numbers.all[at], most = numbers.most();
+    const auto limit = std::isfinite(wrong) && std::abs(wrong) > most
+                           ? fmt::format("; numbers beyond {:g} belong to a run that has diverged", most)
+                           : std::string();
+    const auto row = numbers.all.subspan(at / numbers.count * numbers.count, numbers.count);
+    return fmt::format("the {} of {} is {}{}", in_words(name, false), object, number_or_numbers(row), limit);
+}
+
 /// The fault of the first invalid row of a column; empty: none.
 template <class Rows, class T> std::string wrong_row(const Model& model, std::string_view table, const Rows& rows,
                                                      std::string_view name, Column<T>& column) {
-    constexpr std::size_t count = Plain<T>::count;
-    constexpr std::size_t of_vector = 3;
-    const double most = count == of_vector ? largest_coordinate : std::numeric_limits<double>::max();
-    const double least = may_be_negative(name) ? -most : 0;
-    const std::span<const double> all(scalars(column), column.size() * count);
-    const auto wrong = std::ranges::find_if(all, [&](double x) { return !(x >= least && x <= most); });
-    if (wrong == all.end()) return {};
-    const auto row = static_cast<std::size_t>(wrong - all.begin()) / count;
-    const auto limit = std::isfinite(*wrong) && std::abs(*wrong) > most
-                           ? fmt::format("; numbers beyond {:g} belong to a run that has diverged", most)
-                           : std::string();
-    return fmt::format("the {} of {} is {}{}", in_words(name, false), object_at(model, table, rows, row),
-                       number_or_numbers(all.subspan(row * count, count)), limit);
+    const ColumnNumbers numbers{{scalars(column), column.size() * Plain<T>::count}, Plain<T>::count};
+    const std::size_t at = first_invalid(name, numbers);
+    if (at == numbers.all.size()) return {};
+    return wrong_number(name, object_at(model, table, rows, at / numbers.count), numbers, at);
 }
 
 /// The same for the clock and settings of the cycle.
@@ -95,7 +110,7 @@ std::string wrong_of_time(const Model& model) {
 std::string unbounded_number(Model& model) {
     std::string found = wrong_of_time(model);
     const auto visit_rows = [&](const char* table, auto& rows) {
-        rows.columns([&]<class T, class RoleType>(const std::string& name, Column<T>& column, RoleType role) {
+        rows.columns([&]<class T, class RoleType>(std::string_view name, Column<T>& column, RoleType role) {
             if constexpr (std::is_same_v<RoleType, Role> && requires { typename Plain<T>::scalar; }) {
                 if constexpr (std::is_same_v<typename Plain<T>::scalar, double>) {
                     const bool counts = role == Role::geometry || role == Role::motion || role == Role::displacement;

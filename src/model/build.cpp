@@ -117,7 +117,7 @@ template <class TableType> void put_in_order(Model& model, TableType& table, Col
         span.first = next; // also of a span without rows, which has nothing to follow
         next += span.count;
     }
-    table.columns([&](const auto&, auto& column, auto role) {
+    table.columns([&](std::string_view, auto& column, auto role) {
         if constexpr (links::names<Blocks, decltype(role)>())
             for (std::size_t b = 0; b < spans.size(); ++b)
                 std::fill_n(column.begin() + spans[b].first, spans[b].count, static_cast<Row>(b));

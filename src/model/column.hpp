@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ public:
 
     /// New rows are zero.
     void resize(std::size_t n) {
-        derived().columns([n](const auto&, auto& column, Role) {
+        derived().columns([n](std::string_view, auto& column, Role) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
             column.resize(n, new_value<Value>());
         });
@@ -56,7 +57,7 @@ public:
     void gather(const std::vector<std::int32_t>& rows) {
         const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
         if (ascending) return compact(rows);
-        derived().columns([&rows](const auto&, auto& column, Role) {
+        derived().columns([&rows](std::string_view, auto& column, Role) {
             std::decay_t<decltype(column)> kept;
             kept.reserve(rows.size());
             using Value = typename std::decay_t<decltype(column)>::value_type;
@@ -80,9 +81,9 @@ public:
     /// Puts copies of the rows listed of another table after the rows of this one. Returns the row of the first.
     std::int32_t append(Derived& from, const std::vector<std::int32_t>& rows) {
         std::vector<void*> columns;
-        from.columns([&columns](const auto&, auto& column, Role) { columns.push_back(&column); });
+        from.columns([&columns](std::string_view, auto& column, Role) { columns.push_back(&column); });
         std::size_t next = 0;
-        derived().columns([&](const auto&, auto& column, Role) {
+        derived().columns([&](std::string_view, auto& column, Role) {
             const auto& source = *static_cast<std::decay_t<decltype(column)>*>(columns[next++]);
             for (const auto row : rows) column.push_back(source[static_cast<std::size_t>(row)]);
         });
@@ -93,7 +94,7 @@ public:
 
     /// Releases spare capacity.
     void trim() {
-        derived().columns([](const auto&, auto& column, Role) { column.shrink_to_fit(); });
+        derived().columns([](std::string_view, auto& column, Role) { column.shrink_to_fit(); });
     }
 
 private:
@@ -101,7 +102,7 @@ private:
     void compact(const std::vector<std::int32_t>& rows) {
         std::size_t gap = 0;
         while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
-        derived().columns([&rows, gap](const auto&, auto& column, Role) {
+        derived().columns([&rows, gap](std::string_view, auto& column, Role) {
             for (std::size_t k = gap; k < rows.size(); ++k)
                 column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
             column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());

@@ -123,7 +123,7 @@ template <class Whole, class Part> const Column<Row>* owners(Model& model) {
     const Column<Row>* found = nullptr;
     each_table(model, [&](const char*, auto& table) {
         if constexpr (std::is_same_v<std::decay_t<decltype(table)>, Part>)
-            table.columns([&](const auto&, auto& column, auto role) {
+            table.columns([&](std::string_view, auto& column, auto role) {
                 if constexpr (std::is_same_v<decltype(role), ColumnRole<Whole>>)
                     if constexpr (std::is_same_v<std::decay_t<decltype(column)>, Column<Row>>) found = &column;
             });
@@ -137,7 +137,7 @@ template <class To> std::type_identity<To> target_of(const ColumnRole<To>&);
 void check_links(Findings& findings, Model& model) {
     each_table(model, [&](const char* name, auto& table) {
         using Whole = std::decay_t<decltype(table)>;
-        table.columns([&]<class T, class RoleType>(const auto&, Column<T>& column, RoleType role) {
+        table.columns([&]<class T, class RoleType>(std::string_view, Column<T>& column, RoleType role) {
             if constexpr (!std::is_same_v<RoleType, Role>) {
                 using To = typename decltype(target_of(role))::type;
                 if constexpr (std::is_same_v<T, Row>) {
@@ -410,16 +410,19 @@ void check_members(Findings& findings, const Model& model) {
     check("liners", structures.liners.nodes, structures.liners.member);
 }
 
+void check_rows(Findings& findings, const char* table, std::string_view column, std::size_t has, std::size_t rows) {
+    if (has != rows)
+        findings.require(false, fmt::format("column {} of {} has {} rows of {}", column, table, has, rows));
+}
+
 } // namespace
 
 std::string inconsistency(Model& model) {
     Findings findings;
     // Columns first: all checks below read as many rows as the table declares.
     const auto check_columns = [&](const char* name, auto& table) {
-        table.columns([&](const std::string& column_name, auto& column, Role) {
-            findings.require(
-                column.size() == table.size(),
-                fmt::format("column {} of {} has {} rows of {}", column_name, name, column.size(), table.size()));
+        table.columns([&](std::string_view column_name, auto& column, Role) {
+            check_rows(findings, name, column_name, column.size(), table.size());
         });
     };
     model.tables(check_columns);

@@ -43,7 +43,7 @@ inline void rename(Attachment& side, const Renamed& renamed) {
 
 /// Links of the rows from `first` on of a table to rows of `To`.
 template <class To, class TableType> void renumber_rows(TableType& table, Row first, const Renamed& renamed) {
-    table.columns([&](const auto&, auto& column, auto role) {
+    table.columns([&](std::string_view, auto& column, auto role) {
         if constexpr (names<To, decltype(role)>()) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
             // An id needs no other name when rows move.
@@ -58,9 +58,9 @@ template <class To, class TableType> void renumber_rows(TableType& table, Row fi
 template <class TableType>
 void take_over(TableType& table, Row row, TableType& from, Row from_row, Row count, std::initializer_list<Role> roles) {
     std::vector<void*> sources;
-    from.columns([&](const auto&, auto& column, Role) { sources.push_back(&column); });
+    from.columns([&](std::string_view, auto& column, Role) { sources.push_back(&column); });
     std::size_t next = 0;
-    table.columns([&](const auto&, auto& column, Role role) {
+    table.columns([&](std::string_view, auto& column, Role role) {
         const auto& source = *static_cast<std::decay_t<decltype(column)>*>(sources[next++]);
         for (const Role wanted : roles)
             if (role == wanted) std::copy_n(source.begin() + from_row, count, column.begin() + row);
@@ -69,7 +69,7 @@ void take_over(TableType& table, Row row, TableType& from, Row from_row, Row cou
 
 /// A part of the vectors and tensors of a row that have the role.
 template <class TableType> void scale(TableType& table, Row row, double part, Role wanted) {
-    table.columns([&](const auto&, auto& column, Role role) {
+    table.columns([&](std::string_view, auto& column, Role role) {
         using Value = typename std::decay_t<decltype(column)>::value_type;
         if constexpr (requires { Value::Zero(); })
             if (role == wanted) column[static_cast<std::size_t>(row)] *= part;
@@ -78,7 +78,7 @@ template <class TableType> void scale(TableType& table, Row row, double part, Ro
 
 /// Zero, in the rows of a span, in all columns that have one of the roles.
 template <class TableType> void clear(TableType& table, const Span& rows, std::initializer_list<Role> roles) {
-    table.columns([&](const auto&, auto& column, Role role) {
+    table.columns([&](std::string_view, auto& column, Role role) {
         using Value = typename std::decay_t<decltype(column)>::value_type;
         for (const Role wanted : roles)
             if (role == wanted) std::fill_n(column.begin() + rows.first, rows.count, new_value<Value>());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/hash.hpp"
-#include "model/state.hpp"
+#include "model/archive.hpp"
 
 #include <map>
 #include <string>
@@ -12,97 +12,47 @@
 namespace kaya {
 
 /// Values of a new model by name; those of a new record of a list are under the name of the list and `*`.
-class InitialState {
+class InitialState final : public Archive {
 public:
-    InitialState() {
-        Model model;
-        visit_state(*this, model);
-    }
+    InitialState();
+    bool holds(const std::string& name, std::string_view bytes) const;
 
-    bool holds(const std::string& name, std::string_view bytes) const {
-        const auto found = values_.find(name);
-        return found != values_.end() && found->second == bytes;
-    }
-
-    template <class T> void value(const std::string& name, T& value) { values_[path_ + name] = bytes_of(value); }
-    void text(const std::string& name, std::string& text) { values_[path_ + name] = text; }
-    template <class T> void list(const std::string& name, Column<T>& list) { values_[path_ + name] = bytes_of(list); }
-    template <class T> void column(const std::string&, Column<T>&, const T&) {}
-    template <class T> void rows(T& table) { count("rows", table.size()); }
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
-        section(name, [&] {
-            count("count", all.size());
-            section("*", [&] {
-                S record{};
-                visit(record);
-            });
-        });
-    }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
-        const std::size_t length = path_.size();
-        path_ += name + "/";
-        visit();
-        path_.resize(length);
-    }
-    template <class Visit> void aside(Visit&&) {}
-
-    template <class T> static std::string_view bytes_of(T& value) {
-        return {reinterpret_cast<const char*>(scalars(value)), sizeof(T)};
-    }
-    template <class T> static std::string_view bytes_of(Column<T>& column) {
-        return {reinterpret_cast<const char*>(scalars(column)), column.size() * sizeof(T)};
-    }
+    void numbers(std::string_view name, const Numbers& value) override { put(name, value.bytes()); }
+    void text(std::string_view name, std::string& text) override { put(name, text); }
+    void number_list(std::string_view name, NumberList& list) override { put(name, list.numbers().bytes()); }
+    void numbers_column(std::string_view, const Numbers&, const Numbers&) override {}
+    void rows(TableRows& table) override { count("rows", table.size()); }
+    void record_list(std::string_view name, RecordList& records) override;
+    void group(std::string_view name, const Visit& visit) override;
+    void outside(const Visit&) override {}
 
 private:
-    void count(const std::string& name, std::uint64_t number) { value(name, number); }
+    void put(std::string_view name, std::string_view bytes) { values_[path_ + std::string(name)] = bytes; }
+    void count(std::string_view name, std::uint64_t number) { value(name, number); }
 
     std::map<std::string, std::string, std::less<>> values_;
     std::string path_;
 };
 
 /// An archive that only reads. The digest includes names and values.
-class HashArchive {
+class HashArchive final : public Archive {
 public:
-    template <class T> void value(const std::string& name, T& value) { add(name, InitialState::bytes_of(value)); }
-    void text(const std::string& name, std::string& text) { add(name, text); }
-    template <class T> void list(const std::string& name, Column<T>& list) { add(name, InitialState::bytes_of(list)); }
-    template <class T> void column(const std::string& name, Column<T>& column, T initial) {
-        const std::string_view all = InitialState::bytes_of(column), one = InitialState::bytes_of(initial);
-        for (std::size_t at = 0; at < all.size(); at += one.size())
-            if (all.substr(at, one.size()) != one) return hash(name, all);
-    }
-    template <class T> void rows(T& table) { count("rows", table.size()); }
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
-        section(name, [&] {
-            count("count", all.size());
-            for (std::size_t k = 0; k < all.size(); ++k) below(std::to_string(k), "*", [&] { visit(all[k]); });
-        });
-    }
-    template <class Visit> void section(const std::string& name, Visit&& visit) { below(name, name, visit); }
-    template <class Visit> void aside(Visit&&) {}
+    void numbers(std::string_view name, const Numbers& value) override { add(name, value.bytes()); }
+    void text(std::string_view name, std::string& text) override { add(name, text); }
+    void number_list(std::string_view name, NumberList& list) override { add(name, list.numbers().bytes()); }
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers& initial) override;
+    void rows(TableRows& table) override { count("rows", table.size()); }
+    void record_list(std::string_view name, RecordList& records) override;
+    void group(std::string_view name, const Visit& visit) override { below(name, name, visit); }
+    void outside(const Visit&) override {}
 
     std::uint64_t digest() const { return hash_.value(); }
 
 private:
-    void count(const std::string& name, std::uint64_t number) { value(name, number); }
-
-    void add(const std::string& name, std::string_view bytes) {
-        if (!initial_.holds(kind_ + name, bytes)) hash(name, bytes);
-    }
-
-    void hash(const std::string& name, std::string_view bytes) {
-        hash_.add(path_ + name);
-        hash_.add(bytes);
-    }
-
-    template <class Visit> void below(const std::string& name, const std::string& kind, Visit&& visit) {
-        const std::size_t path_length = path_.size(), kind_length = kind_.size();
-        path_ += name + "/";
-        kind_ += kind + "/";
-        visit();
-        path_.resize(path_length);
-        kind_.resize(kind_length);
-    }
+    void count(std::string_view name, std::uint64_t number) { value(name, number); }
+    void add(std::string_view name, std::string_view bytes);
+    void hash(std::string_view name, std::string_view bytes);
+    void below(std::string_view name, std::string_view kind, const Visit& visit);
 
     const InitialState initial_;
     Hash hash_;

@@ -1,6 +1,7 @@
 #include "study/slurm_runs.hpp"
 
 #include "base/door.hpp"
+#include "base/pattern.hpp"
 #include "base/sha256.hpp"
 #include "base/whole_file.hpp"
 #include "study/command_output.hpp"
@@ -9,7 +10,6 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <regex>
 #include <set>
 #include <sys/stat.h>
 #include <thread>
@@ -34,10 +34,10 @@ std::string quoted(const std::string& word) {
 }
 
 bool nobody_answers(const std::string& said) {
-    static const std::regex words(
+    static const Pattern words(
         "unable to contact|connection refused|connection timed out|socket timed out|communication connection failure|temporarily|zero bytes were transmitted",
-        std::regex::icase);
-    return std::regex_search(said, words);
+        Pattern::Letters::of_either_case);
+    return words.is_in(said);
 }
 
 std::string without_end(std::string text) {
@@ -65,10 +65,10 @@ std::vector<Case> SlurmRuns::left_of(const std::vector<Case>& cases) const {
 
 std::size_t SlurmRuns::most_tasks() const {
     const auto said = output_of({"scontrol", "show", "config"});
-    std::smatch found;
-    static const std::regex size("MaxArraySize\\s*=\\s*([0-9]{1,9})");
-    if (said.status != 0 || !std::regex_search(said.output, found, size)) return usual_tasks;
-    return std::max<std::size_t>(2, std::stoul(found[1].str())) - 1; // the first index that is too large
+    static const Pattern size("MaxArraySize\\s*=\\s*([0-9]{1,9})");
+    const auto found = size.all(said.output, 1);
+    if (said.status != 0 || found.empty()) return usual_tasks;
+    return std::max<std::size_t>(2, std::stoul(found.front())) - 1; // the first index that is too large
 }
 
 void SlurmRuns::wait(double seconds, const std::vector<Case>& cases) {

@@ -35,7 +35,7 @@ struct OtherProgram {
     std::string without, with; ///< OtherWalk
     double more = 0;
 
-    template <class Archive> void walk(Archive& archive, Model& model) const {
+    void walk(Archive& archive, Model& model) const {
         OtherWalk other(archive);
         other.without = without;
         other.with = with;

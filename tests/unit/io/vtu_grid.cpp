@@ -1,10 +1,11 @@
 // The blocks of a .vtu file as the format requires; tests/unit/vtk reads them with VTK, if installed.
 #include "io/vtu_grid.hpp"
 
+#include "base/pattern.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <regex>
 #include <zlib.h>
 
 using namespace kaya;
@@ -13,11 +14,10 @@ namespace {
 
 /// The bytes of the array NAME, from its blocks at its offset.
 std::string array_in(const std::string& file, const std::string& name) {
-    std::smatch found;
-    if (!std::regex_search(file, found, std::regex(" Name=\"" + name + "\"[^>]* offset=\"([0-9]+)\"")))
-        throw std::runtime_error("no array " + name);
+    const auto found = Pattern(" Name=\"" + name + "\"[^>]* offset=\"([0-9]+)\"").all(file, 1);
+    if (found.empty()) throw std::runtime_error("no array " + name);
     const std::string mark = "<AppendedData encoding=\"raw\">\n_";
-    const char* at = file.data() + file.find(mark) + mark.size() + std::stoul(found[1]);
+    const char* at = file.data() + file.find(mark) + mark.size() + std::stoul(found.front());
     const auto number = [&at] {
         std::uint32_t value = 0;
         std::memcpy(&value, at, sizeof value);

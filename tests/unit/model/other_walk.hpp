@@ -11,38 +11,41 @@
 namespace kaya::test {
 
 /// All names in the walk over a model.
-class NameList {
+class NameList final : public Archive {
 public:
     std::vector<std::string> all, columns;
     std::set<std::string> holding; ///< columns in which a row does not have the initial value
 
-    template <class T> void value(const std::string& name, T&) { add(name); }
-    void text(const std::string& name, std::string&) { add(name); }
-    template <class T> void list(const std::string& name, Column<T>&) { add(name); }
-    template <class T> void column(const std::string& name, Column<T>& column, const T& initial) {
+    void numbers(std::string_view name, const Numbers&) override { add(name); }
+    void text(std::string_view name, std::string&) override { add(name); }
+    void number_list(std::string_view name, NumberList&) override { add(name); }
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers& initial) override {
         add(name);
-        columns.push_back(path_ + name);
-        if (std::ranges::any_of(column, [&](const T& value) { return value != initial; })) holding.insert(path_ + name);
+        columns.push_back(path_ + std::string(name));
+        const std::string_view bytes = column.bytes(), one = initial.bytes();
+        for (std::size_t at = 0; at < bytes.size(); at += one.size())
+            if (bytes.substr(at, one.size()) != one) holding.insert(columns.back());
     }
-    template <class T> void rows(T&) {}
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& records, Visit&& visit) {
+    void rows(TableRows&) override {}
+    void record_list(std::string_view name, RecordList& records) override {
         section(name, [&] {
             below("*/", [&] {
-                for (S& record : records) visit(record);
+                for (std::size_t k = 0; k < records.size(); ++k) records.visit(k);
             });
         });
     }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
+    void group(std::string_view name, const Visit& visit) override {
         add(name);
-        below(name + "/", visit);
+        below(std::string(name) + "/", visit);
     }
-    template <class Visit> void aside(Visit&& visit) { visit(); }
+    void outside(const Visit& visit) override { visit(); }
 
 private:
-    void add(const std::string& name) {
-        if (std::ranges::find(all, path_ + name) == all.end()) all.push_back(path_ + name);
+    void add(std::string_view name) {
+        const std::string whole = path_ + std::string(name);
+        if (std::ranges::find(all, whole) == all.end()) all.push_back(whole);
     }
-    template <class Visit> void below(const std::string& name, Visit&& visit) {
+    template <class Function> void below(const std::string& name, const Function& visit) {
         const std::size_t length = path_.size();
         path_ += name;
         visit();
@@ -58,7 +61,7 @@ inline NameList names_of(Model& model) {
 }
 
 /// Passes an archive along the walk of another program.
-template <class Archive> class OtherWalk {
+class OtherWalk final : public Archive {
 public:
     explicit OtherWalk(Archive& archive) : archive_(archive) {}
 
@@ -66,33 +69,58 @@ public:
     std::string with;    ///< "table/column": the other program has this column
     Column<double> more; ///< and these are its numbers
 
-    template <class T> void value(const std::string& name, T& value) {
-        if (knows(name)) archive_.value(name, value);
+    void numbers(std::string_view name, const Numbers& value) override {
+        if (knows(name)) archive_.numbers(name, value);
     }
-    void text(const std::string& name, std::string& text) {
+    void text(std::string_view name, std::string& text) override {
         if (knows(name)) archive_.text(name, text);
     }
-    template <class T> void list(const std::string& name, Column<T>& list) {
-        if (knows(name)) archive_.list(name, list);
+    void number_list(std::string_view name, NumberList& list) override {
+        if (knows(name)) archive_.number_list(name, list);
     }
-    template <class T> void column(const std::string& name, Column<T>& column, const T& initial) {
-        if (knows(name)) archive_.column(name, column, initial);
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers& initial) override {
+        if (knows(name)) archive_.numbers_column(name, column, initial);
     }
-    template <class T> void rows(T& table) {
+    void rows(TableRows& table) override {
         archive_.rows(table);
         if (with.starts_with(path_)) archive_.column(with.substr(path_.size()), more, 0.0);
     }
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
-        if (knows(name)) archive_.records(name, all, [&](S& record) { below(name + "/*/", [&] { visit(record); }); });
+    void record_list(std::string_view name, RecordList& records) override {
+        if (!knows(name)) return;
+        Inside inside(*this, records, std::string(name) + "/*/");
+        archive_.record_list(name, inside);
     }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
-        if (knows(name)) archive_.section(name, [&] { below(name + "/", visit); });
+    void group(std::string_view name, const Visit& visit) override {
+        if (knows(name)) archive_.section(name, [&] { below(std::string(name) + "/", visit); });
     }
-    template <class Visit> void aside(Visit&& visit) { archive_.aside(visit); }
+    void outside(const Visit& visit) override { archive_.outside(visit); }
 
 private:
-    bool knows(const std::string& name) const { return path_ + name != without; }
-    template <class Visit> void below(const std::string& name, Visit&& visit) {
+    /// The records of a list, whose names are inside the list.
+    class Inside final : public RecordList {
+    public:
+        Inside(OtherWalk& walk, RecordList& records, std::string path)
+            : walk_(walk), records_(records), path_(std::move(path)) {}
+        std::size_t size() const override { return records_.size(); }
+        void clear() override { records_.clear(); }
+        void visit(std::size_t record) override {
+            walk_.below(path_, [&] { records_.visit(record); });
+        }
+        void visit_new() override {
+            walk_.below(path_, [&] { records_.visit_new(); });
+        }
+        void visit_initial() override {
+            walk_.below(path_, [&] { records_.visit_initial(); });
+        }
+
+    private:
+        OtherWalk& walk_;
+        RecordList& records_;
+        std::string path_;
+    };
+
+    bool knows(std::string_view name) const { return path_ + std::string(name) != without; }
+    template <class Function> void below(const std::string& name, const Function& visit) {
         const std::size_t length = path_.size();
         path_ += name;
         visit();

@@ -24,36 +24,35 @@ std::uint64_t hash_with(const std::function<void(Model&)>& change) {
 }
 
 /// Adds one to the n-th scalar of the walk; false if there are fewer.
-class ScalarChanger {
+class ScalarChanger final : public Archive {
 public:
     explicit ScalarChanger(std::size_t target) : target_(target) {}
 
-    template <class T> void value(std::string_view, T& value) { change(scalars(value), Plain<T>::count); }
-    void text(std::string_view, std::string& text) {
-        if (count_++ == target_) text += "x";
-    }
-    template <class T> void list(std::string_view, Column<T>& list) {
-        change(scalars(list), list.size() * Plain<T>::count);
-    }
-    template <class T> void column(std::string_view name, Column<T>& column, const T&) { list(name, column); }
-    template <class T> void rows(T&) {}
-    template <class S, class Visit> void records(std::string_view, std::vector<S>& all, Visit&& visit) {
-        for (auto& record : all) visit(record);
-    }
-    template <class Visit> void section(std::string_view, Visit&& visit) { visit(); }
-    template <class Visit> void aside(Visit&&) {}
-
-    bool changed() const { return count_ > target_; }
-
-private:
-    template <class S> void change(S* scalar, std::size_t n) {
+    void numbers(std::string_view, const Numbers& value) override {
+        const std::size_t n = value.count();
         if (target_ >= count_ && target_ < count_ + n) {
-            auto* byte = reinterpret_cast<unsigned char*>(scalar + (target_ - count_));
+            auto* byte = static_cast<unsigned char*>(value.first) + (target_ - count_) * size_of(value.type);
             *byte ^= 1; // one bit, also of a NaN
         }
         count_ += n;
     }
+    void text(std::string_view, std::string& text) override {
+        if (count_++ == target_) text += "x";
+    }
+    void number_list(std::string_view name, NumberList& list) override { numbers(name, list.numbers()); }
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers&) override {
+        numbers(name, column);
+    }
+    void rows(TableRows&) override {}
+    void record_list(std::string_view, RecordList& records) override {
+        for (std::size_t k = 0; k < records.size(); ++k) records.visit(k);
+    }
+    void group(std::string_view, const Visit& visit) override { visit(); }
+    void outside(const Visit&) override {}
 
+    bool changed() const { return count_ > target_; }
+
+private:
     std::size_t target_, count_ = 0;
 };
 

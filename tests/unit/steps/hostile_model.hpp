@@ -14,7 +14,7 @@
 namespace kaya::test {
 
 /// Passed along the state of a model it counts the columns and values that hold numbers, or changes one number of one of them.
-class Mutation {
+class Mutation final : public Archive {
 public:
     using Choose = std::function<std::uint64_t()>;
 
@@ -25,33 +25,35 @@ public:
     std::size_t count() const { return seen_; }
     const std::string& what() const { return what_; }
 
-    template <class T> void value(const std::string& name, T& value) { change(name, scalars(value), Plain<T>::count); }
-    void text(const std::string&, std::string&) {}
-    template <class T> void list(const std::string& name, Column<T>& list) {
-        change(name, scalars(list), list.size() * Plain<T>::count);
+    void numbers(std::string_view name, const Numbers& value) override {
+        with_type(value, [&](auto* first, std::size_t count) { change(name, first, count); });
     }
-    template <class T> void column(const std::string& name, Column<T>& column, const T&) { list(name, column); }
-    template <class T> void rows(T&) {}
-    template <class S, class Visit> void records(const std::string& name, std::vector<S>& all, Visit&& visit) {
+    void text(std::string_view, std::string&) override {}
+    void number_list(std::string_view name, NumberList& list) override { numbers(name, list.numbers()); }
+    void numbers_column(std::string_view name, const Numbers& column, const Numbers&) override {
+        numbers(name, column);
+    }
+    void rows(TableRows&) override {}
+    void record_list(std::string_view name, RecordList& records) override {
         section(name, [&] {
-            for (S& one : all) visit(one);
+            for (std::size_t k = 0; k < records.size(); ++k) records.visit(k);
         });
     }
-    template <class Visit> void section(const std::string& name, Visit&& visit) {
+    void group(std::string_view name, const Visit& visit) override {
         const std::string before = path_;
-        path_ += name + "/";
+        path_.append(name).append("/");
         visit();
         path_ = before;
     }
-    template <class Visit> void aside(Visit&& visit) { visit(); }
+    void outside(const Visit& visit) override { visit(); }
 
 private:
-    template <class Number> void change(const std::string& name, Number* numbers, std::size_t count) {
+    template <class Number> void change(std::string_view name, Number* first, std::size_t count) {
         if (count == 0 || seen_++ != place_ || !choose_) return;
         const std::size_t at = choose_() % count;
-        if constexpr (std::is_same_v<Number, bool>) numbers[at] = !numbers[at];
-        else numbers[at] = hostile<Number>();
-        what_ = fmt::format("{}{}[{}] = {}", path_, name, at, numbers[at]);
+        if constexpr (std::is_same_v<Number, bool>) first[at] = !first[at];
+        else first[at] = hostile<Number>();
+        what_ = fmt::format("{}{}[{}] = {}", path_, name, at, first[at]);
     }
 
     template <class Number> Number hostile() {
