@@ -129,6 +129,18 @@ struct FishCallback {
     std::int64_t interval = 1;
     Place place;
 };
+/// fish automatic-create on|off, fish structure NAME(a, b)
+struct FishSetting {
+    std::optional<bool> automatic_create; ///< variables exist from their first mention on
+    std::string structure;                ///< the name of a kind of structure, and those of its members
+    std::vector<std::string> members;
+    Place place;
+};
+/// fish history name 'label' f
+struct FishHistory {
+    std::string label, function;
+    Place place;
+};
 /// param name = value: the first value of a name is kept; kaya --set gives it before the deck does.
 struct Parameter {
     std::string name;
@@ -177,7 +189,8 @@ using ListCommands = CommandList<List>;
 using PlotCommands = CommandList<Plot>;
 using MovieCommands = CommandList<Movie>;
 using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fraction>;
-using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile, Parameter>;
+using ScriptCommands =
+    CommandList<FishDefinition, FishCall, FishCallback, FishSetting, FishHistory, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =
     CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands,
@@ -190,9 +203,9 @@ template <class Command> inline constexpr std::size_t index_of = index_in<Comman
 
 /// Commands that a script may give inside a cycle: those that read, those that write values that may change at any time, and those that
 /// would cycle or replace the running model (they are refused). All others change the structure and wait for the end of the cycle.
-using RunInCycle =
-    CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand, HistoryLabel,
-                HistoryWrite, List, Plot, Movie, Ignored, FishDefinition, FishCall, FishCallback, LuaChunk, LuaFile>;
+using RunInCycle = CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand,
+                               HistoryLabel, HistoryWrite, List, Plot, Movie, Ignored, FishDefinition, FishCall,
+                               FishCallback, FishSetting, LuaChunk, LuaFile>;
 using RefusedInCycle = CommandList<New, Restore, LimitEquilibrium, CycleCommand, Solve>;
 
 } // namespace kaya::lang

@@ -99,6 +99,95 @@ CommandSpec fishcall() {
     return entry;
 }
 
+/// A name, with @ or without: the name itself and not its value.
+std::string name_at(Reader& reader, const ArgumentSpec& name) {
+    return reader.peek()->kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
+}
+
+CommandSpec automatic_create() {
+    Entry<FishSetting> entry({"fish"}, {"automatic-create"});
+    entry.help("off: a variable of FISH must be declared by global or local before it is used");
+    entry.argument(on_off(), [](FishSetting& setting, bool on) { setting.automatic_create = on; });
+    entry.place(&FishSetting::place);
+    entry.right("fish automatic-create off").right("fish automatic-create on");
+    entry.wrong("fish automatic-create", "a word is missing after 'automatic-create'");
+    entry.wrong("fish automatic-create maybe", "expected on or off, found 'maybe'");
+    return entry;
+}
+
+CommandSpec fish_structure() {
+    Entry<FishSetting> entry({"fish"}, {"structure"});
+    entry.help("names the members of a kind of structure, which `struct NAME` makes in FISH");
+    entry.place(&FishSetting::place);
+    entry.argument(text("name").help("name of the structure"), &FishSetting::structure);
+    const auto member = text("member").optional().spec;
+    entry.otherwise({member}, [member](Reader& reader, FishSetting& setting) {
+        setting.members.push_back(fold(reader.text(member)));
+        return true;
+    });
+    entry.right("fish structure bolt(length, angle)").right("fish structure empty");
+    entry.wrong("fish structure", "a word is missing after 'structure'");
+    return entry;
+}
+
+CommandSpec fish_history() {
+    const auto name = text("function").spec;
+    Entry<FishHistory> entry({"fish"}, {"history"});
+    entry.help("records the value of a function or variable of FISH");
+    entry.place(&FishHistory::place);
+    entry.keyword({"name"}, text("label"), &FishHistory::label, "label of the history");
+    entry.otherwise({name}, [name](Reader& reader, FishHistory& history) {
+        if (!history.function.empty()) return false;
+        history.function = name_at(reader, name);
+        return true;
+    });
+    entry.finish([](const Reader& reader, FishHistory& history) {
+        if (history.function.empty())
+            incomplete_line(reader, "fish history does not say what to record", "write: fish history NAME");
+    });
+    entry.right("fish history crest").right("fish history name 'speed' @crest");
+    entry.wrong("fish history", "fish history does not say what to record");
+    return entry;
+}
+
+CommandSpec fish_set() {
+    const auto name = text("@name").spec;
+    Entry<Set> entry({"fish"}, {"set"});
+    entry.help("gives variables of FISH a value");
+    entry.otherwise({name, real("value").spec}, [name](Reader& reader, Set& set) {
+        const std::string variable = name_at(reader, name);
+        set.fish.emplace_back(variable, reader.any(real("value").spec));
+        return true;
+    });
+    entry.finish([](const Reader& reader, Set& set) {
+        if (set.fish.empty()) incomplete_line(reader, "fish set has no variable", "write: fish set @load 5e6");
+    });
+    entry.right("fish set @load 5e6").right("fish set width = 2 height = 3");
+    entry.wrong("fish set", "fish set has no variable").wrong("fish set @load", "a number is missing after '@load'");
+    return entry;
+}
+
+CommandSpec fish_list() {
+    const auto name = text("name").optional().spec;
+    Entry<List> entry({"fish"}, {"list"});
+    entry.help("shows the value of a variable or an expression of FISH, or all names");
+    const auto accepted = [](List&) {};
+    entry.action({"basic"}, accepted, "accepted, without effect");
+    entry.action({"symbols"}, accepted, "accepted, without effect");
+    entry.action({"contents"}, accepted, "accepted, without effect");
+    entry.otherwise({name}, [name](Reader& reader, List& command) {
+        const WordKind kind = reader.peek()->kind;
+        command.symbols.push_back(kind == WordKind::expression ? "[" + reader.take().text + "]"
+                                                               : name_at(reader, name));
+        return true;
+    });
+    entry.finish([](const Reader&, List& command) {
+        if (command.symbols.empty()) command.what = List::What::symbols;
+    });
+    entry.right("fish list").right("fish list @load").right("fish list [load * 2]").right("fish list contents load");
+    return entry;
+}
+
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
     entry.help("sets a FISH variable, or a property of the deck, unless `kaya --set` or an earlier line has set it");
@@ -131,12 +220,21 @@ Family script() {
     CommandSpec modern = define({"fish"}, {"define"});
     modern.right = {{"fish define half\n  half = 0.5\nend", {}}};
     modern.wrong = {{"fish define half\n  half = 0.5", "fish define 'half' is never ended"}};
+    CommandSpec parallel = define({"fish"}, {"operator"});
+    parallel.right = {{"fish operator half(a)\n  half = 0.5*a\nend", {}}};
+    parallel.wrong = {{"fish operator half(a)\n  half = a", "fish operator 'a' is never ended"}};
     return {"script",
             "FISH and Lua",
             {
                 std::move(plain),
                 std::move(modern),
+                std::move(parallel),
                 callback(),
+                automatic_create(),
+                fish_structure(),
+                fish_history(),
+                fish_set(),
+                fish_list(),
                 fishcall(),
                 parameter(),
                 Entry<FishCall>({"@"})

@@ -25,7 +25,9 @@ std::size_t after_bracket(std::string_view text, std::size_t from) {
 
 class CommandLineReader {
 public:
-    explicit CommandLineReader(const RawLine& raw) : raw_(raw) { result_.line = raw.place.line; }
+    CommandLineReader(const RawLine& raw, Dialect dialect) : raw_(raw), dialect_(dialect) {
+        result_.line = raw.place.line;
+    }
 
     CommandLine read() {
         char quote = 0;
@@ -70,7 +72,7 @@ private:
             throw Diagnostic("the bracket is not closed", "put ] after the expression").at(place_of(at_, 1));
         flush();
         const std::string inner = raw_.text.substr(at_ + 1, end - at_ - 2);
-        ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()));
+        ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()), dialect_);
         if (!tree.assignment.empty())
             throw Diagnostic("an assignment cannot stand inside of a command").at(place_of(at_ + 1, inner.size()));
         CommandPiece piece;
@@ -95,6 +97,7 @@ private:
     }
 
     const RawLine& raw_;
+    Dialect dialect_;
     std::size_t at_ = 0;
     std::string plain_;
     CommandLine result_;
@@ -102,7 +105,7 @@ private:
 
 } // namespace
 
-CommandLine read_command_line(const RawLine& raw) { return CommandLineReader(raw).read(); }
+CommandLine read_command_line(const RawLine& raw, Dialect dialect) { return CommandLineReader(raw, dialect).read(); }
 
 std::string first_word(std::string_view text) {
     std::size_t from = text.find_first_not_of(" \t\r");

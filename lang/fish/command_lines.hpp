@@ -9,7 +9,7 @@ namespace kaya::fish {
 /// Cuts the line at every `[expression]` and `@name` outside of quotes. A piece made from `@name` keeps its text too: only names of local
 /// variables are replaced here. All other names have a meaning for the command itself (`hist @x` records the variable and not its present
 /// value).
-CommandLine read_command_line(const RawLine& raw);
+CommandLine read_command_line(const RawLine& raw, Dialect dialect);
 
 /// First word in lower case; empty for a blank line.
 std::string first_word(std::string_view text);

@@ -2,6 +2,9 @@
 
 #include "lang/fish/generator.hpp"
 #include "lang/fish/parser.hpp"
+#include "lang/fish/syntax.hpp"
+
+#include <algorithm>
 
 namespace kaya::fish {
 
@@ -10,6 +13,8 @@ Function read_function(const std::string& text, const Place& first) {
     Function function;
     function.name = parsed.tree.name;
     function.arguments = parsed.tree.arguments;
+    function.least = static_cast<int>(parsed.tree.arguments.size() - parsed.tree.defaults.size());
+    function.dialect = parsed.tree.dialect;
     function.whilestepping = parsed.whilestepping;
     function.mentions = outside_names(parsed.tree);
     function.place = parsed.tree.place;
@@ -37,13 +42,24 @@ std::string without_marks(std::string text) {
 
 } // namespace
 
-Expression read_expression(const std::string& text, const Place& place) {
-    ExpressionTree tree = parse_expression_line(without_marks(text), place);
+Dialect dialect_at(const Place& place) {
+    if (!place.source || place.line < 1 || place.line > static_cast<int>(place.source->lines.size()))
+        return Dialect::classic;
+    const std::string& line = place.source->lines[static_cast<std::size_t>(place.line - 1)];
+    const auto column = static_cast<std::size_t>(std::max(place.column, 1) - 1);
+    return column < line.size() && line[column] == '[' ? Dialect::modern : Dialect::classic;
+}
+
+Expression read_expression(const std::string& text, const Place& place, Dialect dialect) {
+    ExpressionTree tree = parse_expression_line(without_marks(text), place, dialect);
     Expression expression;
+    expression.dialect = dialect;
     expression.mentions = outside_names(tree);
     expression.place = place;
-    if (!tree.assignment.empty() && !tree.assignment.front().target.parentheses)
-        expression.assigned = tree.assignment.front().target.text;
+    if (!tree.assignment.empty()) {
+        const Node& target = tree.assignment.front().target;
+        if (target.kind == NodeKind::name && !target.parentheses) expression.assigned = target.text;
+    }
     expression.tree = std::make_shared<const ExpressionTree>(std::move(tree));
     return expression;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "lang/fish/dialect.hpp"
 
 #include <functional>
 #include <memory>
@@ -27,6 +28,7 @@ struct Meaning {
     int least = 0; ///< number of arguments
     int most = 0;
     bool writable = false; ///< a built-in that may stand left of `=`
+    bool exists = false;   ///< a variable that has a value
 };
 
 /// Throws Diagnostic when a function, or a built-in name, is called with a wrong number of arguments.
@@ -35,6 +37,9 @@ void check_arguments(const std::string& name, int given, const Meaning& meaning,
 /// True for the names of values: true, false, on, off, null.
 bool is_constant(std::string_view name);
 
+/// True for list, map, tensor, boolean: they make values in the modern dialect and are names of variables in the classic one.
+bool makes_value(std::string_view name);
+
 /// Returns the present meaning of a name (in lower case) to the code generator.
 using Dictionary = std::function<Meaning(std::string_view name)>;
 
@@ -42,6 +47,8 @@ using Dictionary = std::function<Meaning(std::string_view name)>;
 struct Function {
     std::string name;
     std::vector<std::string> arguments;
+    int least = 0; ///< number of arguments that a call must give
+    Dialect dialect = Dialect::classic;
     bool whilestepping = false;        ///< to be run after every cycle from its definition on
     std::vector<std::string> mentions; ///< all outside names it uses, sorted: when the meaning of one of
                                        ///< them changes the function must be generated again
@@ -59,14 +66,18 @@ std::string generate(const Function& function, const Dictionary& dictionary);
 
 /// An expression outside of any function: `@name(1,2)`, `[a + 1]`, `[a = 3]`.
 struct Expression {
+    Dialect dialect = Dialect::classic;
     std::vector<std::string> mentions;
     std::string assigned; ///< variable left of `=`, or empty
     Place place;
     std::shared_ptr<const ExpressionTree> tree;
 };
 
+/// Modern when a bracket stands at the place, as in `[a + 1]`.
+Dialect dialect_at(const Place& place);
+
 /// `text` without the `@` or the brackets. An assignment is allowed; its value is the value assigned.
-Expression read_expression(const std::string& text, const Place& place);
+Expression read_expression(const std::string& text, const Place& place, Dialect dialect = Dialect::classic);
 std::string generate(const Expression& expression, const Dictionary& dictionary);
 
 // The generated chunk is called with (G, F, A, W, R) and returns the function:

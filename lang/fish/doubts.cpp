@@ -58,6 +58,7 @@ private:
     }
 
     void statement(const Statement& s) {
+        if (s.kind == StatementKind::structure) return;
         node(s.target);
         node(s.value);
         for (const auto& expression : s.expressions) node(expression);

@@ -65,6 +65,11 @@ bool is_constant(std::string_view name) {
     return std::ranges::find(constants, name, &ClassicConstant::name) != constants.end();
 }
 
+bool makes_value(std::string_view name) {
+    constexpr std::array<std::string_view, 4> makers{"list", "map", "tensor", "boolean"};
+    return std::ranges::find(makers, name) != makers.end();
+}
+
 void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place) {
     if (given >= meaning.least && given <= meaning.most) return;
     const std::string wanted = meaning.least == meaning.most ? fmt::format("{}", meaning.least)
@@ -121,6 +126,10 @@ std::string ExpressionGenerator::generated(const Node& node, int strength) const
     case NodeKind::real: return real_text(node.real);
     case NodeKind::text: return lua_string(node.text);
     case NodeKind::name: return name(node);
+    case NodeKind::member: return member_value(node);
+    case NodeKind::structure:
+        return fmt::format("R.new_structure({}{}{})", lua_string(node.text), node.children.empty() ? "" : ", ",
+                           list(node.children));
     case NodeKind::minus:
         // The blank keeps two signs from becoming a Lua comment.
         return in_parentheses(fmt::format("- {}", generated(node.children[0], sign)), strength > sign);
@@ -140,10 +149,11 @@ std::string ExpressionGenerator::binary(const Node& node, int strength) const {
         return strength == truth ? text : fmt::format("({} and 1 or 0)", text);
     }
     if (node.text == "^") return fmt::format("R.power({}, {})", value(left), value(right));
-    // A whole number divided by a whole number is cut to a whole number; a divisor with a point cannot be
-    // one.
+    if (node.text == "//" || node.text == "%")
+        return fmt::format("R.{}({}, {})", node.text == "%" ? "remainder" : "floor_divide", value(left), value(right));
+    // A whole number divided by a whole number is cut to a whole number, in the classic dialect; a divisor with a point cannot be one.
     if (node.text == "/" && !(right.kind == NodeKind::real && right.real != 0))
-        return fmt::format("R.divide({}, {})", value(left), value(right));
+        return fmt::format("R.{}({}, {})", modern() ? "ratio" : "divide", value(left), value(right));
     const int own = node.text == "+" || node.text == "-" ? sum : product;
     const std::string text = fmt::format("{} {} {}", generated(left, own), node.text, generated(right, own + 1));
     return in_parentheses(text, strength > own);
@@ -174,7 +184,60 @@ std::string ExpressionGenerator::shared_built_ins() const {
     return text;
 }
 
+bool ExpressionGenerator::makes_value(const Node& node) const {
+    return modern() && fish::makes_value(node.text) && !scope_.is_local(node.text) && !dictionary_(node.text).exists;
+}
+
+std::string ExpressionGenerator::owned(const Node& node) const {
+    const std::string text = value(node);
+    if (!modern()) return text;
+    bool shared = node.kind == NodeKind::member;
+    if (node.kind == NodeKind::name && !makes_value(node)) {
+        const bool local = scope_.is_local(node.text) && node.text != scope_.function;
+        const Meaning meaning = local ? Meaning{} : dictionary_(node.text);
+        shared = !is_constant(node.text) && (meaning.kind == NameKind::variable || node.text.ends_with(".extra"));
+    }
+    return shared ? fmt::format("R.own({})", text) : text;
+}
+
+bool ExpressionGenerator::is_fresh(const Node& node) const {
+    if (node.kind != NodeKind::name || scope_.is_local(node.text)) return false;
+    const Meaning meaning = dictionary_(node.text);
+    return makes_value(node) || (meaning.kind == NameKind::built_in && !meaning.writable);
+}
+
+bool ExpressionGenerator::is_place(const Node& node) const {
+    if (node.kind == NodeKind::member) return true;
+    if (node.kind != NodeKind::name || makes_value(node)) return false;
+    if (scope_.is_local(node.text)) return node.text != scope_.function || !node.parentheses;
+    const Meaning meaning = meaning_of(node);
+    return meaning.kind == NameKind::variable || (meaning.kind == NameKind::built_in && meaning.writable);
+}
+
+std::string ExpressionGenerator::member_value(const Node& node) const {
+    std::string arguments;
+    for (std::size_t i = 1; i < node.children.size(); ++i) arguments += ", " + value(node.children[i]);
+    return fmt::format("R.member({}, {}{})", value(node.children[0]), lua_string(node.text), arguments);
+}
+
+std::string ExpressionGenerator::member_assignment(const Node& target, const std::string& value) const {
+    const Node& whole = target.children[0];
+    std::string arguments;
+    for (std::size_t i = 1; i < target.children.size(); ++i) arguments += ", " + this->value(target.children[i]);
+    const bool stored = is_place(whole);
+    // Vectors and tensors are values: a new one replaces the old one.
+    const std::string changed = fmt::format("R.{}({}, {}, {}{})", stored ? "with_member" : "set_member",
+                                            this->value(whole), lua_string(target.text), value, arguments);
+    return stored ? assignment(whole, changed) : changed;
+}
+
 std::string ExpressionGenerator::name(const Node& node) const {
+    if (makes_value(node)) return fmt::format("A.{}({})", node.text, list(node.children));
+    if (modern() && node.text == scope_.function && !node.parentheses) { // it calls itself
+        const Meaning own = dictionary_(node.text);
+        if (own.kind == NameKind::function) check_arguments(node, own);
+        return fmt::format("F{}()", member(node.text));
+    }
     if (scope_.is_local(node.text)) {
         if (!node.parentheses) return variable(node);
         if (node.text != scope_.function) return indexed(node);
@@ -203,6 +266,9 @@ std::string ExpressionGenerator::indexed(const Node& node) const {
 }
 
 std::string ExpressionGenerator::assignment(const Node& target, const std::string& value) const {
+    if (target.kind == NodeKind::member) return member_assignment(target, value);
+    if (target.kind == NodeKind::structure)
+        throw Diagnostic("a new structure cannot be assigned", "write: a = struct NAME(1, 2)").at(target.place);
     const bool local = scope_.is_local(target.text);
     const Meaning meaning = local ? Meaning{} : meaning_of(target);
     if (meaning.kind == NameKind::function)
@@ -215,7 +281,8 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
                              meaning.most == 0 ? "use another name for the variable" : "")
                 .at(target.place);
         check_arguments(target, meaning);
-        const bool component = target.text == "xcomp" || target.text == "ycomp" || target.text == "zcomp";
+        constexpr std::array<std::string_view, 6> components{"xcomp", "ycomp", "zcomp", "comp.x", "comp.y", "comp.z"};
+        const bool component = std::ranges::find(components, target.text) != components.end();
         if (component) { // vectors are values: a new one replaces the old one
             const std::string whole =
                 fmt::format("{}({}, {})", built_in('W', target.text), this->value(target.children[0]), value);

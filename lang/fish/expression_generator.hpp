@@ -15,6 +15,7 @@ struct Scope {
     std::string function;          ///< own name: the return variable; empty for a bare expression
     std::set<std::string> locals;  ///< arguments and locals that are Lua locals `v_name`
     std::set<std::string> spilled; ///< locals beyond what Lua takes: fields of the table S
+    Dialect dialect = Dialect::classic;
 
     bool is_local(const std::string& name) const {
         return name == function || locals.contains(name) || spilled.contains(name);
@@ -29,6 +30,10 @@ public:
     std::string value(const Node& node) const { return generated(node, 0); }
     /// Lua expression that is true or false.
     std::string condition(const Node& node) const;
+    /// The value as another variable may hold it: of lists, maps and structures a copy.
+    std::string owned(const Node& node) const;
+    /// Whether the node calls a built-in that makes a new value, which nothing else holds.
+    bool is_fresh(const Node& node) const;
     /// Lua statement `target = value`.
     std::string assignment(const Node& target, const std::string& value) const;
     /// The place where a variable lives: `v_x`, `S["x"]` or `G.x`.
@@ -44,6 +49,13 @@ private:
     std::string binary(const Node& node, int strength) const;
     std::string name(const Node& node) const;
     std::string indexed(const Node& node) const;
+    std::string member_value(const Node& node) const;
+    std::string member_assignment(const Node& target, const std::string& value) const;
+    /// Whether the node stands for something that can be assigned.
+    bool is_place(const Node& node) const;
+    bool modern() const { return scope_.dialect == Dialect::modern; }
+    /// list(1, 2), map, ... that make a value
+    bool makes_value(const Node& node) const;
     void check_arguments(const Node& node, const Meaning& meaning) const;
     /// Throws Diagnostic for a name that is reserved.
     Meaning meaning_of(const Node& name) const;

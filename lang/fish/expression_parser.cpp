@@ -73,7 +73,7 @@ public:
     Node disjunction() {
         const Depth depth(*this);
         Node left = conjunction();
-        while (line_.peek().is_sign("|")) {
+        while (line_.peek().is_sign("|") || is_word("or")) {
             const Place place = take_operator().place;
             left = binary("|", place, std::move(left), conjunction());
         }
@@ -83,12 +83,25 @@ public:
     Node name() {
         Node node;
         node.kind = NodeKind::name;
-        const Token& token = line_.expect_name("a name");
-        node.text = token.text;
-        node.place = token.place;
-        if (!line_.take_sign("(")) return node;
+        const Token* token = &line_.expect_name("a name");
+        const bool makes_structure =
+            modern() && (token->text == "struct" || token->text == "structure") && line_.peek().kind == TokenKind::name;
+        if (makes_structure) {
+            node.kind = NodeKind::structure;
+            token = &line_.take();
+        }
+        node.text = token->text;
+        node.place = token->place;
+        arguments(node);
+        return members(std::move(node));
+    }
+
+private:
+    /// (a, b), when the line is there
+    void arguments(Node& node) {
+        if (!line_.take_sign("(")) return;
         node.parentheses = true;
-        if (line_.take_sign(")")) return node;
+        if (line_.take_sign(")")) return;
         do {
             node.children.push_back(disjunction());
             if (node.children.size() > most_arguments)
@@ -96,10 +109,26 @@ public:
                     .at(node.place);
         } while (line_.take_sign(","));
         line_.expect_sign(")", fmt::format("the arguments of '{}'", node.text));
-        return node;
     }
 
-private:
+    /// ->a->b(c) after a value
+    Node members(Node whole) {
+        int count = 0;
+        while (line_.take_sign("->")) {
+            if (++count > deepest)
+                throw Diagnostic(fmt::format("more than {} members follow each other", deepest)).at(whole.place);
+            Node node;
+            node.kind = NodeKind::member;
+            const Token& token = line_.expect_name("the name of a member after '->'");
+            node.text = token.text;
+            node.place = token.place;
+            node.children.push_back(std::move(whole));
+            arguments(node);
+            whole = std::move(node);
+        }
+        return whole;
+    }
+
     struct Depth {
         explicit Depth(ExpressionParser& parser) : owner(parser) {
             if (++owner.depth_ > deepest)
@@ -121,16 +150,21 @@ private:
 
     Node conjunction() {
         Node left = negation();
-        while (line_.peek().is_sign("&")) {
+        while (line_.peek().is_sign("&") || is_word("and")) {
             const Place place = take_operator().place;
             left = binary("&", place, std::move(left), negation());
         }
         return left;
     }
 
+    /// An operator that the modern dialect has as a word.
+    bool is_word(std::string_view word) const { return modern() && line_.peek().is_name(word); }
+    bool modern() const { return line_.dialect == Dialect::modern; }
+
     Node negation() {
         // `not(x)` is the classic function, `not x` the operator of newer decks.
-        if (line_.peek().is_name("not") && !line_.peek(1).is_sign("(")) {
+        if (is_word("not") || line_.peek().is_sign("~") ||
+            (line_.peek().is_name("not") && !line_.peek(1).is_sign("("))) {
             const Depth depth(*this);
             const Place place = line_.take().place;
             return unary(NodeKind::logical_not, place, negation());
@@ -161,7 +195,8 @@ private:
 
     Node product() {
         Node left = signed_power();
-        while (line_.peek().is_sign("*") || line_.peek().is_sign("/")) {
+        constexpr std::array<std::string_view, 4> signs{"*", "/", "//", "%"};
+        while (line_.peek().kind == TokenKind::sign && std::ranges::find(signs, line_.peek().text) != signs.end()) {
             const Token sign = take_operator();
             left = binary(sign.text, sign.place, std::move(left), signed_power());
         }
@@ -203,7 +238,7 @@ private:
         if (line_.take_sign("(")) {
             Node inner = disjunction();
             line_.expect_sign(")", "the parenthesis");
-            return inner;
+            return members(std::move(inner));
         }
         fail_expected(line_, "a value");
     }

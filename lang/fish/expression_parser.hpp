@@ -15,8 +15,10 @@ public:
     Line() { restart(); }
 
     std::vector<Token> tokens; ///< ends with end_of_line
+    Dialect dialect = Dialect::classic;
 
-    void restart() { at_ = 0; }
+    void restart(std::size_t at = 0) { at_ = at; }
+    std::size_t at() const { return at_; }
     const Token& peek(std::size_t ahead = 0) const { return tokens[std::min(at_ + ahead, tokens.size() - 1)]; }
     const Token& take() { return tokens[at_ + 1 < tokens.size() ? at_++ : at_]; }
     bool done() const { return peek().kind == TokenKind::end_of_line; }

@@ -14,7 +14,9 @@ constexpr std::size_t most_locals = 100;
 class FunctionGenerator {
 public:
     FunctionGenerator(const FunctionTree& tree, const Dictionary& dictionary)
-        : tree_(tree), scope_(scope_of(tree)), expressions_(scope_, dictionary), line_(tree.place.line) {}
+        : tree_(tree), scope_(scope_of(tree)), expressions_(scope_, dictionary), line_(tree.place.line) {
+        if (tree.dialect == Dialect::modern) note_changed(tree.body);
+    }
 
     std::string generate() {
         text_ = "return function(";
@@ -24,6 +26,7 @@ public:
             first = false;
         }
         text_ += ") local v_return = 0; ";
+        if (!tree_.defaults.empty()) text_ += default_values();
         if (!scope_.spilled.empty()) {
             text_ += "local S = {";
             for (const auto& name : scope_.spilled) text_ += fmt::format("[{}] = 0, ", lua_string(name));
@@ -32,6 +35,9 @@ public:
         for (std::size_t i = 0; i < tree_.arguments.size(); ++i)
             if (scope_.spilled.contains(tree_.arguments[i]))
                 text_ += fmt::format("S[{}] = {}; ", lua_string(tree_.arguments[i]), parameter(tree_.arguments[i]));
+        for (const auto& argument : tree_.arguments) // a list that it changes is not that of the caller
+            if (changed_.contains(argument) && scope_.locals.contains(argument))
+                text_ += fmt::format("v_{0} = R.own(v_{0}); ", argument);
         for (const auto& local : tree_.locals)
             if (scope_.locals.contains(local)) text_ += fmt::format("local v_{} = 0; ", local);
         block(tree_.body);
@@ -44,8 +50,30 @@ private:
     /// Names that Lua cannot spell live in the table of spilled locals.
     static bool is_lua_name(const std::string& name) { return member("v_" + name)[0] == '.'; }
 
+    /// Values of arguments that a call leaves out.
+    std::string default_values() const {
+        std::string text;
+        const std::size_t first = tree_.arguments.size() - tree_.defaults.size();
+        for (std::size_t i = 0; i < tree_.defaults.size(); ++i)
+            text += fmt::format("if {0} == nil then {0} = {1} end ", parameter(tree_.arguments[first + i]),
+                                expressions_.value(tree_.defaults[i]));
+        return text;
+    }
+
+    /// Names whose elements or members a statement sets.
+    void note_changed(const std::vector<Statement>& body) {
+        for (const auto& s : body) {
+            const Node* root = &s.target;
+            while (root->kind == NodeKind::member) root = &root->children[0];
+            if (root != &s.target || root->parentheses) changed_.insert(root->text);
+            note_changed(s.body);
+            for (const auto& branch : s.branches) note_changed(branch.body);
+        }
+    }
+
     static Scope scope_of(const FunctionTree& tree) {
         Scope scope;
+        scope.dialect = tree.dialect;
         scope.function = tree.name;
         for (const auto* names : {&tree.arguments, &tree.locals})
             for (const auto& name : *names) {
@@ -81,7 +109,7 @@ private:
         switch (s.kind) {
         case StatementKind::nothing: break;
         case StatementKind::assign:
-            text_ += expressions_.assignment(s.target, expressions_.value(s.value)) + "; ";
+            text_ += expressions_.assignment(s.target, expressions_.owned(s.value)) + "; ";
             break;
         case StatementKind::evaluate: text_ += fmt::format("do local _ = {} end ", expressions_.value(s.value)); break;
         case StatementKind::array: array(s); break;
@@ -98,6 +126,7 @@ private:
         case StatementKind::next_round: text_ += fmt::format("goto round_{} ", rounds_.back()); break;
         case StatementKind::give_back: text_ += fmt::format("do return {} end ", expressions_.value(s.value)); break;
         case StatementKind::command: commands(s); break;
+        case StatementKind::structure: structure(s); break;
         }
     }
 
@@ -144,10 +173,10 @@ private:
     }
 
     void loop_each(const Statement& s) {
-        text_ += fmt::format("do local following = R.each({}); while true do local member = following(); "
-                             "if member == nil then break end ",
-                             expressions_.value(s.value));
-        text_ += expressions_.assignment(s.target, "member") + "; ";
+        text_ += fmt::format("do local members = R.{}({}); for at = 1, #members do local member = members[at] ",
+                             expressions_.is_fresh(s.value) ? "fresh_members" : "members", expressions_.value(s.value));
+        const bool changed = changed_.contains(s.target.text);
+        text_ += expressions_.assignment(s.target, changed ? "R.own(member)" : "member") + "; ";
         round(s);
         text_ += "end end ";
     }
@@ -231,7 +260,14 @@ private:
         at_line(s.last_line);
     }
 
+    void structure(const Statement& s) {
+        text_ += fmt::format("R.define_structure({}", lua_string(s.target.text));
+        for (const auto& member : s.target.children) text_ += ", " + lua_string(member.text);
+        text_ += "); ";
+    }
+
     const FunctionTree& tree_;
+    std::set<std::string> changed_; ///< names whose elements or members the function sets
     Scope scope_;
     ExpressionGenerator expressions_;
     std::string text_;
@@ -243,8 +279,11 @@ private:
 /// Collects the names of a tree.
 class NameCollector {
 public:
+    explicit NameCollector(Dialect dialect) : dialect_(dialect) {}
+
     void node(const Node& node) {
-        if (node.kind == NodeKind::name) names.insert(node.text);
+        if (node.kind == NodeKind::name && !(dialect_ == Dialect::modern && makes_value(node.text)))
+            names.insert(node.text);
         for (const auto& child : node.children) this->node(child);
     }
 
@@ -253,6 +292,7 @@ public:
     }
 
     void statement(const Statement& s) {
+        if (s.kind == StatementKind::structure) return;
         if (!s.target.text.empty()) node(s.target);
         node(s.value);
         for (const auto& expression : s.expressions) node(expression);
@@ -268,6 +308,9 @@ public:
     }
 
     std::set<std::string> names;
+
+private:
+    Dialect dialect_;
 };
 
 } // namespace
@@ -277,29 +320,31 @@ std::string generate_function(const FunctionTree& tree, const Dictionary& dictio
 }
 
 std::string generate_expression(const ExpressionTree& tree, const Dictionary& dictionary) {
-    const Scope scope;
+    Scope scope;
+    scope.dialect = tree.dialect;
     const ExpressionGenerator expressions(scope, dictionary);
     std::string body;
     if (tree.assignment.empty()) {
         body = fmt::format("return {}", expressions.value(tree.value));
     } else {
         const Statement& s = tree.assignment.front();
-        body = fmt::format("local given = {}; {}; return given", expressions.value(s.value),
+        body = fmt::format("local given = {}; {}; return given", expressions.owned(s.value),
                            expressions.assignment(s.target, "given"));
     }
     return fmt::format("local G, F, A, W, R = ...; {}return function() {} end", expressions.shared_built_ins(), body);
 }
 
 std::vector<std::string> outside_names(const FunctionTree& tree) {
-    NameCollector collector;
+    NameCollector collector(tree.dialect);
     collector.statements(tree.body);
+    for (const auto& value : tree.defaults) collector.node(value);
     for (const auto& name : tree.arguments) collector.names.erase(name);
     for (const auto& name : tree.locals) collector.names.erase(name);
     return {collector.names.begin(), collector.names.end()};
 }
 
 std::vector<std::string> outside_names(const ExpressionTree& tree) {
-    NameCollector collector;
+    NameCollector collector(tree.dialect);
     collector.node(tree.value);
     collector.statements(tree.assignment);
     return {collector.names.begin(), collector.names.end()};

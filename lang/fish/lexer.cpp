@@ -23,6 +23,8 @@ bool continues_name(char c) { return starts_name(c) || is_digit(c) || c == '.'; 
 
 constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "<>", "+", "-", "*", "/", "^",
                                                  "(",  ")",  ",",  "=",  "#",  "<", ">", "&", "|"};
+/// Looked for first, in the modern dialect.
+constexpr std::array<std::string_view, 9> modern_signs{"->", "//", "+=", "-=", "*=", "/=", ":=", "%", "~"};
 
 /// More digits than any 32 bit integer has: the classic program makes a real number of it.
 constexpr std::size_t most_integer_digits = 10;
@@ -134,14 +136,19 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
         token.kind = TokenKind::name;
         token.text = lower_case(cursor.code.substr(from, cursor.at - from));
     } else {
-        for (const auto sign : signs)
-            if (token.text.empty() && cursor.code.substr(from, sign.size()) == sign) token.text = sign;
+        const auto try_signs = [&](const auto& all) {
+            for (const auto sign : all)
+                if (token.text.empty() && cursor.code.substr(from, sign.size()) == sign) token.text = sign;
+        };
+        if (dialect_ == Dialect::modern) try_signs(modern_signs);
+        try_signs(signs);
+        if (token.text == ":=") token.text = "=";
         if (token.text.empty())
             throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c),
                              c == '[' || c == ']' ? "elements of an array stand in parentheses: a(1)" : "")
                 .at(place(cursor.line, from, 1));
         token.kind = TokenKind::sign;
-        cursor.at += token.text.size();
+        cursor.at += token.text.size() + (cursor.peek() == ':' ? 1 : 0); // of :=
     }
     token.place = place(cursor.line, from, cursor.at - from);
     tokens.push_back(std::move(token));

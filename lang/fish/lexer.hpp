@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "lang/fish/dialect.hpp"
 
 #include <cstdint>
 #include <string>
@@ -34,6 +35,9 @@ public:
     /// `first` is the place where `text` begins.
     Lexer(const std::string& text, const Place& first);
 
+    /// Signs that only the modern dialect has are refused before.
+    void read_as(Dialect dialect) { dialect_ = dialect; }
+
     /// False when the text is used up. Lines without words are skipped; the last token is end_of_line.
     bool next_line(std::vector<Token>& tokens);
     bool next_raw_line(RawLine& line);
@@ -50,6 +54,7 @@ private:
     Place place(std::size_t line, std::size_t column, std::size_t length) const;
 
     Place first_;
+    Dialect dialect_ = Dialect::classic;
     std::vector<std::string> lines_;
     std::size_t next_ = 0; ///< number of the next line in lines_
 };

@@ -10,8 +10,9 @@ namespace {
 
 class UseCollector {
 public:
-    UseCollector() = default;
-    explicit UseCollector(const FunctionTree& tree) : function_(tree.name), own_(tree.arguments) {
+    explicit UseCollector(Dialect dialect) : dialect_(dialect) {}
+    explicit UseCollector(const FunctionTree& tree)
+        : function_(tree.name), dialect_(tree.dialect), own_(tree.arguments) {
         own_.insert(own_.end(), tree.locals.begin(), tree.locals.end());
     }
 
@@ -30,18 +31,22 @@ private:
     void add(const Node& name, Use use) {
         const bool value_of_function = name.text == function_ && !name.parentheses;
         if (value_of_function || std::ranges::find(own_, name.text) != own_.end()) return;
-        uses.push_back({name.text, use, static_cast<int>(name.children.size()), name.place});
+        if (dialect_ == Dialect::modern && makes_value(name.text) && (use == Use::read || use == Use::call)) return;
+        uses.push_back({name.text, use, static_cast<int>(name.children.size()), name.place, dialect_});
     }
 
     void target(const Node& target, bool makes_array) {
+        if (target.kind == NodeKind::member) return node(target);
         add(target, target.parentheses && !makes_array ? Use::element : Use::set);
         for (const auto& child : target.children) node(child);
     }
 
     void statement(const Statement& s) {
         if (s.kind == StatementKind::evaluate) return line(s);
+        if (s.kind == StatementKind::structure) return;
         if (!s.target.text.empty() && s.kind != StatementKind::nothing)
             target(s.target, s.kind == StatementKind::array);
+        if (s.declares) add(s.target, Use::declare);
         node(s.value);
         for (const auto& expression : s.expressions) node(expression);
         for (const auto* part : {&s.init, &s.body, &s.step}) statements(*part);
@@ -67,6 +72,7 @@ private:
     }
 
     std::string function_;
+    Dialect dialect_ = Dialect::classic;
     std::vector<std::string> own_;
 };
 
@@ -74,12 +80,13 @@ private:
 
 std::vector<NameUse> name_uses(const Function& function) {
     UseCollector collector(*function.tree);
+    for (const auto& value : function.tree->defaults) collector.node(value);
     collector.statements(function.tree->body);
     return std::move(collector.uses);
 }
 
 std::vector<NameUse> name_uses(const Expression& expression) {
-    UseCollector collector;
+    UseCollector collector(expression.dialect);
     collector.statements(expression.tree->assignment);
     collector.node(expression.tree->value);
     return std::move(collector.uses);

@@ -23,6 +23,7 @@ struct NameUse {
     Use use = Use::read;
     int arguments = 0; ///< of a call, a line and an element
     Place place;
+    Dialect dialect = Dialect::classic;
 };
 
 /// In the order of the lines. Locals, arguments and the value of a function under its own name are left out.

@@ -15,6 +15,6 @@ struct ParsedFunction {
 ParsedFunction parse_function(const std::string& text, const Place& first);
 
 /// An expression or an assignment on one line.
-ExpressionTree parse_expression_line(const std::string& text, const Place& first);
+ExpressionTree parse_expression_line(const std::string& text, const Place& first, Dialect dialect);
 
 } // namespace kaya::fish

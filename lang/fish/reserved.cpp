@@ -25,7 +25,6 @@ constexpr Group groups[] = {
     {true, "cx_edge1 cx_edge2", "there are no pointers to edges"},
     {true, "fc_arg", "the function is called without an argument"},
     {true, "water_table_head", "use the command water"},
-    {true, "mech.solve", "write the command: command, then solve, then endcommand"},
     {false, "atol btol ctol dtol etol", "tolerances follow from the size of the blocks"},
     {false, "ftime ftdel flow_head flowrate flowvel fluid_density c_flowplane face_flow gp_fk z_perm z_poros",
      "flow of fluids is not supported"},
@@ -46,6 +45,15 @@ constexpr Group groups[] = {
     {false, "cf_*", "config has no such option"},
     {false, "zfd_*", "use z_near and the fields of the zone"},
     {true, "bou_*", "use the command bound"},
+    {true, "matrix.* string.csv.* list.insert.list", "there are no matrices; use lists and tensors"},
+    {true, "fracture.* dfn.*", "there are no fracture networks yet"},
+    {true, "geom.*", "use the commands import and cut"},
+    {true, "struct.*", "read structures in Lua"},
+    {false, "flowknot.* flowplane.* fluid.*", "flow of fluids is not supported"},
+    {false, "thermal.* creep.*", "neither heat nor creep is supported"},
+    {false, "socket.* dialog.* io.in io.dialog.*", "a run does not ask and does not speak with other programs"},
+    {false, "memory.*", "use an array or a list"},
+    {false, "ball.* clump.* wall.* zone.* gp.*", "this is of another program; here: block.*, block.zone.*, block.gp.*"},
 };
 
 std::vector<ReservedName> all_names() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "lang/fish/dialect.hpp"
 
 #include <cstdint>
 #include <string>
@@ -14,9 +15,11 @@ enum class NodeKind {
     real,
     text,
     name,        ///< text is the name; children are arguments
+    member,      ///< a->b(c): text is b; children are a and the arguments
+    structure,   ///< struct NAME(a, b): text is NAME; children are the values of its members
     minus,       ///< one child
     logical_not, ///< one child
-    binary,      ///< text is the sign: + - * / ^ == ~= < > <= >= & |
+    binary,      ///< text is the sign: + - * / // % ^ == ~= < > <= >= & |
 };
 
 struct Node {
@@ -46,6 +49,7 @@ enum class StatementKind {
     exit_section,
     next_round, ///< continue
     give_back,  ///< return value
+    structure,  ///< target is the name of a kind of structure; its children are the members
     command,
 };
 
@@ -78,12 +82,15 @@ struct Statement {
     std::vector<Statement> init, step; ///< of loop for: one assignment each
     std::vector<Branch> branches;
     std::vector<CommandLine> commands;
-    int last_line = 0; ///< of the word that closes a block
+    bool declares = false; ///< global name = value
+    int last_line = 0;     ///< of the word that closes a block
 };
 
 struct FunctionTree {
     std::string name;
+    Dialect dialect = Dialect::classic;
     std::vector<std::string> arguments;
+    std::vector<Node> defaults;      ///< values of the last arguments when a call leaves them out
     std::vector<std::string> locals; ///< without the arguments
     std::vector<Statement> body;
     Place place;
@@ -91,6 +98,7 @@ struct FunctionTree {
 };
 
 struct ExpressionTree {
+    Dialect dialect = Dialect::classic;
     std::vector<Statement> assignment; ///< none or one
     Node value;                        ///< when it is not an assignment
     Place place;

@@ -164,6 +164,30 @@ int divide(lua_State* L) {
     return vector_operation<VectorOperation::divide>(L);
 }
 
+/// a / b of the modern dialect: always a number with a point.
+int ratio(lua_State* L) {
+    if (!is_number(L, 1) || !is_number(L, 2)) {
+        if (is_vector(L, 1)) return vector_operation<VectorOperation::divide>(L);
+        const int table = lua_istable(L, 1) ? 1 : 2;
+        if (!lua_istable(L, table) || !luaL_getmetafield(L, table, "__div")) fail_operands(L, 3);
+        lua_insert(L, 1);
+        lua_call(L, 2, 1);
+        return 1;
+    }
+    if (lua_tonumber(L, 2) == 0) fail_division();
+    lua_pushnumber(L, lua_tonumber(L, 1) / lua_tonumber(L, 2));
+    return 1;
+}
+
+/// a // b and a % b round down.
+template <int operation> int whole_division(lua_State* L) {
+    if (!is_number(L, 1) || !is_number(L, 2)) fail_operands(L, 3);
+    if (lua_tonumber(L, 2) == 0) fail_division();
+    lua_settop(L, 2);
+    lua_arith(L, operation);
+    return 1;
+}
+
 /// Exact as long as it fits into 64 bits.
 bool whole_power(lua_Integer base, lua_Integer exponent, lua_Integer& result) {
     result = 1;
@@ -224,7 +248,10 @@ constexpr std::array<luaL_Reg, 9> vector_events{{{"__add", guarded<vector_operat
                                                  {"__newindex", guarded<vector_new_index>},
                                                  {nullptr, nullptr}}};
 
-constexpr std::array<luaL_Reg, 5> runtime_functions{{{"divide", guarded<divide>},
+constexpr std::array<luaL_Reg, 8> runtime_functions{{{"divide", guarded<divide>},
+                                                     {"ratio", guarded<ratio>},
+                                                     {"floor_divide", guarded<whole_division<LUA_OPIDIV>>},
+                                                     {"remainder", guarded<whole_division<LUA_OPMOD>>},
                                                      {"power", guarded<power>},
                                                      {"step", guarded<step>},
                                                      {"whole", guarded<whole>},

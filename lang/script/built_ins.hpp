@@ -38,6 +38,7 @@ void add_traversals(Machine& machine);    ///< block_head, b_next, c_cx, gp_near
 void add_materials(Machine& machine);     ///< m_density, m_jkn, ...
 /// Each with the classic name that means the same.
 std::vector<std::pair<std::string, std::string>> modern_names(const World& world);
+void add_finders(Machine& machine);      ///< block.find, block.gp.num, block.isgroup, ...: of every kind of object
 void add_modern_names(Machine& machine); ///< math.sin, block.head, ...: the same functions; comes last
 
 } // namespace kaya::script

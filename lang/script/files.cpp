@@ -1,6 +1,7 @@
 // Files of FISH, one at a time: open(name, mode, format), read(array, n), write(array, n), close.
 #include "lang/script/files.hpp"
 
+#include "base/lower_case.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
@@ -33,12 +34,24 @@ door::Stream open_allowed(lua_State* L, const std::string& name, const std::stri
 
 enum Mode { reading = 0, writing = 1, appending = 2 };
 
+/// The number of a mode or format, which may be given as its word: open('f', 'write', 'text').
+template <std::size_t size>
+std::int64_t word_or_number(lua_State* L, int index, const std::array<std::string_view, size>& words) {
+    if (lua_type(L, index) != LUA_TSTRING) return integer_argument(L, index, "open");
+    const std::string word = lower_case(text_argument(L, index, "open"));
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+        throw Diagnostic(fmt::format("'open' is given '{}'", word),
+                         "'read', 'write' or 'append' as mode, and 'text' as format", Fault::run);
+    return found - words.begin();
+}
+
 /// 0 when it is done, 1 when the file cannot be opened.
 int open(lua_State* L) {
     OpenFile& file = file_of(L);
     const std::string name = text_argument(L, 1, "open");
-    const std::int64_t mode = integer_argument(L, 2, "open");
-    const std::int64_t format = integer_argument(L, 3, "open");
+    const std::int64_t mode = word_or_number<3>(L, 2, {"read", "write", "append"});
+    const std::int64_t format = word_or_number<2>(L, 3, {"binary", "text"});
     if (mode < reading || mode > appending)
         throw Diagnostic(fmt::format("'open' is given the mode {}", mode), "0 reads, 1 writes, 2 appends", Fault::run);
     if (format != 1)

@@ -2,7 +2,9 @@
 
 #include "base/lower_case.hpp"
 #include "lang/fish/lexer.hpp"
+#include "lang/fish/name_uses.hpp"
 #include "lang/fish/nearest.hpp"
+#include "lang/fish/reserved.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
@@ -19,27 +21,6 @@ constexpr int most_lua_arguments = 50;
 
 using fish::is_constant;
 
-} // namespace
-
-fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming) {
-    return [&machine, coming](std::string_view name) -> fish::Meaning {
-        const FishLibrary& fish = machine.fish;
-        const auto function_meaning = [](const fish::Function& function) {
-            const int count = static_cast<int>(function.arguments.size());
-            return fish::Meaning{fish::NameKind::function, count, count, false};
-        };
-        if (coming && coming->name == name) return function_meaning(*coming);
-        if (const auto found = fish.functions.find(name); found != fish.functions.end())
-            return function_meaning(found->second.function);
-        if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
-            return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
-        if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
-        return {};
-    };
-}
-
-namespace {
-
 bool variable_exists(const Machine& machine, const std::string& name) {
     lua_State* L = machine.lua;
     push_anchor(L, machine.anchors.globals);
@@ -47,6 +28,69 @@ bool variable_exists(const Machine& machine, const std::string& name) {
     const bool exists = lua_rawget(L, -2) != LUA_TNIL;
     lua_pop(L, 2);
     return exists;
+}
+
+} // namespace
+
+fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* coming) {
+    return [&machine, coming](std::string_view name) -> fish::Meaning {
+        const FishLibrary& fish = machine.fish;
+        const auto function_meaning = [](const fish::Function& function) {
+            const int most = static_cast<int>(function.arguments.size());
+            return fish::Meaning{fish::NameKind::function, function.least, most, false};
+        };
+        if (coming && coming->name == name) return function_meaning(*coming);
+        if (const auto found = fish.functions.find(name); found != fish.functions.end())
+            return function_meaning(found->second.function);
+        if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
+            return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
+        if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
+        return {.exists = fish::makes_value(name) && variable_exists(machine, std::string(name))};
+    };
+}
+
+namespace {
+
+[[noreturn]] void fail_unknown_name(const Machine& machine, const std::string& name, const Place& place) {
+    if (const auto* reserved = fish::find_reserved_family(name))
+        throw fish::reserved_message(name, *reserved).at(place);
+    const auto symbols = fish_symbols(machine);
+    std::vector<std::string_view> candidates(symbols.begin(), symbols.end());
+    for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
+    const auto meant = fish::nearest_name(name, candidates);
+    Diagnostic diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
+                          meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant));
+    diagnostic.code = "unknown-fish-name";
+    throw diagnostic.at(place);
+}
+
+/// Names with a point are functions of the program in the modern dialect, never variables.
+void refuse_unknown_functions(const Machine& machine, const std::vector<fish::NameUse>& uses,
+                              const fish::Dictionary& dictionary) {
+    for (const auto& use : uses)
+        if (use.dialect == fish::Dialect::modern && use.name.find('.') != use.name.npos &&
+            dictionary(use.name).kind == fish::NameKind::variable && !variable_exists(machine, use.name))
+            fail_unknown_name(machine, use.name, use.place);
+}
+
+/// With `fish automatic-create off` a variable must be declared, or have a value.
+void refuse_undeclared(const Machine& machine, const fish::Function& function, const fish::Dictionary& dictionary) {
+    if (machine.fish.automatic_create) return;
+    std::set<std::string, std::less<>> declared;
+    const auto uses = fish::name_uses(function);
+    for (const auto& use : uses)
+        if (use.use == fish::Use::declare) declared.insert(use.name);
+    for (const auto& use : uses) {
+        const bool variable = dictionary(use.name).kind == fish::NameKind::variable && !is_constant(use.name);
+        if (!variable || use.use == fish::Use::command || declared.contains(use.name) ||
+            variable_exists(machine, use.name))
+            continue;
+        Diagnostic diagnostic(
+            fmt::format("'{}' is not declared, and variables are not created automatically", use.name),
+            fmt::format("write: local {0} = 0, or: global {0} = 0", use.name));
+        diagnostic.code = "unknown-fish-name";
+        throw diagnostic.at(use.place);
+    }
 }
 
 /// A variable is the integer 0 from its first mention on.
@@ -77,6 +121,7 @@ void push_translated(Machine& machine, const std::string& name) {
     if (found == machine.fish.functions.end())
         throw Diagnostic(fmt::format("the function '{}' is gone", name), {}, Fault::run);
     const auto dictionary = dictionary_of(machine);
+    refuse_undeclared(machine, found->second.function, dictionary);
     create_variables(machine, found->second.function.mentions, dictionary);
     push_generated(machine, fish::generate(found->second.function, dictionary), found->second.chunk_name);
     lua_State* L = machine.lua;
@@ -109,24 +154,15 @@ void forget_expressions(Machine& machine) {
     machine.fish.expressions.clear();
 }
 
-[[noreturn]] void fail_unknown_name(const Machine& machine, const std::string& name, const Place& place) {
-    const auto symbols = fish_symbols(machine);
-    std::vector<std::string_view> candidates(symbols.begin(), symbols.end());
-    for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
-    const auto meant = fish::nearest_name(name, candidates);
-    Diagnostic diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
-                          meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant));
-    diagnostic.code = "unknown-fish-name";
-    throw diagnostic.at(place);
-}
-
 void check_argument_count(const Machine& machine, const std::string& name, int given) {
     const auto found = machine.fish.functions.find(name);
     if (found == machine.fish.functions.end()) return;
-    const int wanted = static_cast<int>(found->second.function.arguments.size());
-    if (given != wanted)
-        throw Diagnostic(fmt::format("the FISH function '{}' takes {} argument{}, here it is given {}", name, wanted,
-                                     wanted == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)),
+    const auto& function = found->second.function;
+    const int most = static_cast<int>(function.arguments.size());
+    if (given < function.least || given > most)
+        throw Diagnostic(fmt::format("the FISH function '{}' takes {}{} argument{}, here it is given {}", name,
+                                     function.least < most ? fmt::format("{} to ", function.least) : "", most,
+                                     most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)),
                          {}, Fault::run);
 }
 
@@ -177,12 +213,15 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
             .at(function.place);
     // Nothing is changed before the whole function has been checked.
     const auto dictionary = dictionary_of(machine, &function);
+    refuse_unknown_functions(machine, fish::name_uses(function), dictionary);
     const std::string generated = fish::generate(function, dictionary);
     const std::string chunk_name = machine.sources.add({function.name, function.place, true});
     push_generated(machine, generated, chunk_name);
 
     lua_State* L = machine.lua;
-    create_variables(machine, function.mentions, dictionary);
+    const bool automatic =
+        machine.fish.automatic_create; // else its names are looked at when it runs for the first time
+    if (automatic) create_variables(machine, function.mentions, dictionary);
     const std::string name = function.name;
     push_anchor(L, machine.anchors.functions);
     lua_insert(L, -2);
@@ -202,6 +241,7 @@ void define_fish_function(Machine& machine, const std::string& text, const Place
         {StoredSource::Kind::fish, name, place.source ? place.source->name : "", std::max(place.line, 1), text});
     fish.lua_functions.erase(name);
     fish.functions[name] = {std::move(function), chunk_name};
+    if (!automatic) set_translator(machine, name);
     for (auto& [other, defined] : fish.functions) {
         const auto& mentions = defined.function.mentions;
         if (other != name && std::binary_search(mentions.begin(), mentions.end(), name)) set_translator(machine, other);
@@ -242,13 +282,15 @@ std::string bare_expression(const std::string& expression) {
 void push_expression(Machine& machine, const std::string& text, const Place& place) {
     lua_State* L = machine.lua;
     FishLibrary& fish = machine.fish;
-    const std::string key = place ? text + '\n' + std::to_string(place.line) : text;
+    const fish::Dialect dialect = text.starts_with('[') ? fish::Dialect::modern : fish::dialect_at(place);
+    const std::string key = fmt::format("{}\n{}\n{}", text, place.line, static_cast<int>(dialect));
     if (const auto kept = fish.expressions.find(key); kept != fish.expressions.end()) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, kept->second);
         return;
     }
-    const fish::Expression expression = fish::read_expression(bare_expression(text), place);
+    const fish::Expression expression = fish::read_expression(bare_expression(text), place, dialect);
     const auto dictionary = dictionary_of(machine);
+    refuse_unknown_functions(machine, fish::name_uses(expression), dictionary);
     // An unknown word of a command is a misspelling; only an assignment makes a variable here.
     for (const auto& name : expression.mentions) {
         if (name == expression.assigned || is_constant(name)) continue;
@@ -297,7 +339,10 @@ std::vector<std::string> fish_symbols(const Machine& machine) {
     std::vector<std::string> names;
     for (const auto& [name, function] : machine.fish.functions) names.push_back(name);
     push_anchor(L, machine.anchors.globals);
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        const std::string name = lua_tostring(L, -2);
+        if (name.find(' ') == name.npos) names.push_back(name); // not the kinds of structures
+    }
     lua_pop(L, 1);
     std::sort(names.begin(), names.end());
     return names;

@@ -29,6 +29,7 @@ struct DefinedFunction {
 };
 
 struct FishLibrary {
+    bool automatic_create = true; ///< a variable exists from its first mention on
     std::map<std::string, DefinedFunction, std::less<>> functions;
     std::set<std::string, std::less<>> lua_functions; ///< lower case names of global Lua functions
     std::map<std::string, BuiltIn, std::less<>> built_ins;

@@ -3,6 +3,7 @@
 #include "base/terminal_text.hpp"
 #include "lang/script/arithmetic.hpp"
 #include "lang/script/built_ins.hpp"
+#include "lang/script/fish_values.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/lua_library.hpp"
@@ -85,6 +86,7 @@ Machine::Machine(World& the_world, Options the_options)
         add_traversals(*this);
         add_materials(*this);
         add_modern_names(*this);
+        add_value_functions(*this);
         open_library(*this);
     } catch (...) {
         lua_close(lua);

@@ -17,72 +17,40 @@ struct Alias {
     std::string_view modern, classic;
 };
 
+// clang-format off
 constexpr Alias aliases[] = {
-    {"math.abs", "abs"},
-    {"math.acos", "acos"},
-    {"math.asin", "asin"},
-    {"math.atan", "atan"},
-    {"math.atan2", "atan2"},
-    {"math.cos", "cos"},
-    {"math.sin", "sin"},
-    {"math.tan", "tan"},
-    {"math.exp", "exp"},
-    {"math.ln", "ln"},
-    {"math.log", "log"},
-    {"math.sqrt", "sqrt"},
-    {"math.sgn", "sgn"},
-    {"math.round", "round"},
-    {"math.max", "max"},
-    {"math.min", "min"},
-    {"math.pi", "pi"},
-    {"math.degrad", "degrad"},
-    {"math.mag", "mag"},
-    {"math.mag2", "mag2"},
-    {"math.dot", "dot"},
-    {"math.cross", "cross"},
-    {"math.unit", "unit"},
-    {"math.random.uniform", "urand"},
-    {"math.random.gauss", "grand"},
-    {"math.dip.from.normal", "dipfromnorm"},
-    {"math.ddir.from.normal", "ddfromnorm"},
-    {"math.normal.from.dip.ddir", "normfromdipdd"},
+    {"math.abs", "abs"}, {"math.acos", "acos"}, {"math.asin", "asin"}, {"math.atan", "atan"}, {"math.atan2", "atan2"},
+    {"math.cos", "cos"}, {"math.sin", "sin"}, {"math.tan", "tan"}, {"math.exp", "exp"}, {"math.ln", "ln"}, {"math.log", "log"},
+    {"math.sqrt", "sqrt"}, {"math.sgn", "sgn"}, {"math.round", "round"}, {"math.max", "max"}, {"math.min", "min"},
+    {"math.pi", "pi"}, {"math.degrad", "degrad"}, {"math.mag", "mag"}, {"math.mag2", "mag2"}, {"math.dot", "dot"},
+    {"math.cross", "cross"}, {"math.unit", "unit"}, {"math.random.uniform", "urand"}, {"math.random.gauss", "grand"},
+    {"math.and", "and"}, {"math.or", "or"}, {"math.not", "not"}, {"math.lshift", "lshift"}, {"math.rshift", "rshift"},
+    {"math.dip.from.normal", "dipfromnorm"}, {"math.ddir.from.normal", "ddfromnorm"}, {"math.normal.from.dip.ddir", "normfromdipdd"},
+    {"block.zone.stress.max", "z_sig3"}, {"block.zone.stress.min", "z_sig1"}, {"comp.x", "xcomp"}, {"comp.y", "ycomp"}, {"comp.z", "zcomp"},
     {"io.out", "out"},
-    {"string.build", "buildstr"},
-    {"string.char", "char"},
-    {"string.len", "strlen"},
-    {"string.sub", "substr"},
-    {"string.tolower", "tolower"},
-    {"string.toupper", "toupper"},
+    {"string.build", "buildstr"}, {"string.char", "char"}, {"string.len", "strlen"}, {"string.sub", "substr"},
+    {"string.tolower", "tolower"}, {"string.toupper", "toupper"}, {"string.lower", "tolower"}, {"string.upper", "toupper"},
     {"string.token", "parse"},
-    {"array.create", "get_array"},
-    {"array.delete", "lose_array"},
-    {"array.dim", "array_dim"},
-    {"array.size", "array_size"},
-    {"file.open", "open"},
-    {"file.close", "close"},
-    {"file.read", "read"},
-    {"file.write", "write"},
-    {"table.x", "xtable"},
-    {"table.y", "ytable"},
-    {"table.value", "vtable"},
-    {"table.size", "table_size"},
-    {"system.error", "error"},
-    {"system.clock", "clock"},
-    {"global.step", "step"},
+    {"array.create", "get_array"}, {"array.delete", "lose_array"}, {"array.dim", "array_dim"}, {"array.size", "array_size"},
+    {"file.open", "open"}, {"file.close", "close"}, {"file.read", "read"}, {"file.write", "write"},
+    {"table.x", "xtable"}, {"table.y", "ytable"}, {"table.value", "vtable"}, {"table.size", "table_size"}, {"table.get", "get_table"},
+    {"table.find", "get_table"},  {"table.id", "table_id"}, {"table.label", "table_name"},
+    {"table.name", "table_name"}, {"table.delete", "del_table"},
+    {"system.error", "error"}, {"system.clock", "clock"}, {"time.clock", "clock"}, {"code.name", "code_name"},
+    {"global.step", "step"}, {"global.cycle", "cycle"}, {"global.fos", "fos"}, {"global.timestep", "tdel"},
+    {"mech.time.total", "time"}, {"dynamic.time.total", "time"}, {"dynamic.step", "step"},
+    {"dynamic.cycle", "cycle"}, {"dynamic.timestep", "tdel"},
 };
+// clang-format on
 
 const RelationInfo& list_of(lua_State* L) {
     return machine_of(L).world.relations()[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
 }
 
-/// Makes an array of one dimension of the table at the top of the stack.
-int as_array(lua_State* L, lua_Integer size) {
-    lua_createtable(L, 1, 0);
-    lua_pushinteger(L, size);
-    lua_rawseti(L, -2, 1);
-    lua_setfield(L, -2, "dimensions");
-    push_runtime(L, "as_array");
-    lua_pushvalue(L, -2);
+/// Makes a list of the table at the top of the stack.
+int as_list(lua_State* L) {
+    push_runtime(L, "make_list");
+    lua_insert(L, -2);
     lua_call(L, 1, 1);
     return 1;
 }
@@ -96,7 +64,7 @@ int list_all(lua_State* L) {
         lua_pushlightuserdata(L, pack_handle(world.at(table, i)));
         lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
     }
-    return as_array(L, static_cast<lua_Integer>(count));
+    return as_list(L);
 }
 
 int list_children(lua_State* L) {
@@ -116,12 +84,13 @@ int list_children(lua_State* L) {
         lua_pushlightuserdata(L, pack_handle(child));
         lua_rawseti(L, -2, ++count);
     }
-    return as_array(L, count);
+    return as_list(L);
 }
 
 void add_alias(Machine& machine, const std::string& modern, const std::string& classic) {
     const auto found = machine.fish.built_ins.find(classic);
-    if (found == machine.fish.built_ins.end()) return; // the world has no such field
+    // The world has no such field; or it is there already, as that field.
+    if (found == machine.fish.built_ins.end() || machine.fish.built_ins.contains(modern)) return;
     const BuiltIn built_in = found->second;
     lua_State* L = machine.lua;
     const auto push = [&](int anchor) {
@@ -144,9 +113,12 @@ std::vector<std::pair<std::string, std::string>> modern_names(const World& world
     const auto add = [&](std::string_view modern, std::string_view classic) {
         if (!modern.empty()) names.emplace_back(modern, classic);
     };
-    for (const auto& field : world.globals()) add(field.modern, field.classic);
+    const auto add_field = [&](const FieldInfo& field) {
+        add(field.modern, field.classic.empty() ? field.name : field.classic);
+    };
+    for (const auto& field : world.globals()) add_field(field);
     for (const auto& table : world.tables()) {
-        for (const auto& field : table.fields) add(field.modern, field.classic);
+        for (const auto& field : table.fields) add_field(field);
         if (table.modern.empty()) continue;
         for (const char* what : {"near", "extra", "prop"})
             if (table.has_properties || what != std::string_view("prop"))
@@ -168,6 +140,7 @@ void add_modern_names(Machine& machine) {
         lua_pushcclosure(machine.lua, all ? guarded<list_all> : guarded<list_children>, 1);
         add_reader(machine, relations[i].array, all ? 0 : 1, all ? 0 : 1);
     }
+    add_finders(machine);
 }
 
 } // namespace kaya::script

@@ -3,6 +3,7 @@
 #include "lang/fish/nearest.hpp"
 #include "lang/fish/reserved.hpp"
 #include "lang/script/arithmetic.hpp"
+#include "lang/script/fish_values.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/modules.hpp"
@@ -74,12 +75,6 @@ int fail_too_large(lua_State* L) {
                      "at most 134217728 are possible", Fault::run);
 }
 
-/// (value)
-int fail_not_list(lua_State* L) {
-    throw Diagnostic(fmt::format("'loop foreach' needs a list, here it is given {}", describe_value(L, 1)), {},
-                     Fault::run);
-}
-
 // --- elements of arrays with one dimension ------------------------------------------------------------
 
 bool is_list(lua_State* L) {
@@ -100,19 +95,38 @@ bool is_list(lua_State* L) {
     throw std::logic_error("internal error: inconsistent array type");
 }
 
+/// Gives the arguments to a function for values other than arrays; true when that did it, with its result on the stack.
+bool done_by(lua_State* L, const char* function) {
+    const int arguments = lua_gettop(L);
+    push_runtime(L, function);
+    for (int i = 1; i <= arguments; ++i) lua_pushvalue(L, i);
+    lua_call(L, arguments, 1);
+    if (lua_toboolean(L, -1)) return true;
+    lua_settop(L, arguments);
+    return false;
+}
+
 /// (array, name, index)
 int element(lua_State* L) {
+    if (!is_list(L)) {
+        if (!done_by(L, "other_element")) fail_element(L);
+        return 1;
+    }
     int whole = 0;
     const lua_Integer index = lua_type(L, 3) == LUA_TNUMBER ? lua_tointegerx(L, 3, &whole) : 0;
-    if (!whole || !is_list(L) || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
+    if (!whole || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
     return 1;
 }
 
 /// (array, name, index, value)
 int set_element(lua_State* L) {
+    if (!is_list(L)) {
+        if (!done_by(L, "set_other_element")) fail_element(L);
+        return 0;
+    }
     int whole = 0;
     const lua_Integer index = lua_type(L, 3) == LUA_TNUMBER ? lua_tointegerx(L, 3, &whole) : 0;
-    if (!whole || !is_list(L) || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
+    if (!whole || lua_rawgeti(L, 1, index) == LUA_TNIL) fail_element(L);
     lua_pushvalue(L, 4);
     lua_rawseti(L, 1, index);
     return 0;
@@ -170,11 +184,10 @@ int command(lua_State* L) {
     return 0;
 }
 
-constexpr std::array<luaL_Reg, 6> failures{{{"not_array", guarded<fail_not_array>},
+constexpr std::array<luaL_Reg, 5> failures{{{"not_array", guarded<fail_not_array>},
                                             {"outside", guarded<fail_outside>},
                                             {"size", guarded<fail_size>},
                                             {"too_large", guarded<fail_too_large>},
-                                            {"not_list", guarded<fail_not_list>},
                                             {nullptr, nullptr}}};
 
 constexpr std::array<luaL_Reg, 6> functions{{{"element", guarded<element>},
@@ -209,6 +222,7 @@ void open_runtime(Machine& machine) {
     luaL_setfuncs(L, functions.data(), 0);
     machine.array_type = finish_array_type(L, "list_kind");
     machine.grid_type = finish_array_type(L, "grid_kind");
+    open_values(machine);
     machine.anchors.runtime = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

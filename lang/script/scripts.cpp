@@ -139,6 +139,20 @@ void Scripts::set(const std::string& name, const Value& value, const Place& plac
     });
 }
 
+void Scripts::create_automatically(bool on) { impl_->machine->fish.automatic_create = on; }
+
+void Scripts::define_structure(const std::string& name, const std::vector<std::string>& members, const Place& place) {
+    lua_State* L = impl_->machine->lua;
+    const StackLevel level(L);
+    placed(place, [&] {
+        luaL_checkstack(L, static_cast<int>(members.size()) + 4, "for a structure");
+        push_runtime(L, "define_structure");
+        lua_pushstring(L, lower_case(name).c_str());
+        for (const auto& member : members) lua_pushstring(L, member.c_str());
+        call_protected(L, static_cast<int>(members.size()) + 1, 0);
+    });
+}
+
 void Scripts::seed(std::uint64_t seed) { impl_->machine->random.seed(seed); }
 
 bool Scripts::knows(const std::string& name) const { return knows_fish_name(*impl_->machine, bare_expression(name)); }

@@ -64,6 +64,10 @@ public:
     void call(const std::string& expression, const Place& place = {});
     /// `set @name = value`
     void set(const std::string& name, const Value& value, const Place& place = {});
+    /// False: variables of FISH must be declared before they are used.
+    void create_automatically(bool on);
+    /// `struct NAME(a, b)`: names the members of a kind of structure.
+    void define_structure(const std::string& name, const std::vector<std::string>& members, const Place& place);
     /// Restarts the random numbers of FISH and Lua.
     void seed(std::uint64_t seed);
     /// True for a function, a variable that was mentioned, or a built-in name.

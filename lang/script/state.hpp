@@ -22,11 +22,14 @@ struct ObjectReference {
 using StoredValue =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle, ObjectReference>;
 
-/// A FISH array (dimensions not empty, elements row by row) or a Lua table (keys and values side by side).
+/// A Lua table or map (keys and values side by side), a FISH array (dimensions and elements row by row), a list or tensor (values), a
+/// structure (the names of its members as keys, and their values).
 struct StoredObject {
     std::vector<std::int64_t> dimensions;
     std::vector<StoredValue> keys;
     std::vector<StoredValue> values;
+    enum class Kind : std::uint8_t { table, array, list, map, tensor, structure } kind = Kind::table;
+    std::string name = {}; ///< of the kind of structure
 };
 
 struct StoredSource {
@@ -54,6 +57,7 @@ struct ScriptState {
     std::vector<StoredHook> hooks;     ///< of FISH functions, in the order of their registration
     Tables tables;
     std::array<std::uint64_t, 4> random{};
+    bool automatic_create = true; ///< of FISH variables
 };
 
 /// One block of bytes, the same for the same state on every machine; and back.

@@ -13,7 +13,7 @@ namespace kaya::script {
 namespace {
 
 constexpr std::string_view mark = "KAYASCRIPT";
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4, oldest_version = 3;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 /// Every part of the state passes through `io` in one order, for writing and for reading.
@@ -140,6 +140,8 @@ std::string to_bytes(const ScriptState& state) {
         out.list(object.dimensions, [&](std::int64_t extent) { out.number(extent); });
         out.list(object.keys, put_value);
         out.list(object.values, put_value);
+        out.number(static_cast<std::uint8_t>(object.kind));
+        out.text(object.name);
     });
     out.list(state.sources, [&](const StoredSource& source) {
         out.number(static_cast<std::uint8_t>(source.kind));
@@ -164,6 +166,7 @@ std::string to_bytes(const ScriptState& state) {
         });
     }
     for (const std::uint64_t word : state.random) out.number(word);
+    out.number(static_cast<std::uint8_t>(state.automatic_create));
     return std::move(out.bytes);
 }
 
@@ -172,10 +175,10 @@ ScriptState from_bytes(const std::string& bytes) {
     if (in.take(std::min<std::uint64_t>(mark.size(), bytes.size())) != mark)
         throw Diagnostic("these are not saved scripts", "the file is damaged, or kaya did not write it", Fault::run);
     const auto found = taken<std::uint32_t>(in);
-    if (found != version)
-        throw Diagnostic(
-            fmt::format("the scripts were saved in version {}; this program reads version {}", found, version), {},
-            Fault::run);
+    if (found < oldest_version || found > version)
+        throw Diagnostic(fmt::format("the scripts were saved in version {}; this program reads versions {} to {}",
+                                     found, oldest_version, version),
+                         {}, Fault::run);
     ScriptState state;
     for (Named* values : {&state.fish_globals, &state.lua_globals, &state.extras})
         in.list(*values, [&](auto& item) {
@@ -187,6 +190,12 @@ ScriptState from_bytes(const std::string& bytes) {
         in.list(object.dimensions, [&](std::int64_t& extent) { in.number(extent); });
         in.list(object.keys, take_value);
         in.list(object.values, take_value);
+        object.kind = object.dimensions.empty() ? StoredObject::Kind::table : StoredObject::Kind::array;
+        if (found == oldest_version) return;
+        object.kind = static_cast<StoredObject::Kind>(taken<std::uint8_t>(in));
+        in.text(object.name);
+        if (object.kind > StoredObject::Kind::structure)
+            throw Diagnostic("the saved scripts hold a table of an unknown kind", "the file is damaged", Fault::run);
     });
     in.list(state.sources, [&](StoredSource& source) {
         source.kind = static_cast<StoredSource::Kind>(taken<std::uint8_t>(in));
@@ -212,6 +221,7 @@ ScriptState from_bytes(const std::string& bytes) {
         });
     }
     for (auto& word : state.random) in.number(word);
+    if (found > oldest_version) state.automatic_create = taken<std::uint8_t>(in) != 0;
     if (!in.done()) throw Diagnostic("bytes are left over after the saved scripts", "the file is damaged", Fault::run);
     return state;
 }

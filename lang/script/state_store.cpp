@@ -1,6 +1,8 @@
 #include "lang/script/state_store.hpp"
 
 #include "lang/script/chunks.hpp"
+#include "lang/script/context.hpp"
+#include "lang/script/fish_values.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"
@@ -55,6 +57,7 @@ public:
         state_.hooks = machine_.fish.hooks;
         state_.tables = machine_.tables;
         state_.random = machine_.random.state;
+        state_.automatic_create = machine_.fish.automatic_create;
         return std::move(state_);
     }
 
@@ -82,7 +85,11 @@ private:
     bool take(StoredValue& value, int depth) {
         if (lua_istable(lua_, -1)) return take_table(value, depth);
         if (lua_isfunction(lua_, -1) || (lua_type(lua_, -1) == LUA_TUSERDATA && !is_vector(lua_, -1))) return false;
-        std::visit([&](auto&& plain) { value = plain; }, value_at(lua_, -1, "a variable"));
+        std::visit(
+            [&](auto&& plain) {
+                if constexpr (std::is_constructible_v<StoredValue, decltype(plain)>) value = plain;
+            },
+            value_at(lua_, -1, "a variable"));
         if (is_stale(value)) value = std::monostate{};
         return true;
     }
@@ -108,20 +115,18 @@ private:
         state_.objects.emplace_back();
         StoredObject object;
         const std::size_t index = found->second;
+        const std::string kind = kind_of_value(lua_, -1);
         if (is_array(lua_, -1)) take_array(object, depth);
+        else if (kind == "list" || kind == "tensor") take_elements(object, kind, depth);
+        else if (kind == "structure") take_structure(object, depth);
         else take_pairs(object, depth);
+        if (kind == "map") object.kind = StoredObject::Kind::map;
         state_.objects[index] = std::move(object);
         return true;
     }
 
-    void take_array(StoredObject& object, int depth) {
-        lua_getfield(lua_, -1, "dimensions");
-        for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua_, -1)); ++i) {
-            lua_rawgeti(lua_, -1, i);
-            object.dimensions.push_back(lua_tointeger(lua_, -1));
-            lua_pop(lua_, 1);
-        }
-        lua_pop(lua_, 1);
+    /// The numbered elements of the table at the top of the stack.
+    void take_values(StoredObject& object, int depth) {
         for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua_, -1)); ++i) {
             lua_rawgeti(lua_, -1, i);
             StoredValue element;
@@ -129,6 +134,33 @@ private:
             object.values.push_back(for_fish(element));
             lua_pop(lua_, 1);
         }
+    }
+
+    void take_elements(StoredObject& object, const std::string& kind, int depth) {
+        object.kind = kind == "list" ? StoredObject::Kind::list : StoredObject::Kind::tensor;
+        take_values(object, depth);
+    }
+
+    void take_structure(StoredObject& object, int depth) {
+        object.kind = StoredObject::Kind::structure;
+        lua_getfield(lua_, -1, "kind");
+        object.name = lua_tostring(lua_, -1);
+        lua_pop(lua_, 1);
+        lua_getfield(lua_, -1, "values");
+        take_values(object, depth);
+        lua_pop(lua_, 1);
+    }
+
+    void take_array(StoredObject& object, int depth) {
+        object.kind = StoredObject::Kind::array;
+        lua_getfield(lua_, -1, "dimensions");
+        for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua_, -1)); ++i) {
+            lua_rawgeti(lua_, -1, i);
+            object.dimensions.push_back(lua_tointeger(lua_, -1));
+            lua_pop(lua_, 1);
+        }
+        lua_pop(lua_, 1);
+        take_values(object, depth);
     }
 
     void take_pairs(StoredObject& object, int depth) {
@@ -185,6 +217,7 @@ public:
         check();
         machine_.tables = state_.tables;
         rebuild_decks();
+        machine_.fish.automatic_create = state_.automatic_create;
         machine_.restoring = true;
         for (const auto& source : state_.sources) define(source);
         machine_.restoring = false;
@@ -295,14 +328,19 @@ private:
         }
         luaL_checkstack(lua_, 8, "too many tables in tables");
         const StoredObject& object = state_.objects[index];
-        const bool array = !object.dimensions.empty();
-        if (!array && lua_istable(lua_, -1)) lua_pushvalue(lua_, -1);
+        using Kind = StoredObject::Kind;
+        if (object.kind == Kind::table && object.dimensions.empty() && lua_istable(lua_, -1)) lua_pushvalue(lua_, -1);
         else lua_newtable(lua_);
         lua_pushvalue(lua_, -1);
         made_[index] = luaL_ref(lua_, LUA_REGISTRYINDEX);
         if (++depth_ > deepest_table + 1) fail_damaged();
-        if (array) fill_array(object);
-        else fill_pairs(object);
+        const bool array = !object.dimensions.empty();
+        switch (array ? Kind::array : object.kind) {
+        case Kind::table: fill_pairs(object); break;
+        case Kind::array: fill_array(object); break;
+        case Kind::structure: fill_structure(object); break;
+        default: fill_value(object); break;
+        }
         --depth_;
     }
 
@@ -317,17 +355,49 @@ private:
         return !std::holds_alternative<std::monostate>(value);
     }
 
-    void fill_array(const StoredObject& object) {
-        std::size_t size = 1;
-        for (const std::int64_t extent : object.dimensions)
-            if (extent < 1 || __builtin_mul_overflow(size, static_cast<std::size_t>(extent), &size)) fail_damaged();
-        if (size != object.values.size()) fail_damaged();
+    void fill_elements(const StoredObject& object) {
         for (std::size_t i = 0; i < object.values.size(); ++i) {
             lua_pushnil(lua_);
             push(object.values[i]);
             lua_remove(lua_, -2);
             lua_rawseti(lua_, -2, static_cast<lua_Integer>(i) + 1);
         }
+    }
+
+    /// The table at the top of the stack becomes a value of FISH.
+    void set_type(const char* kind) {
+        push_runtime(lua_, "types");
+        lua_getfield(lua_, -1, kind);
+        lua_setmetatable(lua_, -3);
+        lua_pop(lua_, 1);
+    }
+
+    /// A list, map or tensor.
+    void fill_value(const StoredObject& object) {
+        using Kind = StoredObject::Kind;
+        constexpr std::size_t components = 6;
+        if (object.kind == Kind::tensor && object.values.size() != components) fail_damaged();
+        if (object.kind == Kind::map) fill_pairs(object);
+        else fill_elements(object);
+        set_type(object.kind == Kind::map ? "map" : object.kind == Kind::list ? "list" : "tensor");
+    }
+
+    void fill_structure(const StoredObject& object) {
+        lua_pushstring(lua_, object.name.c_str());
+        lua_setfield(lua_, -2, "kind");
+        lua_newtable(lua_);
+        fill_elements(object);
+        lua_setfield(lua_, -2, "values");
+        set_type("structure");
+    }
+
+    void fill_array(const StoredObject& object) {
+        if (object.dimensions.empty()) fail_damaged();
+        std::size_t size = 1;
+        for (const std::int64_t extent : object.dimensions)
+            if (extent < 1 || __builtin_mul_overflow(size, static_cast<std::size_t>(extent), &size)) fail_damaged();
+        if (size != object.values.size()) fail_damaged();
+        fill_elements(object);
         lua_newtable(lua_);
         for (std::size_t i = 0; i < object.dimensions.size(); ++i) {
             lua_pushinteger(lua_, object.dimensions[i]);

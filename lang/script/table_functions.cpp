@@ -1,5 +1,6 @@
-// Built-in functions of FISH on numbered tables: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i),
+// Built-in functions of FISH on tables, which have numbers and may have names: table(n, x), xtable(n, i), ytable(n, i), vtable(n, i),
 // table_size(n).
+#include "base/lower_case.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
@@ -13,8 +14,24 @@ namespace kaya::script {
 
 namespace {
 
+/// The first argument: the number of a table, or its name.
+std::int64_t table_argument(lua_State* L, const char* function, bool make = false) {
+    if (lua_type(L, 1) != LUA_TSTRING) return integer_argument(L, 1, function);
+    const std::string name = text_argument(L, 1, function);
+    Tables& tables = tables_of(L);
+    const auto found =
+        std::ranges::find_if(tables, [&](const auto& entry) { return equal_ignoring_case(entry.second.name, name); });
+    if (found != tables.end() && !name.empty()) return found->first;
+    if (!make || name.empty())
+        throw Diagnostic(fmt::format("there is no table '{}'", name), "make it before: table.create('name')",
+                         Fault::run);
+    const std::int64_t next = tables.empty() ? 1 : std::max<std::int64_t>(tables.rbegin()->first, 0) + 1;
+    tables[next].name = name;
+    return next;
+}
+
 Table& existing_table(lua_State* L, const char* function) {
-    const std::int64_t number = integer_argument(L, 1, function);
+    const std::int64_t number = table_argument(L, function);
     Tables& tables = tables_of(L);
     const auto found = tables.find(number);
     if (found == tables.end() || found->second.points.empty())
@@ -27,14 +44,13 @@ TablePoint& existing_point(lua_State* L, const char* function) {
     const std::int64_t i = integer_argument(L, 2, function);
     const auto size = static_cast<std::int64_t>(table.points.size());
     if (i < 1 || i > size)
-        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", lua_tointeger(L, 1), size, i), {},
-                         Fault::run);
+        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", text_at(L, 1), size, i), {}, Fault::run);
     return table.points[static_cast<std::size_t>(i - 1)];
 }
 
 /// The i-th point; one after the last makes a new one.
 TablePoint& point_to_write(lua_State* L, const char* function) {
-    Table& table = tables_of(L)[integer_argument(L, 1, function)];
+    Table& table = tables_of(L)[table_argument(L, function, true)];
     const auto next = static_cast<std::int64_t>(table.points.size()) + 1;
     if (integer_argument(L, 2, function) == next) return table.points.emplace_back();
     return existing_point(L, function);
@@ -46,7 +62,7 @@ int read_table(lua_State* L) {
 }
 
 int write_table(lua_State* L) {
-    const std::int64_t number = integer_argument(L, 1, "table");
+    const std::int64_t number = table_argument(L, "table", true);
     const double x = number_argument(L, 2, "table"), y = number_argument(L, 3, "table");
     tables_of(L)[number].set(x, y);
     return 0;
@@ -88,7 +104,7 @@ int write_vector(lua_State* L) {
 
 int size(lua_State* L) {
     const Tables& tables = tables_of(L);
-    const auto found = tables.find(integer_argument(L, 1, "table_size"));
+    const auto found = tables.find(table_argument(L, "table_size"));
     lua_pushinteger(L, found == tables.end() ? 0 : static_cast<lua_Integer>(found->second.points.size()));
     return 1;
 }
@@ -96,21 +112,21 @@ int size(lua_State* L) {
 /// table_id(n): the number again when the table has points, else 0.
 int identify(lua_State* L) {
     const Tables& tables = tables_of(L);
-    const std::int64_t number = integer_argument(L, 1, "table_id");
+    const std::int64_t number = table_argument(L, "table_id");
     lua_pushinteger(L, tables.contains(number) ? number : 0);
     return 1;
 }
 
 int read_name(lua_State* L) {
     const Tables& tables = tables_of(L);
-    const auto found = tables.find(integer_argument(L, 1, "table_name"));
+    const auto found = tables.find(table_argument(L, "table_name"));
     const std::string name = found == tables.end() ? std::string() : found->second.name;
     lua_pushlstring(L, name.data(), name.size());
     return 1;
 }
 
 int write_name(lua_State* L) {
-    const std::int64_t number = integer_argument(L, 1, "table_name");
+    const std::int64_t number = table_argument(L, "table_name");
     tables_of(L)[number].name = text_argument(L, 2, "table_name");
     return 0;
 }
@@ -131,8 +147,16 @@ int find(lua_State* L) {
     return 1;
 }
 
+/// table.create(n) and table.create(name)
+int create(lua_State* L) {
+    const std::int64_t number = table_argument(L, "table.create", true);
+    tables_of(L)[number];
+    lua_pushinteger(L, number);
+    return 1;
+}
+
 int remove(lua_State* L) {
-    lua_pushinteger(L, static_cast<lua_Integer>(tables_of(L).erase(integer_argument(L, 1, "del_table"))));
+    lua_pushinteger(L, static_cast<lua_Integer>(tables_of(L).erase(table_argument(L, "del_table"))));
     return 1;
 }
 
@@ -146,6 +170,7 @@ constexpr std::array functions{
     BuiltInFunction{"table_name", 1, 1, guarded<read_name>, guarded<write_name>},
     BuiltInFunction{"get_table", 1, 1, guarded<find>},
     BuiltInFunction{"del_table", 1, 1, guarded<remove>},
+    BuiltInFunction{"table.create", 1, 1, guarded<create>},
 };
 
 } // namespace

@@ -22,6 +22,7 @@ struct Text {
         if (handle.generation == 0) return "null";
         return world ? handle_text(*world, handle) : "object";
     }
+    std::string operator()(const std::shared_ptr<const Compound>& compound) const { return compound->text; }
 };
 
 bool is_known(const World& world, const Handle& handle) {
@@ -52,6 +53,7 @@ std::string to_text(const Value& value, World* world) { return std::visit(Text{w
 std::string_view type_name(const Value& value) {
     static constexpr std::array<std::string_view, 7> names{"nothing", "truth",  "integer", "number",
                                                            "text",    "vector", "pointer"};
+    if (const auto* compound = std::get_if<std::shared_ptr<const Compound>>(&value)) return (*compound)->kind;
     return names[value.index()];
 }
 

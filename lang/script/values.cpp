@@ -1,5 +1,6 @@
 #include "lang/script/values.hpp"
 
+#include "lang/script/fish_values.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/value_text.hpp"
@@ -23,6 +24,7 @@ void push_lua_value(lua_State* L, const Value& value) {
         break;
     }
     case 5: push_vector(L, *std::get_if<Vec3>(&value)); break;
+    case 7: push_compound(L, **std::get_if<std::shared_ptr<const Compound>>(&value)); break;
     default: {
         const Handle& handle = *std::get_if<Handle>(&value);
         if (handle.generation == 0) lua_pushnil(L);
@@ -62,6 +64,7 @@ Value value_at(lua_State* L, int index, const std::string& what) {
     default: break;
     }
     if (is_vector(L, index)) return vector_at(L, index);
+    if (const std::string kind = kind_of_value(L, index); !kind.empty()) return compound_at(L, index, kind);
     throw Diagnostic(fmt::format("{} is {}, where one value is needed", what, describe_value(L, index)),
                      "a value is a number, a text, a vector or a pointer", Fault::run);
 }
@@ -78,7 +81,10 @@ std::string describe_value(lua_State* L, int index) {
     case LUA_TLIGHTUSERDATA:
         return "a pointer to " + handle_text(machine.world, unpack_handle(lua_touserdata(L, index)));
     case LUA_TFUNCTION: return "a function";
-    case LUA_TTABLE: return is_array(L, index) ? "an array" : "a table";
+    case LUA_TTABLE: {
+        const std::string kind = kind_of_value(L, index);
+        return is_array(L, index) ? "an array" : kind.empty() ? "a table" : "a " + kind;
+    }
     default: break;
     }
     if (is_vector(L, index)) return "the vector " + text_at(L, index);
@@ -87,6 +93,7 @@ std::string describe_value(lua_State* L, int index) {
 
 std::string text_at(lua_State* L, int index) {
     const int type = lua_type(L, index);
+    if (!kind_of_value(L, index).empty()) return text_of_value(L, index);
     const bool plain = type != LUA_TTABLE && type != LUA_TFUNCTION && (type != LUA_TUSERDATA || is_vector(L, index));
     if (!plain) return describe_value(L, index);
     return to_text(value_at(L, index, "this"), &machine_of(L).world);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,8 +25,19 @@ struct Handle {
     bool operator==(const Handle&) const = default;
 };
 
-/// nil, truth, integer, real, text, vector, handle.
-using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle>;
+struct Compound;
+
+/// nil, truth, integer, real, text, vector, handle; list, map, tensor, structure.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle,
+                           std::shared_ptr<const Compound>>;
+
+/// A value of FISH that holds others.
+struct Compound {
+    std::string kind;           ///< "list", "map", "tensor", "structure"
+    std::vector<Value> keys;    ///< of a map
+    std::vector<Value> members; ///< of a tensor xx, yy, zz, xy, xz, yz
+    std::string text;           ///< as FISH prints it
+};
 
 struct FieldInfo {
     std::string_view name;    ///< "normal_force"

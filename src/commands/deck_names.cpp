@@ -47,11 +47,11 @@ void DeckNames::check(const lang::BoundCommand& command, bool inside) {
     if (const auto* set = std::any_cast<lang::Set>(&command.command))
         for (const auto& [name, value] : set->fish) {
             given.push_back(lang::fold(name));
-            add({given.back(), fish::Use::set, 0, command.place}, true);
+            add({given.back(), fish::Use::set, 0, command.place, {}}, true);
         }
     if (const auto* parameter = std::any_cast<lang::Parameter>(&command.command)) {
         given.push_back(lang::fold(parameter->name));
-        add({given.back(), fish::Use::set, 0, command.place}, true);
+        add({given.back(), fish::Use::set, 0, command.place, {}}, true);
     }
     if (!command.spec->raw)
         for_each_word(command.text(), [&](const std::string& word) {
@@ -75,19 +75,19 @@ void DeckNames::check_lua(std::string_view text) {
 
 void DeckNames::learn_function(const std::string& text, const Place& place) {
     const auto function = fish::read_function(text, place);
-    const int count = static_cast<int>(function.arguments.size());
+    const int most = static_cast<int>(function.arguments.size());
     const auto [known, is_new] =
-        functions_.try_emplace(function.name, fish::Meaning{fish::NameKind::function, count, count, false});
+        functions_.try_emplace(function.name, fish::Meaning{fish::NameKind::function, function.least, most, false});
     if (!is_new) { // defined twice: a call may be meant for either
-        known->second.least = std::min(known->second.least, count);
-        known->second.most = std::max(known->second.most, count);
+        known->second.least = std::min(known->second.least, function.least);
+        known->second.most = std::max(known->second.most, most);
     }
     for (auto& use : fish::name_uses(function)) add(std::move(use), false);
 }
 
 void DeckNames::learn_expression(const lang::Word& word) {
     try {
-        for (auto& use : fish::name_uses(fish::read_expression(word.text, word.place))) {
+        for (auto& use : fish::name_uses(fish::read_expression(word.text, word.place, fish::dialect_at(word.place)))) {
             use.place = word.place;
             add(std::move(use), true);
         }
@@ -181,6 +181,15 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
             continue;
         }
         if (!said.insert(use.name).second) continue;
+        if (use.dialect == fish::Dialect::modern && use.name.find('.') != use.name.npos) {
+            const auto* family = fish::find_reserved_family(use.name);
+            Diagnostic d = family != nullptr
+                               ? fish::reserved_message(use.name, *family)
+                               : Diagnostic(fmt::format("there is no FISH function '{}'", use.name), hint);
+            if (family == nullptr) d.code = "unknown-fish-name";
+            found.push_back(d.at(use.place));
+            continue;
+        }
         const auto* reserved = fish::find_reserved_family(use.name);
         if (reserved && use.use != read) {
             const Diagnostic d = fish::reserved_message(use.name, *reserved);

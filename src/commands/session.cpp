@@ -27,7 +27,9 @@ lang::Value command_value(const script::Value& value, const std::string& express
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* vector = std::get_if<Vec3>(&value)) return *vector;
     if (std::holds_alternative<std::monostate>(value)) return std::monostate{};
-    throw Diagnostic(fmt::format("'{}' is a pointer, which a command cannot use", expression),
+    const auto kind =
+        std::holds_alternative<script::Handle>(value) ? std::string_view("pointer") : script::type_name(value);
+    throw Diagnostic(fmt::format("'{}' is a {}, which a command cannot use", expression, kind),
                      "give a number, a text or a vector")
         .at(place);
 }

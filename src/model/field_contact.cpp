@@ -87,7 +87,7 @@ const Fields& contact_fields() {
          call<constitutive>, nullptr},
         {table, "joint_set", "c_jset", "block.contact.jset", "-", "joint set that made it, 0 for none",
          read<rows_of, &Contacts::joint_set>, nullptr},
-        {table, "group", "c_group", "", "-", "group of the contact, empty when it has none",
+        {table, "group", "c_group", "block.contact.group", "-", "group of the contact, empty when it has none",
          read_group<ObjectKind::contact>, write_group<ObjectKind::contact>},
         {table, "model", "c_model", "block.contact.model", "-", "name of its joint model, empty when it has none",
          joint_model, nullptr},

@@ -77,23 +77,18 @@ local function position(array, name, indices)
 end
 
 function runtime.element_of(array, name, ...)
+    if not runtime.is_array(array) then
+        local other = runtime.other_element_of(array, name, ...)
+        if other ~= nil then
+            return other
+        end
+    end
     return array[position(array, name, { ... })]
 end
 
 function runtime.set_element_of(array, name, value, ...)
-    array[position(array, name, { ... })] = value
-end
-
--- Returns the members of a list in order. They are copied first, because the body of the loop may change the list.
-function runtime.each(list)
-    if type(list) ~= "table" then
-        fail.not_list(list)
-    end
-    local members = table.move(list, 1, #list, 1, {})
-    local at = 0
-    return function()
-        at = at + 1
-        return members[at]
+    if runtime.is_array(array) or not runtime.set_other_element_of(array, name, value, ...) then
+        array[position(array, name, { ... })] = value
     end
 end
 

@@ -58,8 +58,9 @@ protected:
         const auto code = [](std::string_view word) {
             return word.empty() ? std::string() : fmt::format("`{}`", word);
         };
+        const bool other = field.modern.empty() && !field.classic.empty() && modern != newer.end();
         return fmt::format("| `{}`{} | {} | {} | {} | {} | {} |\n", field.name, field.set ? "*" : "",
-                           code(field.classic), modern == newer.end() ? "" : code(modern->second),
+                           code(field.classic), code(other ? std::string_view(modern->second) : field.modern),
                            kind_of(field.get(model(), 0)), field.unit, field.help);
     }
 

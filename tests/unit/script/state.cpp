@@ -190,7 +190,8 @@ TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
     EXPECT_THAT(message_of([&] { from_bytes("something else"); }), HasSubstr("these are not saved scripts"));
     std::string newer = bytes;
     newer[10] = 9;
-    EXPECT_THAT(message_of([&] { from_bytes(newer); }), HasSubstr("saved in version 9; this program reads version 3"));
+    EXPECT_THAT(message_of([&] { from_bytes(newer); }),
+                HasSubstr("saved in version 9; this program reads versions 3 to 4"));
 }
 
 TEST(ScriptState, ChangedBytesEndInAMessageOrAStateNeverInACrash) {
