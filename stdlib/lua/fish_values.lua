@@ -1,5 +1,5 @@
 -- Lists, maps, tensors and structures of FISH. They are values: who stores one that another variable holds stores a copy (`own`). Arrays and
--- pointers are shared. The program calls this with the functions of translated FISH, to which it adds, and with functions of its own.
+-- pointers are shared. The program calls this with the functions of translated FISH, to which it adds, and with its own functions.
 
 local runtime, native = ...
 local stop, describe, whole = native.stop, native.describe, native.whole
@@ -490,9 +490,7 @@ function runtime.text(value)
         end
     else
         for i = 1, #value do
-            if not add(native.text(value[i])) then
-                break
-            end
+            if not add(native.text(value[i])) then break end
         end
     end
     local inside = table.concat(shown, ", ") .. (size < 1000 and "" or ", ...")
