@@ -24,9 +24,7 @@ local structures = setmetatable({}, {
 
 local function kind_of(value)
     local kind = type(value) == "table" and getmetatable(value) or nil
-    if runtime.is_array(value) then
-        return "array"
-    end
+    if runtime.is_array(value) then return "array" end
     return kind and types[kind.__name] == kind and kind.__name or nil
 end
 
