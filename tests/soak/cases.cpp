@@ -4,6 +4,7 @@
 #include "change.hpp"
 #include "scenes.hpp"
 #include "study_files.hpp"
+#include "valid_change.hpp"
 
 #include "lang/commands/language.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 constexpr std::array all_kinds{
     Kind{"decks", "commands of the tables, with calls, functions and loops around them", &Cases::decks, 0.1},
     Kind{"scripts", "FISH and Lua: every name, on living and dead objects", &Cases::scripts, 0.1},
-    Kind{"files", "surfaces, grids, grounds and tables that somebody has changed", &Cases::files, 0.1},
+    Kind{"files", "surfaces, grids, grounds and tables that were changed, half of them validly", &Cases::files, 0.2},
     Kind{"studies", "studies: parameters, designs, results, searches", &Cases::studies, 0.1},
     Kind{"benches", "paths of jtest, jfit and ztest", &Cases::benches, 0.1},
     Kind{"journals", "journals that somebody has changed", &Cases::journals, 0.02},
@@ -143,8 +144,10 @@ Case Cases::scripts(Chance& c) const {
 Case Cases::files(Chance& c) const {
     const Sample& sample = c.of(samples());
     if (sample.name.ends_with(".lua")) return files(c);
-    const bool as_it_is = c.heads(0.05);
-    return {{{sample.name, as_it_is ? sample.bytes : changed(sample.bytes, c)}, {"deck.3dd", reading(sample.name, c)}},
+    const std::string bytes = c.heads(0.5)    ? changed_validly(sample.bytes, c)
+                              : c.heads(0.95) ? changed(sample.bytes, c)
+                                              : sample.bytes;
+    return {{{sample.name, bytes}, {"deck.3dd", reading(sample.name, c)}},
             {"--no-journal", "--threads", "1", "deck.3dd"}};
 }
 

@@ -3,6 +3,7 @@
 // end normally or are refused. `--first N --show`, with a COUNT of 1, repeats one case. docs: tests/soak/README.md.
 #include "cases.hpp"
 
+#include "app/work.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 #include <iterator>
 #include <optional>
 #include <unistd.h>
-
-int kaya_main(int argc, char** argv); // main() of the program
 
 namespace kaya::soak {
 
@@ -35,7 +34,7 @@ int run_here(std::vector<std::string> words) {
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    return kaya_main(static_cast<int>(words.size()), pointers.data());
+    return work(static_cast<int>(words.size()), pointers.data());
 }
 
 Work work_of(const Order& order) {
@@ -50,8 +49,9 @@ Work work_of(const Order& order) {
     };
 }
 
-Limits limits_of_machine() {
+Limits limits_of(const Order& order) {
     Limits limits;
+    limits.waits = !order.program.empty();
     if (const char* slower = std::getenv("KAYA_SLOWER")) {
         limits.asked_after *= std::atof(slower);
         limits.seconds *= std::atof(slower);
@@ -89,9 +89,9 @@ struct Sums {
 };
 
 /// The journal of a run.
-std::string journal(const test::ScratchFolder& folder, const Work& work) {
+std::string journal(const test::ScratchFolder& folder, const Limits& limits, const Work& work) {
     const fs::path place = folder / "journal";
-    const Verdict verdict = trial(Cases::journal_run(), place, folder / "said", limits_of_machine(), work);
+    const Verdict verdict = trial(Cases::journal_run(), place, folder / "said", limits, work);
     if (verdict.status != 0)
         throw std::runtime_error("the run whose journal is changed fails: " + test::content_of(folder / "said"));
     return test::content_of((place / "good.journal").string());
@@ -105,13 +105,14 @@ int soak(const Order& order, const Kind& kind) {
     ::setenv("XDG_CONFIG_HOME", home.c_str(), 1);
     ::setenv("TMPDIR", folder.path().c_str(), 1);
     const Work work = work_of(order);
+    const Limits limits = limits_of(order);
     Cases cases;
-    if (kind.make == &Cases::journals) cases.set_journal(journal(folder, work));
+    if (kind.make == &Cases::journals) cases.set_journal(journal(folder, limits, work));
     Sums sums;
     for (long number = order.first; number < order.first + order.count; ++number) {
         Chance chance(order.seed * 1000003 + static_cast<std::uint64_t>(number));
         const Case one = (cases.*kind.make)(chance);
-        const Verdict verdict = trial(one, place, said, limits_of_machine(), work);
+        const Verdict verdict = trial(one, place, said, limits, work);
         sums.add(verdict);
         if (!verdict.finding.empty()) report(order, number, one, verdict, said);
         if (!order.show) continue;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
+#include <fstream>
 #include <fmt/format.h>
 #include <poll.h>
 #include <stdexcept>
@@ -53,11 +54,18 @@ void limit(int what, rlim_t most) {
 }
 
 /// Of its threads, not of its child processes.
-double processor_seconds(pid_t child) {
+double processor_seconds(pid_t process) {
     clockid_t clock{};
     timespec used{};
-    if (::clock_getcpuclockid(child, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0;
+    if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0;
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+/// The process that does the work: the program that is started waits for one that does.
+pid_t worker_of(pid_t child) {
+    std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", child));
+    pid_t worker = 0;
+    return children >> worker ? worker : child;
 }
 
 std::string what_it_said(const fs::path& said) {
@@ -99,7 +107,7 @@ Verdict trial(const Case& one, const fs::path& folder, const fs::path& said, con
     constexpr double idle =
         30; // times the limit: a waiting process uses no processor time, and the machine may be busy
     for (pollfd ended{handle, POLLIN, 0}; ::poll(&ended, 1, 50) == 0;) {
-        const double used = std::max(processor_seconds(child), elapsed() / idle);
+        const double used = std::max(processor_seconds(limits.waits ? worker_of(child) : child), elapsed() / idle);
         if (used > limits.seconds) {
             verdict.finding = fmt::format("a hang: not over after {:.0f} s", elapsed());
             ::kill(-child, SIGKILL);

@@ -24,6 +24,7 @@ struct Limits {
     double asked_after = 2; ///< processor seconds until it is interrupted, as by Ctrl-C
     double seconds = 20;    ///< until it counts as a hang
     std::size_t megabytes = 4096;
+    bool waits = false; ///< the process that is started waits for one that does the work
 };
 
 struct Verdict {
