@@ -1,5 +1,5 @@
 -- Lists, maps, tensors and structures of FISH. They are values: who stores one that another variable holds stores a copy (`own`). Arrays and
--- pointers are shared. The program calls this with the functions of translated FISH, to which it adds, and with functions of its own.
+-- pointers are shared. The program calls this with the functions of translated FISH, to which it adds, and with its own functions.
 
 local runtime, native = ...
 local stop, describe, whole = native.stop, native.describe, native.whole
@@ -11,7 +11,6 @@ local types = {
 }
 local axes = { xx = 1, yy = 2, zz = 3, xy = 4, xz = 5, yz = 6, yx = 4, zx = 5, zy = 6 }
 local place_in_tensor = { { 1, 4, 5 }, { 4, 2, 6 }, { 5, 6, 3 } }
-local most_elements = 2 ^ 27
 -- Names of the members, by name of the kind. They are kept with the variables, under names that no variable has.
 local structures = setmetatable({}, {
     __index = function(_, name)
@@ -467,7 +466,7 @@ for _, kind in pairs(types) do
 end
 
 runtime.own, runtime.kind_of, runtime.keys_of, runtime.make_list = own, kind_of, keys_of, new_list
-runtime.types, runtime.structures, runtime.most_elements = types, structures, most_elements
+runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 ^ 27
 
 -- What FISH prints.
 function runtime.text(value)
