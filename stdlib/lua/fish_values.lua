@@ -143,9 +143,8 @@ local readers = {
 -- An element of something that is not an array with one dimension; nil when it has none.
 function runtime.other_element(whole_value, name, index)
     local kind = native.is_vector(whole_value) and "vector" or kind_of(whole_value)
-    local read = readers[kind]
-    if read then
-        return read(whole_value, name, index)
+    if readers[kind] then
+        return readers[kind](whole_value, name, index)
     end
     if type(whole_value) == "function" then
         return native.fish_value(whole_value(index))
@@ -470,8 +469,7 @@ runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 
 
 -- What FISH prints.
 function runtime.text(value)
-    local kind = kind_of(value)
-    local shown, size = {}, 0
+    local kind, shown, size = kind_of(value), {}, 0
     local function add(text)
         size = size + #text
         shown[#shown + 1] = size < 1000 and text or nil
