@@ -233,7 +233,7 @@ void Parser::short_branch(Statement& made, Branch branch) {
                                                       "section", "command", "local",   "array"};
     if (word.kind == TokenKind::name && is_one_of(word.text, openers) && !line_.peek(1).is_sign("="))
         throw Diagnostic(fmt::format("'{}' cannot follow 'then' on its line", word.text),
-                         "put it on a separate line, and 'endif' after it")
+                         "put it on the next line, and 'endif' after it")
             .at(word.place);
     statement(branch.body);
     made.last_line = made.place.line;

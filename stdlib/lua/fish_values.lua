@@ -11,7 +11,6 @@ local types = {
 }
 local axes = { xx = 1, yy = 2, zz = 3, xy = 4, xz = 5, yz = 6, yx = 4, zx = 5, zy = 6 }
 local place_in_tensor = { { 1, 4, 5 }, { 4, 2, 6 }, { 5, 6, 3 } }
-local most_elements = 2 ^ 27
 -- Names of the members, by name of the kind. They are kept with the variables, under names that no variable has.
 local structures = setmetatable({}, {
     __index = function(_, name)
@@ -142,9 +141,8 @@ local readers = {
 -- An element of something that is not an array with one dimension; nil when it has none.
 function runtime.other_element(whole_value, name, index)
     local kind = native.is_vector(whole_value) and "vector" or kind_of(whole_value)
-    local read = readers[kind]
-    if read then
-        return read(whole_value, name, index)
+    if readers[kind] then
+        return readers[kind](whole_value, name, index)
     end
     if type(whole_value) == "function" then
         return native.fish_value(whole_value(index))
@@ -465,12 +463,11 @@ for _, kind in pairs(types) do
 end
 
 runtime.own, runtime.kind_of, runtime.keys_of, runtime.make_list = own, kind_of, keys_of, new_list
-runtime.types, runtime.structures, runtime.most_elements = types, structures, most_elements
+runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 ^ 27
 
 -- What FISH prints.
 function runtime.text(value)
-    local kind = kind_of(value)
-    local shown, size = {}, 0
+    local kind, shown, size = kind_of(value), {}, 0
     local function add(text)
         size = size + #text
         shown[#shown + 1] = size < 1000 and text or nil

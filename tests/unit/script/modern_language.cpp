@@ -286,7 +286,7 @@ TEST(ModernFish, NestedListsHaveNoEnd) {
     try {
         s.value("f");
     } catch (const Diagnostic& problem) { EXPECT_FALSE(problem.message.empty()); }
-    EXPECT_EQ(s.value("[1 + 1]"), Value(std::int64_t{2})); // the machine continues
+    EXPECT_EQ(s.value("[1 + 1]"), Value(std::int64_t{2})); // the machine still runs
 }
 
 /// CPU seconds, the least of three.
