@@ -195,6 +195,7 @@ struct List {
         joint_sets,
         memory,
         version,
+        modes,
         settings,
         tables,
         ranges,

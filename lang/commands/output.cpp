@@ -66,6 +66,7 @@ const std::vector<Listed>& listed() {
         {joint_sets, {"jset"}, "joint sets: mean orientation, faces, contacts"},
         {memory, {"memory"}, "memory of the tables of the model"},
         {version, {"version"}, "version of the program"},
+        {modes, {"modes"}, "what works on rigid blocks and zones, in small and large strain, static and dynamic"},
         {settings, {"settings"}, "settings of the model"},
         {tables, {"tables"}, "tables: number of pairs and their limits"},
         {ranges, {Spelling{"ranges", 6}}, "named ranges"},

@@ -252,6 +252,10 @@ void reset(Session& session, lang::Reset::What what) {
 
 void run(Session& session, const lang::Fix& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
+    std::array<std::optional<double>, components> held;
+    for (std::size_t k = 0; k < held.size(); ++k)
+        if (command.components[k]) held[k] = 0;
+    check_rotation(session.model, {blocks, {}}, held, session.interpreter.current_place());
     for (const Vec3& direction : command.directions) hold_direction(session.model, {blocks, {}}, direction, 0);
     if (any(command.components) || command.directions.empty())
         fix_blocks(session.model, blocks, bits_of(command.components));

@@ -48,12 +48,23 @@ void put_pore_pressure(Session& session, const lang::RangePhrase& range, const l
     set_pore_pressure(session.model, session.pick(ObjectKind::gridpoint, range), pressure.at_origin, pressure.gradient);
 }
 
+/// Throws Diagnostic when the range holds rigid blocks only; warns when it holds nothing.
+void refuse_stress_without_zones(Session& session, const lang::Initialize& command) {
+    if (!select(session.model, ObjectKind::block, session.test_of(ObjectKind::block, command.range)).empty())
+        throw Diagnostic("all blocks in range are rigid, and rigid blocks have no stress",
+                         "give them zones before it (generate edge ...); `insitu stress` loads joints of rigid blocks")
+            .at(command.place);
+    session.warn(Diagnostic("no zone is in range", "the stresses have no effect")
+                     .at(command.range.place ? command.range.place : command.place));
+}
+
 } // namespace
 
 void run(Session& session, const lang::Initialize& command) {
     auto& model = session.model;
     if (any(command.velocity) || any(command.displacement)) {
         const Bodies bodies = pick_bodies(session, command.range);
+        check_rotation(model, bodies, command.velocity, command.place);
         for (int k = 0; k < components; ++k)
             if (command.velocity[k]) initialize_velocity(model, bodies, k, *command.velocity[k]);
         for (int axis = 0; axis < 3; ++axis)
@@ -61,9 +72,7 @@ void run(Session& session, const lang::Initialize& command) {
     }
     if (any(command.stress)) {
         const auto zones = select(model, ObjectKind::zone, session.test_of(ObjectKind::zone, command.range));
-        if (zones.empty())
-            session.warn(Diagnostic("no zone is in range", "rigid blocks have no stress; the stresses have no effect")
-                             .at(command.range.place ? command.range.place : command.place));
+        if (zones.empty()) refuse_stress_without_zones(session, command);
         forget_cell_motion(model, session.joints.zones, zones);
         for (int k = 0; k < 6; ++k)
             if (const auto& stress = command.stress[k])

@@ -89,6 +89,7 @@ ListText text_of(lang::List::What what) {
     case joint_sets: return list_joint_sets;
     case memory: return list_memory;
     case version: return list_version;
+    case modes: return list_modes;
     case settings: return list_settings;
     case tables: return list_tables;
     case ranges: return list_ranges;

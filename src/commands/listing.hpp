@@ -45,6 +45,7 @@ std::string list_groups(Session&, const lang::List&);
 std::string list_settings(Session&, const lang::List&);
 std::string list_memory(Session&, const lang::List&);
 std::string list_version(Session&, const lang::List&);
+std::string list_modes(Session&, const lang::List&);
 std::string list_boundary(Session&, const lang::List&);
 
 } // namespace kaya

@@ -51,7 +51,7 @@ std::optional<MovingBody> fastest_body(const Model& model) {
     MovingBody fastest;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const double speed = held(model, b) ? 0 : block_velocity(model, static_cast<Row>(b)).norm();
-        if (speed > fastest.speed) fastest = {static_cast<Row>(b), speed, 0};
+        if (speed > fastest.speed) fastest = {static_cast<Row>(b), speed};
     }
     return fastest.block == no_row ? std::nullopt : std::optional(fastest);
 }
@@ -111,7 +111,7 @@ std::optional<MovingBody> RestMonitor::moving() const {
             const double whole = ((now.*column)[b] - (begin.*column)[b]).norm();
             if (slows || gained <= quiet || gained <= settling_part * whole || gained <= most.gained) continue;
             const double speed = block_velocity(model_, static_cast<Row>(b)).norm();
-            most = {static_cast<Row>(b), speed, gained};
+            most = {static_cast<Row>(b), speed, gained, gained / after};
         }
     }
     return most.block == no_row ? std::nullopt : std::optional(most);

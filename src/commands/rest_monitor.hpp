@@ -15,6 +15,7 @@ struct MovingBody {
     Row block = no_row;
     double speed = 0;  ///< now, length/time
     double gained = 0; ///< displacement, length
+    double rate = 0;   ///< mean velocity during this displacement, length/time
 };
 
 /// The fastest block that is not held; none when all are at rest. For a deformable one the mean of its gridpoints.

@@ -9,10 +9,12 @@
 #include "commands/plot_views.hpp"
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
+#include "commands/time_step.hpp"
 #include "laws/guard.hpp"
 #include "mechanics/take_over.hpp"
-#include "commands/time_step.hpp"
+#include "model/nearest.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -113,7 +115,8 @@ void refuse_standing_still(const Limits& limits, const Clock& start, const Clock
                      Fault::run);
 }
 
-/// Whether a model at the wanted ratio is at rest: it is observed for some more cycles, longer while a body seems to move.
+/// Whether a model at the wanted ratio is at rest: it is observed for some more cycles, in doubled spans while a body moves. A body
+/// whose rate is the same after a doubling, or that gains a part of its size, does not come to rest: docs/theory/stopping.md.
 class Confirmation {
 public:
     /// To be called after each cycle in which the ratio is reached, and with `false` after others.
@@ -129,6 +132,7 @@ public:
             monitor_.emplace(model);
             needed_ = first_check;
             longest_ = std::max(shortest_proof, cycles_before);
+            rate_ = INFINITY;
             return Answer::wait;
         }
         monitor_->sample();
@@ -136,7 +140,10 @@ public:
         moving_ = monitor_->moving();
         if (!moving_ && whole != nullptr) moving_ = whole->moving();
         if (!moving_) return Answer::rest;
-        if (needed_ >= longest_) return Answer::motion;
+        const bool slows = moving_->rate < kept_rate * rate_;
+        rate_ = moving_->rate;
+        if (moving_->gained > far * block_size(model, moving_->block)) return Answer::motion;
+        if (needed_ >= longest_ && (!slows || needed_ >= most_doubled * longest_)) return Answer::motion;
         needed_ *= 2;
         return Answer::wait;
     }
@@ -144,9 +151,13 @@ public:
 
 private:
     static constexpr std::int64_t first_check = 128, shortest_proof = 2048; ///< cycles
+    static constexpr std::int64_t most_doubled = 64; ///< a slowing body gets so many times as long
+    static constexpr double kept_rate = 0.98;        ///< of one doubling in the next
+    static constexpr double far = 0.01;              ///< of the size of the body
     std::optional<RestMonitor> monitor_;
     std::optional<MovingBody> moving_;
     std::int64_t needed_ = 0, longest_ = 0;
+    double rate_ = 0; ///< at the last check
 };
 
 /// Which ratio or force is reached; empty when none is.

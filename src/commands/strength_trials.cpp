@@ -11,10 +11,13 @@
 #include "mechanics/contact_table.hpp"
 #include "mechanics/dashpots.hpp"
 #include "mechanics/zone_laws.hpp"
+#include "model/measure.hpp"
+#include "model/nearest.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 #include <utility>
 
 namespace kaya {
@@ -29,11 +32,13 @@ constexpr std::int64_t shortest_span = 100;
 /// A trial lowers the strength in this many steps over half a span; a trial from the beginning comes nearly to rest after each.
 constexpr int lowering_steps = 10;
 constexpr double calm = 1e-3;
-/// Spans of one trial, the part of its unbalanced force that each should remove, and how many in a row may fail to: near the limit a block
-/// sticks and slips, and the force fluctuates.
-constexpr int spans = 12;
-constexpr double gain = 0.1;
-constexpr int most_without_gain = 2;
+/// Spans of one trial: the first after which it may fail, the last where a block has moved by this part of its size, and the last where none
+/// has: creep.
+constexpr std::size_t first_end = 4, last_end = 12, last_of_creep = 36;
+constexpr double far = 0.01;
+/// Its unbalanced force falls where the later half of its spans has lost this part: near the limit a block sticks and slips, and the force
+/// fluctuates.
+constexpr double gain = 0.05;
 /// Spans over which a trial is observed for continuing motion.
 constexpr double window_part = 2.0 / 3, patient_window_part = 5;
 /// A failed model slides on with its strength divided by this additional factor, to save time.
@@ -41,6 +46,20 @@ constexpr double shove = 1.1;
 constexpr int spans_of_sliding = 3;
 /// Dashpots of contacts in trials, of critical damping.
 constexpr double dashpots = 0.4;
+
+/// Whether the mean of the later half of the values is smaller than that of as many before.
+bool falls(const std::vector<double>& ratios) {
+    const auto half = static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    const auto middle = ratios.end() - half;
+    return std::accumulate(middle, ratios.end(), 0.0) < (1 - gain) * std::accumulate(middle - half, middle, 0.0);
+}
+
+bool any_has_moved_far(const Model& start, const Model& model) {
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b)
+        if ((block_displacement(model, b) - block_displacement(start, b)).norm() > far * block_size(model, b))
+            return true;
+    return false;
+}
 
 } // namespace
 
@@ -137,15 +156,16 @@ RestSpan StrengthTrials::run(std::int64_t cycles, double ratio, FailureMonitor* 
 
 /// Cycles until the model is at rest or fails.
 void StrengthTrials::settle(Outcome& outcome, double factor, double ratio, FailureMonitor* monitor) {
-    double least = INFINITY;
-    for (int i = 0, without_gain = 0; i < spans && (without_gain <= most_without_gain || goes_to_its_end()); ++i) {
+    std::vector<double> ratios; // means of spans
+    const std::size_t first = goes_to_its_end() ? last_end : first_end;
+    const auto last = [&] { return any_has_moved_far(start_, session_.model) ? last_end : last_of_creep; };
+    while (ratios.size() < first || (falls(ratios) && ratios.size() < last())) {
         if (session_.model.joint_properties.size() > whole_.size()) lower(factor);
         const RestSpan span = run(span_, ratio, monitor);
         outcome.cycles += span.cycles;
         outcome.at_rest = span.at_rest, outcome.goes_on = span.fails, outcome.moving = span.moving;
         if (span.at_rest || span.moving || span.fails) return;
-        without_gain = span.mean_ratio > (1 - gain) * least ? without_gain + 1 : 0;
-        least = std::min(least, span.mean_ratio);
+        ratios.push_back(span.mean_ratio);
     }
     outcome.tired = true;
 }

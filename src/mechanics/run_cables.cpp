@@ -3,6 +3,7 @@
 #include "base/reduce.hpp"
 #include "mechanics/rock_motion.hpp"
 #include "model/cables.hpp"
+#include "model/water.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -61,9 +62,11 @@ double confinement(const Model& model, Row node, const Vec3& along) {
     const double axial = along[0] * along[0] * s[0] + along[1] * along[1] * s[1] + along[2] * along[2] * s[2] +
                          2 * (along[0] * along[1] * s[3] + along[0] * along[2] * s[4] + along[1] * along[2] * s[5]);
     double pressure = 0;
-    if (model.settings.water == Water::points)
+    if (model.settings.water != Water::none) {
+        const WaterPressure water(model);
         for (std::size_t k = 0; k < 4; ++k)
-            pressure += nodes.weights[node][k] * model.gridpoints.pore_pressure[model.zones.gridpoints[zone][k]];
+            pressure += nodes.weights[node][k] * water.at_gridpoint(model.zones.gridpoints[zone][k]);
+    }
     return std::max(0.0, -0.5 * (s[0] + s[1] + s[2] - axial) - pressure);
 }
 

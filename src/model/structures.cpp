@@ -70,27 +70,24 @@ private:
     const StructureProperties* properties_ = nullptr;
 };
 
-/// Grout whose whole strength is friction carries nothing in rigid blocks, which have no stress.
+/// Friction of grout needs stress around the cable, and rigid blocks have none.
 void check_grout(const Model& model, Row cable) {
     const auto& cables = model.structures.cables;
     const auto& nodes = model.structures.cable_nodes;
     const StructureProperties& p = model.structures.properties.at(cables.property[cable]);
-    if (p.grout_stiffness == 0 || p.grout_friction == 0 || p.grout_cohesion > 0) return;
-    std::int32_t in_rock = 0;
+    if (p.grout_stiffness == 0 || p.grout_friction == 0 || p.grout_perimeter == 0) return;
     const Span span = cables.nodes[cable];
     for (Row node = span.first; node < span.end(); ++node) {
-        if (nodes.anchored[node] || block_of_node(model, node) == no_row) continue;
-        if (nodes.zone[node] != no_row) return;
-        ++in_rock;
+        const Row block = block_of_node(model, node);
+        if (nodes.anchored[node] || block == no_row || nodes.zone[node] != no_row) continue;
+        throw Diagnostic(
+            fmt::format("the grout of cable {} has friction (fbond), and node {} lies in rigid block {}, where no "
+                        "stress presses on it",
+                        cables.number[cable], node - span.first + 1, model.blocks.number[block]),
+            fmt::format("give the block zones, or the cable other properties: without fbond in structure property {}, "
+                        "with sbond",
+                        cables.property[cable]));
     }
-    if (in_rock == 0) return;
-    throw Diagnostic(
-        fmt::format(
-            "the grout of cable {} has friction only (fbond), and all its nodes lie in rigid blocks, where no stress "
-            "presses on it: it would carry nothing",
-            cables.number[cable]),
-        fmt::format("give the grout a strength (structure property {} sbond ...), or the blocks zones",
-                    cables.property[cable]));
 }
 
 /// Checks the link of a node to the rock.
