@@ -91,6 +91,9 @@ public:
         return *this;
     }
 
+    /// A keyword of another table, whose target is the same struct.
+    Keywords& add(KeywordSpec keyword) { return list_.push_back(std::move(keyword)), *this; }
+
     /// The words added last are read without effect.
     Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
 
@@ -107,10 +110,17 @@ private:
     std::vector<KeywordSpec> list_;
 };
 
-/// Elements of range phrases; they fill a RangePhrase.
+/// The elements of range phrases in one dialect; they fill a RangePhrase.
+struct RangeGrammar {
+    const std::vector<KeywordSpec>& elements;
+    std::string_view example; ///< "range z 0 1"
+};
+
+/// The classic elements.
 const std::vector<KeywordSpec>& range_elements();
+const RangeGrammar& classic_ranges();
 /// Reads `range ...`, or the elements alone, to the end of the line.
-void read_range(Reader& reader, RangePhrase& phrase);
+void read_range(Reader& reader, RangePhrase& phrase, const RangeGrammar& grammar = classic_ranges());
 
 /// One command.
 template <class Command> class Entry {
@@ -128,6 +138,10 @@ public:
 
     Entry& help(std::string_view text) { return spec_.help = text, *this; }
     Entry& right(std::string_view text) { return spec_.right.push_back({text, {}}), *this; }
+    /// A line of another dialect, and the classic line that means the same.
+    Entry& right(std::string_view text, std::string_view classic) {
+        return spec_.right.push_back({text, {}, classic}), *this;
+    }
     Entry& wrong(std::string_view text, std::string_view message) {
         return spec_.wrong.push_back({text, message}), *this;
     }
@@ -171,11 +185,12 @@ public:
 
     /// `needs_word`: range elements are read only after the word range, because the line may hold names of properties that are not known
     /// yet.
-    Entry& range(RangePhrase Command::*phrase, bool needs_word = false) {
-        spec_.range_elements = &range_elements();
+    Entry& range(RangePhrase Command::*phrase, bool needs_word = false,
+                 const RangeGrammar& grammar = classic_ranges()) {
+        spec_.range_elements = &grammar.elements;
         spec_.range_without_word = !needs_word;
-        spec_.read_range = [phrase](Reader& reader, void* at) {
-            read_range(reader, static_cast<Command*>(at)->*phrase);
+        spec_.read_range = [phrase, &grammar](Reader& reader, void* at) {
+            read_range(reader, static_cast<Command*>(at)->*phrase, grammar);
         };
         return *this;
     }
@@ -224,7 +239,7 @@ public:
         return spec;
     }
 
-private:
+protected:
     CommandSpec spec_;
     Keywords<Command> keywords_;
 };

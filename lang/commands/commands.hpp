@@ -177,6 +177,8 @@ using SelectionCommands = CommandList<Group, Mark, MarkJoint, Excavate, Fill, Co
 using GeometryCommands = CommandList<Hide, Seek, Delete, FaceTriangulation, GenerateEdge, GenerateQuad>;
 using MaterialCommands = CommandList<Property, Change, JointModelCommand, JointModelTest>;
 using ZoneModelCommands = CommandList<ZoneModelCommand, ZoneAveraging>;
+using DensityCommands = CommandList<BlockDensity>;
+using NewContactCommands = CommandList<NewContacts, FindContacts>;
 using BoundaryCommands = CommandList<Fix, Free, Gravity, Boundary, Apply, Reset>;
 using InitialStateCommands = CommandList<Initialize, InSitu>;
 using TableCommands = CommandList<TableCommand>;
@@ -194,9 +196,9 @@ using ScriptCommands =
 
 using HandledCommands =
     CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands,
-                 GeometryCommands, MaterialCommands, ZoneModelCommands, BoundaryCommands, InitialStateCommands,
-                 TableCommands, WaterCommands, SlopeCommands, StructureCommands, HistoryCommands, ListCommands,
-                 PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
+                 GeometryCommands, MaterialCommands, ZoneModelCommands, DensityCommands, NewContactCommands,
+                 BoundaryCommands, InitialStateCommands, TableCommands, WaterCommands, SlopeCommands, StructureCommands,
+                 HistoryCommands, ListCommands, PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
 using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
 
 template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});

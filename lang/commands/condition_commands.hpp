@@ -42,6 +42,7 @@ struct Wave {
 };
 struct TableValue {
     std::int64_t table = 0;
+    std::string name = {}; ///< in place of the number; "": none
 };
 struct ScriptValue {
     std::string symbol;
@@ -102,6 +103,7 @@ struct InSitu {
 /// table n x y ... | table n read file | table n clear
 struct TableCommand {
     std::int64_t number = 0;
+    std::string name; ///< in place of the number; "": none
     std::vector<std::array<double, 2>> points;
     std::string file;
     bool clear = false;
@@ -139,6 +141,7 @@ struct HistoryItem {
     std::variant<Quantity, Own, Script> what;
     Vec3 place = Vec3::Zero();
     Place text;
+    std::string name = {}; ///< "": made of the quantity
 };
 struct HistoryAdd {
     std::vector<HistoryItem> items;
@@ -147,7 +150,7 @@ struct HistoryAdd {
     Place place;
 };
 struct HistoryDelete {
-    std::vector<std::int64_t> numbers;
+    std::vector<std::int64_t> numbers; ///< none: all
     Place place;
 };
 struct HistoryLabel {
@@ -156,8 +159,10 @@ struct HistoryLabel {
     Place place;
 };
 struct HistoryWrite {
-    std::vector<std::int64_t> numbers;  ///< none: all
+    std::vector<std::int64_t> numbers;  ///< none and no names: all
     std::optional<std::int64_t> versus; ///< vs m
+    std::vector<std::string> names;     ///< of histories, or their numbers as texts
+    std::string versus_name;            ///< "": none
     std::string file;                   ///< none: the deck's name with .csv
     Place place;
 };

@@ -186,7 +186,7 @@ CommandSpec history_label() {
 
 CommandSpec history_delete() {
     Entry<HistoryDelete> entry({"history"}, {"delete"});
-    entry.help("deletes histories; the others keep their numbers");
+    entry.help("deletes histories, all if no number is given; the others keep their numbers");
     entry.place(&HistoryDelete::place);
     const auto number = integer("n").at_least(1);
     entry.otherwise({number.spec}, [number](Reader& reader, HistoryDelete& command) {
@@ -194,19 +194,20 @@ CommandSpec history_delete() {
         command.numbers.push_back(reader.integer(number.spec));
         return true;
     });
-    entry.finish([](const Reader& reader, HistoryDelete& command) {
-        if (command.numbers.empty())
-            incomplete_line(reader, "history delete needs the number of a history",
-                            "write for example: hist delete 2; reset hist deletes all");
-    });
-    entry.right("hist delete 2").right("history delete 1 3");
-    entry.wrong("hist delete", "history delete needs the number of a history");
+    entry.right("hist delete 2").right("history delete 1 3").right("history delete");
     entry.wrong("hist delete 0", "delete must be at least 1, not 0");
     entry.wrong("hist delete all", "unexpected 'all' after the end of the command");
     return entry;
 }
 
 } // namespace
+
+HistoryItem::Quantity recorded_quantity(std::string_view word) {
+    for (const auto& item : recorded())
+        for (const Spelling& s : item.words)
+            if (s.word == word) return {item.kind, item.field, item.rate};
+    throw std::logic_error("no quantity of histories has this word");
+}
 
 std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields() {
     std::vector<std::pair<ObjectKind, std::string_view>> fields;

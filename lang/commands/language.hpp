@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/object_kind.hpp"
+#include "lang/commands/condition_commands.hpp"
 #include "lang/interp/spec.hpp"
 
 namespace kaya::lang {
@@ -29,6 +30,8 @@ CommandSpec initialize();
 
 /// The fields that have their own word in `history`; with `rates`, the fields whose rate it records.
 std::vector<std::pair<ObjectKind, std::string_view>> recorded_fields();
+/// What a word of `history` records.
+HistoryItem::Quantity recorded_quantity(std::string_view word);
 /// The names of the properties of structures.
 std::vector<std::string_view> structure_property_words();
 

@@ -2,16 +2,14 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/property_items.hpp"
 #include "lang/commands/property_words.hpp"
 
 #include <array>
 
 namespace kaya::lang {
 
-namespace {
-
-/// A word that only a joint model knows, and its value. The handler resolves the word when it runs.
-bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
+bool read_property_item(Reader& reader, std::vector<Property::Item>& items) {
     const Word& word = *reader.peek();
     if (word.kind != WordKind::word) return false;
     const std::size_t index = static_cast<std::size_t>(&word - reader.statement().words.data());
@@ -28,10 +26,11 @@ bool read_unknown_property(Reader& reader, std::vector<Property::Item>& items) {
     return true;
 }
 
+namespace {
+
 template <class Command> void model_properties(Entry<Command>& entry, std::vector<Property::Item> Command::*items) {
-    entry.otherwise({real("property value").optional().spec}, [items](Reader& reader, Command& command) {
-        return read_unknown_property(reader, command.*items);
-    });
+    entry.otherwise({real("property value").optional().spec},
+                    [items](Reader& reader, Command& command) { return read_property_item(reader, command.*items); });
 }
 
 CommandSpec prop() {
@@ -165,7 +164,7 @@ CommandSpec jmodel_properties() {
             throw Diagnostic("jmodel needs a property and its value, or the word model",
                              "write for example: jmodel model " + reader.peek()->text)
                 .at(reader.peek()->place);
-        return read_unknown_property(reader, c.items);
+        return read_property_item(reader, c.items);
     });
     entry.range(&JointModelCommand::range, true);
     entry.finish([](const Reader& reader, JointModelCommand& c) {

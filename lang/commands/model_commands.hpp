@@ -58,6 +58,7 @@ struct Set {
 // --- geometry -----------------------------------------------------------------------------------
 struct BlockOptions {
     std::int64_t region = 0, material = 1, constitutive = 1;
+    std::string group; ///< "": none
 };
 struct PolyBrick {
     std::array<double, 2> x{}, y{}, z{}; ///< y and z are the x limits when they are left out
@@ -280,8 +281,24 @@ struct ZoneModelCommand {
     std::string model;
     Place model_place;
     std::vector<Property::Item> items;
+    std::optional<double> density; ///< of the blocks themselves: block zone property density
     RangePhrase range;
 };
+/// block property density: of the blocks in range, which get a separate material when others share theirs.
+struct BlockDensity {
+    double density = 0;
+    RangePhrase range;
+    Place place;
+};
+/// block contact material-table default: joint model and properties of contacts that are found from now on.
+struct NewContacts {
+    std::string model; ///< "": unchanged
+    Place model_place;
+    std::vector<Property::Item> items;
+    Place place;
+};
+/// block contact generate-subcontacts: contacts are found now, not at the first command that needs them.
+struct FindContacts {};
 /// zone nmd on|off: mixed discretisation.
 struct ZoneAveraging {
     bool on = true;

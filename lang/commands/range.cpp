@@ -296,10 +296,10 @@ std::vector<KeywordSpec> all_elements() {
     return std::move(table).list();
 }
 
-[[noreturn]] void unknown_element(const Reader& reader) {
+[[noreturn]] void unknown_element(const Reader& reader, const RangeGrammar& grammar) {
     const bool asked = reader.peek()->text == "?";
     std::vector<std::string_view> candidates, listed;
-    for (const auto& element : range_elements()) {
+    for (const auto& element : grammar.elements) {
         const bool there = element.support != Support::not_yet;
         if (there) listed.push_back(element.words.front().word);
         if (!there && asked) continue;
@@ -315,19 +315,25 @@ const std::vector<KeywordSpec>& range_elements() {
     return elements;
 }
 
-void read_range(Reader& reader, RangePhrase& phrase) {
+const RangeGrammar& classic_ranges() {
+    static const RangeGrammar grammar{range_elements(), "range z 0 1"};
+    return grammar;
+}
+
+void read_range(Reader& reader, RangePhrase& phrase, const RangeGrammar& grammar) {
+    const std::string example = fmt::format("write for example: {}", grammar.example);
     phrase.place = reader.peek()->place;
     // `ra` is enough, and no element starts so.
     if (Spelling{"range", 2}.matches(reader.peek()->folded)) {
         reader.take();
         reader.spell("range");
     }
-    if (reader.at_end()) incomplete_line(reader, "the range is empty", "write for example: range z 0 1");
+    if (reader.at_end()) incomplete_line(reader, "the range is empty", example);
     while (!reader.at_end()) {
-        read_keywords(reader, range_elements(), &phrase);
-        if (!reader.at_end()) unknown_element(reader);
+        read_keywords(reader, grammar.elements, &phrase);
+        if (!reader.at_end()) unknown_element(reader, grammar);
     }
-    if (phrase.elements.empty()) incomplete_line(reader, "the range has no element", "write for example: range z 0 1");
+    if (phrase.elements.empty()) incomplete_line(reader, "the range has no element", example);
 }
 
 } // namespace kaya::lang

@@ -20,6 +20,8 @@ template <class Poly> void block_options(Entry<Poly>& entry) {
                   "material number, 1 if not given");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
                   "constitutive number, 1 if not given");
+    entry.keyword(
+        {"group"}, text("name"), [](Poly & poly) -> auto& { return poly.options.group; }, "group of the block");
     entry.options_before_form();
     entry.place(&Poly::place);
 }
@@ -58,6 +60,7 @@ CommandSpec poly_brick() {
     entry.right("poly brick 0,1 0,1 0,1").right("poly brick -0.15,0.15 -0.10,0.10 -0.10,0.0");
     entry.right("poly brick (0,2)")
         .right("poly region 3 brick 0 1 0 1 0 1")
+        .right("poly brick 0 1 0 1 0 1 group 'left wall'")
         .right("poly brick 0 1 0 1 0 1 mat=2 cons 1 reg 5");
     entry.wrong("poly", "a word is missing after 'poly'");
     entry.wrong("poly brik 0,1 0,1 0,1", "'brik' is not a kind of poly");
@@ -84,7 +87,8 @@ CommandSpec poly_prism() {
     block_options(entry);
     entry.finish([](const Reader& reader, PolyPrism& prism) {
         if (prism.first.empty() || prism.second.empty())
-            incomplete_line(reader, "a prism needs two polygons", "write: poly prism a x y z ... b x y z ...");
+            incomplete_line(reader, "a prism needs two polygons",
+                            "write the corners of each in order: x y z  x y z  x y z ...");
     });
     entry.right("poly prism a 0,0,0 1,0,0 1,1,0 b 0,0,1 1,0,1 1,1,1");
     entry.right("poly region 2 prism a (0,0,0) (4,0,0) (4,1,0) (0,1,0) b (0,0,2) (4,0,2.2) (4,1,2.2) (0,1,2)");
@@ -133,7 +137,7 @@ CommandSpec poly_face() {
             incomplete_line(reader,
                             fmt::format("{} face{} do{} not close a polyhedron", poly.faces.size(),
                                         poly.faces.size() == 1 ? "" : "s", poly.faces.size() == 1 ? "es" : ""),
-                            "it takes at least four: poly face x y z ... face x y z ...");
+                            "it takes at least four, each with its corners: face x y z  x y z  x y z ...");
         if (reader.wildcards()) return;
         for (std::size_t f = 0; f < poly.faces.size(); ++f)
             if (poly.faces[f].corners.size() < 3)
@@ -170,7 +174,7 @@ CommandSpec poly_tet() {
     entry.finish([](const Reader& reader, PolyTet& tet) {
         if (!reader.wildcards() && tet.corners.size() != 4)
             incomplete_line(reader, fmt::format("a tetrahedron has four corners, and {} are given", tet.corners.size()),
-                            "write: poly tet x1 y1 z1 x2 y2 z2 x3 y3 z3 x4 y4 z4");
+                            "write: x1 y1 z1 x2 y2 z2 x3 y3 z3 x4 y4 z4");
     });
     entry.right("poly tet 0,0,0 1,0,0 0,1,0 0,0,1").right("poly region 4 tet @a @b @c @d");
     entry.right("poly tet a 0,0,0 b 1,0,0 c 0,1,0 d 0,0,1");
@@ -236,7 +240,7 @@ CommandSpec poly_drum() {
     entry.finish([](const Reader& reader, PolyDrum& drum) {
         if (!drum.end1 || !drum.end2 || !drum.radius1)
             incomplete_line(reader, "a drum needs both ends and a radius",
-                            "write: poly drum end1 x y z end2 x y z radius r");
+                            "give the centres of its ends, x y z each, and r");
     });
     entry.right("poly drum end1 0,0,0 end2 0,0,3 radius 0.5");
     entry.right("poly drum end1 0 0 0 end2 0 0 1 radius 0.5 0.4 edges 12 region 2");

@@ -1,5 +1,6 @@
 #include "lang/interp/binder.hpp"
 
+#include "lang/interp/command_words.hpp"
 #include "lang/interp/odd_letters.hpp"
 #include "lang/interp/short_list.hpp"
 
@@ -11,36 +12,6 @@
 namespace kaya::lang {
 
 namespace {
-
-std::vector<const CommandSpec*> find_commands(const Language& language, std::string_view typed) {
-    std::string_view exact, beginning;
-    for_each_command(language, [&](const CommandSpec& command) {
-        for (const Spelling& s : command.words) {
-            if (exact.empty() && s.word == typed) exact = command.words.front().word;
-            if (beginning.empty() && s.matches(typed)) beginning = command.words.front().word;
-        }
-    });
-    const std::string_view canonical = exact.empty() ? beginning : exact;
-    std::vector<const CommandSpec*> commands;
-    if (canonical.empty()) return commands;
-    for_each_command(language, [&](const CommandSpec& command) {
-        if (command.words.front().word == canonical) commands.push_back(&command);
-    });
-    return commands;
-}
-
-/// The commands whose first word is the one that `typed` abbreviates.
-const std::vector<const CommandSpec*>& commands_called(const Language& language, std::string_view typed) {
-    static const std::vector<const CommandSpec*> none;
-    auto& known = language.called.words();
-    auto found = known.find(typed);
-    if (found == known.end()) {
-        auto commands = find_commands(language, typed);
-        if (commands.empty()) return none; // unknown words are not cached: their number is unlimited
-        found = known.emplace(typed, std::move(commands)).first;
-    }
-    return found->second;
-}
 
 void add_words(std::vector<std::string_view>& to, const std::vector<Spelling>& words) {
     for (const Spelling& s : words)
@@ -78,20 +49,6 @@ void refuse_ambiguous(const Word& word, const std::vector<std::string_view>& can
                  fmt::format("one of: {}{}", list, fitting.size() > most_shown ? ", ..." : ""));
     d.code = "unknown-command";
     throw d.at(word.place);
-}
-
-bool is_one_of(const std::vector<Spelling>& spellings, const Word& word) {
-    return word.kind == WordKind::word &&
-           std::any_of(spellings.begin(), spellings.end(), [&](const Spelling& s) { return s.matches(word.folded); });
-}
-
-/// How many words of the form of a command match the statement from word `at` on.
-std::size_t depth_at(const CommandSpec& spec, const Statement& statement, std::size_t at) {
-    std::size_t depth = 0;
-    while (depth < spec.form.size() && at + depth < statement.words.size() &&
-           is_one_of(spec.form[depth], statement.words[at + depth]))
-        ++depth;
-    return depth;
 }
 
 /// "poly brick" for `brick poly 0 1`: the second word is a command, and the first one of its forms.
@@ -138,7 +95,9 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
 
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     std::vector<std::string_view> candidates;
-    for_each_command(language, [&](const CommandSpec& command) { add_words(candidates, command.words); });
+    for (const Language* dialect : {&language, language.modern})
+        if (dialect != nullptr)
+            for_each_command(*dialect, [&](const CommandSpec& command) { add_words(candidates, command.words); });
     const Word& word = statement.words.front();
     if (word.text == "?" || word.kind == WordKind::open)
         Reader(statement, 0, 1, nullptr).unknown("a command", candidates);
@@ -146,29 +105,6 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     Diagnostic d(fmt::format("{} is not a command", word.shown()), hint_for_unknown(language, statement, candidates));
     d.code = "unknown-command";
     throw d.at(word.place);
-}
-
-/// Index of the first word that names the form, 0 when there is none. Options may precede it.
-std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
-    const auto& words = statement.words;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        if (depth_at(spec, statement, i) == spec.form.size()) return i;
-        if (!spec.options_before_form) return 0;
-        const bool option = words[i].kind == WordKind::word && find_keyword(spec.keywords, words[i].folded);
-        if (!option && words[i].kind == WordKind::word) return 0;
-    }
-    return 0;
-}
-
-/// Index of the word at the position of the form: after options and their values.
-std::size_t wrong_word(const CommandSpec& spec, const Statement& statement) {
-    const auto& words = statement.words;
-    std::size_t i = 1;
-    while (spec.options_before_form && i < words.size() && words[i].kind == WordKind::word &&
-           find_keyword(spec.keywords, words[i].folded)) {
-        for (++i; i < words.size() && words[i].kind != WordKind::word;) ++i;
-    }
-    return i;
 }
 
 /// The next word is not a keyword: throws with all words that are valid there.
@@ -245,46 +181,51 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
 
 /// The words begin a command, and no valid form follows.
 [[noreturn]] void no_form(const std::vector<const CommandSpec*>& commands, const Statement& statement) {
-    const std::size_t at = wrong_word(*commands.front(), statement);
-    std::size_t depth = 0;
     // The words that may follow a form are not offered when its options were in the line.
     const auto depth_of = [&](const CommandSpec& spec) {
-        return std::min(depth_at(spec, statement, at), spec.form.size() - 1);
+        return std::min(form_depth(spec, statement), spec.form.size() - 1);
     };
+    std::size_t depth = 0;
     for (const auto* spec : commands) depth = std::max(depth, depth_of(*spec));
+    std::size_t at = 1 + depth;
     std::string name(commands.front()->words.front().word);
     std::vector<std::string_view> forms, all_forms;
+    const CommandSpec* with_options = nullptr;
     for (const auto* spec : commands) {
         if (depth_of(*spec) < depth) continue;
         if (all_forms.empty())
             for (std::size_t i = 0; i < depth; ++i) name.append(" ").append(spec->form[i].front().word);
         add_words(all_forms, spec->form[depth]);
         if (spec->support != Support::not_yet) add_words(forms, spec->form[depth]);
+        if (spec->options_before_form && spec->form.size() == depth + 1) with_options = spec;
     }
-    Reader reader(statement, at + depth, statement.words.size(), nullptr);
+    if (with_options != nullptr) at = past_options(*with_options, statement, at);
+    Reader reader(statement, at, statement.words.size(), nullptr);
     if (!reader.at_end()) {
         std::vector<std::string_view> candidates = reader.peek()->text == "?" ? forms : all_forms;
-        if (commands.front()->options_before_form) add_words(candidates, commands.front()->keywords);
-        const ShortList shown(forms, commands.front()->words.front().word, reader.peek());
+        if (with_options != nullptr) add_words(candidates, with_options->keywords);
+        const ShortList shown(forms, name, reader.peek());
         reader.unknown(fmt::format("a kind of {}", name), candidates, shown.words());
     }
     Place place = reader.previous().place;
     place.column += place.length;
     place.length = 1;
     Diagnostic d(fmt::format("a word is missing after '{}'", reader.previous().text),
-                 ShortList(forms, commands.front()->words.front().word, nullptr).expected());
+                 ShortList(forms, name, nullptr).expected());
     d.code = "missing-value";
     throw d.at(place);
 }
 
 } // namespace
 
-FoundCommand find_command(const Language& language, const Statement& statement) {
+namespace {
+
+FoundCommand find_in(const Language& dialect, const Language& language, const Statement& statement) {
     const Word& first = statement.words.front();
     std::string_view typed = first.folded;
     if (first.late()) typed = "@"; // a line that starts with a name calls a function
     else if (first.kind != WordKind::word) unknown_command(language, statement);
-    const auto& commands = commands_called(language, typed);
+    const auto& commands = commands_called(dialect, typed);
     if (commands.empty()) unknown_command(language, statement);
 
     const CommandSpec* plain = nullptr;
@@ -303,18 +244,32 @@ FoundCommand find_command(const Language& language, const Statement& statement) 
     no_form(commands, statement);
 }
 
+/// The whole words of the name of a command.
+void spell_name(const FoundCommand& found, const Statement& statement, Spelled& spelled) {
+    const CommandSpec& spec = *found.spec;
+    if (!statement.words.front().late()) spelled[0] = spec.words.front().word;
+    for (std::size_t i = 0; i < spec.form.size(); ++i)
+        spelled[i + 1 < spec.form.size() ? i + 1 : found.form_at] = spec.form[i].front().word;
+}
+
+} // namespace
+
+FoundCommand find_command(const Language& language, const Statement& statement) {
+    return find_in(dialect_of(language, statement), language, statement);
+}
+
 BoundCommand bind_statement(const Language& language, const Statement& statement, const ValueSource* values,
                             Spelled* spelled) {
-    const FoundCommand found = find_command(language, statement);
+    const Language& dialect = dialect_of(language, statement);
+    const FoundCommand found = find_in(dialect, language, statement);
     const CommandSpec& spec = *found.spec;
-    if (spelled != nullptr && !statement.words.front().late()) (*spelled)[0] = spec.words.front().word;
-    for (std::size_t i = 0; spelled != nullptr && i < spec.form.size(); ++i)
-        (*spelled)[found.form_at + i] = spec.form[i].front().word;
+    if (spelled != nullptr) spell_name(found, statement, *spelled);
 
     if (spec.support == Support::not_yet)
         not_supported_yet(spec.name(), spec.help, statement.words[found.form_at].place);
     BoundCommand bound;
     bound.spec = &spec;
+    bound.language = &language;
     bound.place = statement.words.front().place;
     bound.last_line = statement.last_line;
     bound.command = spec.make();
@@ -322,12 +277,13 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     if (spec.start) spec.start(statement, target);
     if (spec.raw) return bound;
 
-    Reader before_form(statement, 1, std::max<std::size_t>(found.form_at, 1), values);
+    // Options stand between the last word of the form and the words before it.
+    Reader before_form(statement, std::max<std::size_t>(spec.form.size(), 1), std::max<std::size_t>(found.form_at, 1),
+                       values);
     before_form.keep_spelling(spelled);
-    read_rest(language, spec, before_form, target, false, bound.ignored);
+    read_rest(dialect, spec, before_form, target, false, bound.ignored);
 
-    const std::size_t rest = found.form_at > 0 ? found.form_at + spec.form.size() : 1;
-    Reader reader(statement, rest, statement.words.size(), values);
+    Reader reader(statement, found.form_at + 1, statement.words.size(), values);
     reader.keep_spelling(spelled);
     for (const auto& positional : spec.arguments) {
         const bool number =
@@ -337,7 +293,7 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
             continue;
         positional.read(reader, target);
     }
-    read_rest(language, spec, reader, target, true, bound.ignored);
+    read_rest(dialect, spec, reader, target, true, bound.ignored);
     if (spec.finish) spec.finish(reader, target);
     bound.late = before_form.late() || reader.late();
     return bound;
@@ -355,7 +311,7 @@ std::optional<Diagnostic> mistake_in(const Language& language, const Statement& 
 /// A text that a command takes unparsed may also be on the line below, as after `title` alone. A line that is a command, or may be a
 /// misspelt one, is not taken as such a text.
 void take_text_below(const Language& language, Lexer& lexer, Statement& statement) {
-    const auto& commands = commands_called(language, statement.words.front().folded);
+    const auto& commands = commands_called(dialect_of(language, statement), statement.words.front().folded);
     if (statement.words.size() > 1 || commands.size() != 1 || !commands.front()->raw ||
         commands.front()->support != Support::runs)
         return;
@@ -366,10 +322,14 @@ void take_text_below(const Language& language, Lexer& lexer, Statement& statemen
     if (next.words.empty()) return;
     next.first_line = next.last_line = below;
     std::optional<Diagnostic> problem = mistake_in(language, next);
-    if (!problem || problem->code != "unknown-command") return;
+    if (!problem) return;
+    // A title such as "Block on a slope" begins with a word of the modern tree.
+    const bool no_leaf = &dialect_of(language, next) == language.modern &&
+                         (problem->code == "unknown-word" || problem->code == "not-supported-yet");
+    if (!no_leaf && problem->code != "unknown-command") return;
     const std::string text = next.raw(0);
     const std::string_view hint = problem->hint;
-    if (const auto from = hint.find('\''); from != hint.npos && hint.starts_with("did you mean")) {
+    if (const auto from = hint.find('\''); !no_leaf && from != hint.npos && hint.starts_with("did you mean")) {
         next.words.front().text = next.words.front().folded =
             hint.substr(from + 1, hint.find('\'', from + 1) - from - 1);
         if (!mistake_in(language, next)) return; // cylce 100
@@ -399,7 +359,7 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
     if (first.kind != WordKind::word) return true;
     take_text_below(language, lexer, statement);
     const CommandSpec* opens = nullptr;
-    for (const auto* spec : commands_called(language, first.folded))
+    for (const auto* spec : commands_called(dialect_of(language, statement), first.folded))
         if (!spec->body_end.empty() && !(spec->body_needs_bare_line && statement.words.size() > 1) &&
             (spec->form.empty() || find_form(*spec, statement)))
             opens = spec;

@@ -16,7 +16,8 @@ struct BareName {
 /// One command, ready to be run.
 struct BoundCommand {
     const CommandSpec* spec = nullptr;
-    Place place; ///< of its first word
+    const Language* language = nullptr; ///< by which it was bound
+    Place place;                        ///< of its first word
     int last_line = 0;
     std::any command;                      ///< the struct of lang/commands/commands.hpp
     bool late = false;                     ///< holds wildcards: to be bound again with values when it is reached
@@ -36,7 +37,7 @@ template <class Visit> void for_each_command(const Language& language, Visit vis
 /// The command that the first words of the statement name. Throws Diagnostic.
 struct FoundCommand {
     const CommandSpec* spec = nullptr;
-    std::size_t form_at = 0; ///< index of the first word of its form, 0 without one
+    std::size_t form_at = 0; ///< index of the last word of its form, 0 without one
 };
 FoundCommand find_command(const Language& language, const Statement& statement);
 

@@ -1,7 +1,6 @@
 #include "lang/interp/deck.hpp"
 
 #include "lang/interp/named_word.hpp"
-#include "lang/interp/newer_dialect.hpp"
 #include "lang/interp/other_languages.hpp"
 
 #include <algorithm>
@@ -46,8 +45,6 @@ public:
         bound->path = path;
         Lexer lexer(source);
         Statement statement;
-        const std::size_t before = problems_.size();
-        std::vector<Diagnostic> newer; // of lines in the dialect of later versions: reported once for each file
         while (problems_.size() < most_problems_) {
             try {
                 if (!next_statement(language_, lexer, statement)) break;
@@ -59,15 +56,8 @@ public:
                     problems_.push_back(*other);
                     break;
                 }
-                const auto dialect = problem.code == "unknown-command" ? newer_dialect(statement) : std::nullopt;
-                if (dialect) newer.push_back(*dialect);
-                if (!dialect || newer.size() == 1) problems_.push_back(dialect ? *dialect : problem);
+                problems_.push_back(problem);
             }
-        }
-        // Where most mistakes are of that dialect, the lines that only look classic are taken as that dialect too.
-        if (newer.size() > 1 && 2 * newer.size() > problems_.size() - before) {
-            problems_.resize(before, Diagnostic(""));
-            problems_.push_back(newer.front());
         }
         return bound;
     }

@@ -1,10 +1,12 @@
 #include "lang/interp/help.hpp"
 
 #include "lang/interp/binder.hpp"
+#include "lang/interp/command_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <set>
 
 namespace kaya::lang {
@@ -87,6 +89,8 @@ std::string about_command(const CommandSpec& command) {
         for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 1))
             lines.insert(at + 1, "    ");
         text += fmt::format("    {}\n", lines);
+        if (!example.classic.empty() && example.classic.find('\n') == std::string_view::npos)
+            text += fmt::format("        classic: {}\n", example.classic);
     }
     return text;
 }
@@ -96,6 +100,12 @@ std::string about_range(const Language& language) {
                        "hold\n\n  Elements\n";
     add_keywords(text, language.range_elements);
     return text;
+}
+
+/// Visits the commands of a language and of its second dialect.
+template <class Visit> void for_each_dialect(const Language& language, Visit visit) {
+    visit(language);
+    if (language.modern != nullptr) visit(*language.modern);
 }
 
 /// The positions of a word below `before`: among the keywords, and inside of each of them.
@@ -110,10 +120,12 @@ void add_places(std::string& text, const std::string& before, const std::vector<
 /// The positions of a word that is not a command; empty when there are none.
 std::string about_keyword(const Language& language, std::string_view word) {
     std::string text;
-    for_each_command(language, [&](const CommandSpec& command) {
-        add_places(text, fmt::format("{} ...", command.name()), command.keywords, word);
+    for_each_dialect(language, [&](const Language& dialect) {
+        for_each_command(dialect, [&](const CommandSpec& command) {
+            add_places(text, fmt::format("{} ...", command.name()), command.keywords, word);
+        });
+        add_places(text, &dialect == &language ? "... range" : "block ... range", dialect.range_elements, word);
     });
-    add_places(text, "... range", language.range_elements, word);
     return text;
 }
 
@@ -130,11 +142,13 @@ void add_words(std::set<std::string_view>& to, const std::vector<KeywordSpec>& k
 
 std::vector<std::string_view> all_words(const Language& language) {
     std::set<std::string_view> words = {"range"};
-    for_each_command(language, [&](const CommandSpec& command) {
-        add_words(words, command.words);
-        add_words(words, command.keywords);
+    for_each_dialect(language, [&](const Language& dialect) {
+        for_each_command(dialect, [&](const CommandSpec& command) {
+            add_words(words, command.words);
+            add_words(words, command.keywords);
+        });
+        add_words(words, dialect.range_elements);
     });
-    add_words(words, language.range_elements);
     return {words.begin(), words.end()};
 }
 
@@ -156,13 +170,30 @@ std::string usage(const CommandSpec& command) {
 
 std::string help_list(const Language& language) {
     std::string text;
-    for (const auto& family : language.families) {
-        text += fmt::format("{}: {}\n", family.name, family.help);
-        for (const auto& command : family.commands) add_line(text, command.name(), command.help);
-        text += "\n";
-    }
+    for_each_dialect(language, [&](const Language& dialect) {
+        for (const auto& family : dialect.families) {
+            text += fmt::format("{}: {}\n", family.name, family.help);
+            for (const auto& command : family.commands) add_line(text, command.name(), command.help);
+            text += "\n";
+        }
+    });
     return text + "help WORD explains a command or a keyword; ? in place of a word lists the valid words.\n";
 }
+
+namespace {
+
+/// The commands that begin with the first words of the statement, as many as any command knows.
+std::vector<const CommandSpec*> begun_by(const Language& dialect, const Statement& statement) {
+    const auto& all = commands_called(dialect, statement.words.front().folded);
+    std::size_t most = 0;
+    for (const auto* command : all) most = std::max(most, form_depth(*command, statement));
+    std::vector<const CommandSpec*> commands;
+    std::ranges::copy_if(all, std::back_inserter(commands),
+                         [&](const CommandSpec* command) { return form_depth(*command, statement) == most; });
+    return commands;
+}
+
+} // namespace
 
 std::string help_on(const Language& language, std::string_view words) {
     Lexer lexer(source_from_text("help", words));
@@ -176,21 +207,23 @@ std::string help_on(const Language& language, std::string_view words) {
         text += about_command(command);
     };
     if (Spelling{"range", 2}.matches(first.folded)) text = about_range(language);
+    const Language& dialect = dialect_of(language, statement);
     try {
         // Of a command with several forms: the one that was named, else all.
         const FoundCommand found = find_command(language, statement);
-        for_each_command(language, [&](const CommandSpec& command) {
+        for_each_command(dialect, [&](const CommandSpec& command) {
             const bool same_word = command.words.front().word == found.spec->words.front().word;
             if (found.form_at > 0 ? &command == found.spec : same_word) add(command);
         });
         return text;
     } catch (const Diagnostic& problem) {
-        if (problem.code != "unknown-command") { // a command that needs a second word
-            for_each_command(language, [&](const CommandSpec& command) {
-                if (std::any_of(command.words.begin(), command.words.end(),
-                                [&](const Spelling& s) { return s.matches(first.folded); }))
-                    add(command);
-            });
+        if (problem.code != "unknown-command") { // a command that needs further words
+            const std::vector<const CommandSpec*> commands = begun_by(dialect, statement);
+            constexpr std::size_t many = 12;
+            if (commands.size() <= many)
+                for (const auto* command : commands) add(*command);
+            else
+                for (const auto* command : commands) add_line(text, command->name(), command->help);
             if (!text.empty()) return text;
         }
     }

@@ -54,12 +54,12 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
     if (command->late) {
         Lexer lexer(command->place.source, command->place.line);
         Statement statement;
-        next_statement(language_, lexer, statement);
+        next_statement(*command->language, lexer, statement);
         for (const BareName& name : command->bare) read_as_name(statement, name);
         const ValueSource values = [this](const std::string& expression, const Place& place) {
             return host_.value(expression, place);
         };
-        with_values = bind_statement(language_, statement, &values);
+        with_values = bind_statement(*command->language, statement, &values);
         command = &with_values;
     }
     Ended ended = Ended::end_of_deck;

@@ -88,6 +88,7 @@ struct PositionalSpec {
 struct Example {
     std::string_view text;
     std::string_view message;
+    std::string_view classic = {}; ///< of a modern line: the classic line that means the same
 };
 
 /// What the interpreter itself does at the command.
@@ -158,6 +159,7 @@ private:
 struct Language {
     std::vector<Family> families;
     std::vector<KeywordSpec> range_elements;
+    const Language* modern = nullptr; ///< a second dialect: lines whose first words it knows are of that dialect
     mutable CommandsCalled called{};
 };
 

@@ -8,7 +8,9 @@
 //   fuzz/kaya.dict                         words for a fuzzer that reads dictionaries of libFuzzer or AFL++
 #include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
+#include "lang/modern/language.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -48,12 +50,17 @@ struct Vocabulary {
     Words commands, keywords, elements;
     std::map<std::string, std::size_t> shortest; ///< of commands: letters that are enough
 
-    explicit Vocabulary(const Language& language) {
+    explicit Vocabulary(const std::vector<const Language*>& dialects) {
+        for (const Language* dialect : dialects) learn(*dialect);
+    }
+
+private:
+    void learn(const Language& language) {
         for (const auto& family : language.families)
             for (const auto& command : family.commands) {
                 add(commands, command.words);
                 for (const Spelling& s : command.words)
-                    if (s.word != "@") shortest[std::string(s.word)] = s.shortest;
+                    if (s.word != "@") shortest.emplace(s.word, s.shortest);
                 for (const auto& words : command.form) add(keywords, words);
                 add(keywords, command.keywords);
             }
@@ -177,7 +184,7 @@ Json vscode_grammar(const Vocabulary& words) {
              {{"commands", {{"patterns", rules_of_commands(words)}}}, {"fish", {{"patterns", rules_of_functions()}}}}}};
 }
 
-Json completion_words(const Language& language) {
+Json completion_words(const std::vector<const Language*>& dialects) {
     Json entries = Json::array();
     const auto entry = [&](std::string_view label, std::string_view of, std::string_view help) {
         entries.push_back({{"label", label}, {"of", of}, {"help", help}});
@@ -189,13 +196,14 @@ Json completion_words(const Language& language) {
             self(self, keyword.keywords, fmt::format("{} {}", of, keyword.words.front().word));
         }
     };
-    for (const auto& family : language.families)
-        for (const auto& command : family.commands) {
-            if (command.support == Support::not_yet || command.words.front().word == "@") continue;
+    for (const Language* dialect : dialects) {
+        for_each_command(*dialect, [&](const CommandSpec& command) {
+            if (command.support == Support::not_yet || command.words.front().word == "@") return;
             entry(command.name(), "", command.help);
             keywords(keywords, command.keywords, command.name());
-        }
-    keywords(keywords, language.range_elements, "range");
+        });
+        keywords(keywords, dialect->range_elements, "range");
+    }
     return entries;
 }
 
@@ -210,11 +218,11 @@ std::string literal(std::string_view text) {
 }
 
 /// A command with its values as places to be filled in. Of two forms of one name (lua with and without a file) the first.
-Json snippets(const Language& language) {
+Json snippets(const std::vector<const Language*>& dialects) {
     Json entries = Json::object();
-    for (const auto& family : language.families)
-        for (const auto& command : family.commands) {
-            if (command.support == Support::not_yet || command.words.front().word == "@") continue;
+    for (const Language* dialect : dialects)
+        for_each_command(*dialect, [&](const CommandSpec& command) {
+            if (command.support == Support::not_yet || command.words.front().word == "@") return;
             std::string body = command.name();
             int place = 0;
             for (const auto& positional : command.arguments)
@@ -223,7 +231,7 @@ Json snippets(const Language& language) {
             if (command.range_elements) body += " $0";
             if (!entries.contains(command.name()))
                 entries[command.name()] = {{"prefix", command.name()}, {"body", body}, {"description", command.help}};
-        }
+        });
     return entries;
 }
 
@@ -306,13 +314,12 @@ int main(int argc, char** argv) {
         return 2;
     }
     const fs::path folder = argv[1];
-    const Language& language = classic();
-    const Vocabulary words(language);
+    const Vocabulary words({&classic(), &modern()});
     std::map<fs::path, std::string> wanted;
     for (const auto& [name, text] : std::map<std::string, std::string>{
              {"vscode/syntaxes/kaya.tmLanguage.json", text_of(vscode_grammar(words))},
-             {"vscode/snippets/kaya.json", text_of(snippets(language))},
-             {"vscode/words.json", text_of(completion_words(language))},
+             {"vscode/snippets/kaya.json", text_of(snippets({&classic(), &modern()}))},
+             {"vscode/words.json", text_of(completion_words({&classic(), &modern()}))},
              {"vim/syntax/kaya.vim", vim_syntax(words)},
              {"fuzz/kaya.dict", fuzz_dictionary(words)},
          })

@@ -4,6 +4,7 @@
 #include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
+#include "lang/modern/language.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -183,6 +184,43 @@ std::string not_yet_page(const Language& language) {
     return text;
 }
 
+/// One command of the modern dialect: what it takes, and its lines with their classic forms.
+std::string modern_command(const CommandSpec& command) {
+    std::string text = fmt::format("### {}\n\n    {}\n\n{}.\n\n", command.name(), usage(command), command.help);
+    std::string rows;
+    for (const auto& positional : command.arguments)
+        rows += fmt::format("| | {} | {} |\n", cell(describe(positional.argument)), cell(positional.argument.help));
+    argument_rows(rows, command.keywords, "");
+    if (!rows.empty()) text += "| word | values | meaning |\n|---|---|---|\n" + rows + "\n";
+    text += "| line | classic form |\n|---|---|\n";
+    for (const auto& example : command.right)
+        text += fmt::format("| `{}` | {} |\n", cell(example.text),
+                            example.classic.empty() ? "" : fmt::format("`{}`", cell(example.classic)));
+    return text + "\n";
+}
+
+std::string modern_page(const Language& language) {
+    std::string text =
+        "# Commands of 3DEC 6, 7 and 9\n\n"
+        "The first words of a line decide its dialect, so that lines of both may stand in one file. Words may be\n"
+        "shortened in each of their parts: `bl cont gen-sub`. What runs is the same as for the classic form of a line;\n"
+        "[Coming from 3DEC](from-3dec.md) says where the two differ from 3DEC.\n\n";
+    std::string missing = "## Not supported yet\n\n| command | what it is about |\n|---|---|\n";
+    for (const auto& family : language.families) {
+        std::string commands;
+        for (const auto& command : family.commands) {
+            const bool classic_too = command.words.front().word == "@" || &family == &language.families.back();
+            if (command.support == Support::not_yet)
+                missing += fmt::format("| `{}` | {} |\n", command.name(), cell(command.help));
+            else if (!classic_too) commands += modern_command(command);
+        }
+        if (!commands.empty()) text += fmt::format("## {}: {}\n\n", family.name, family.help) + commands;
+    }
+    std::string rows;
+    argument_rows(rows, language.range_elements, "");
+    return text + "## The range phrase\n\n| word | values | meaning |\n|---|---|---|\n" + rows + "\n" + missing;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -203,6 +241,8 @@ int main(int argc, char** argv) {
             index += fmt::format("* [{}]({}): {}\n", command->name(), page.file, command->help);
     }
     wanted[folder / ".." / "range-phrase.md"] = range_page(language);
+    wanted[folder / ".." / "modern-commands.md"] = modern_page(modern());
+    index += "\n[Commands of 3DEC 6, 7 and 9](../modern-commands.md)\n";
     index += "\n[Known, not supported yet](../not-supported-yet.md)\n";
     wanted[folder / ".." / "not-supported-yet.md"] = not_yet_page(language);
     wanted[folder / "README.md"] = index;

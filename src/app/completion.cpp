@@ -1,7 +1,7 @@
 #include "app/completion.hpp"
 
 #include "app/explanations.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
 
@@ -118,7 +118,7 @@ void add_properties(Names& names, const Session& session, const std::vector<std:
 
 Names help_words(const Session& session) {
     Names names = {"range"};
-    lang::for_each_command(lang::classic(), [&](const lang::CommandSpec& command) {
+    lang::for_each_command(lang::language(), [&](const lang::CommandSpec& command) {
         for (const auto& spelled : command.words)
             if (spelled.word != "@") names.insert(std::string(spelled.word));
     });
@@ -155,7 +155,7 @@ Names all_names(const Session& session, const std::string& before, const std::st
     for (auto& model : models(session, words)) names.insert(std::move(model));
     if (!names.empty()) return names;
     if (takes_file(words)) return files(typed);
-    for (auto& word : lang::completions(lang::classic(), line)) names.insert(std::move(word));
+    for (auto& word : lang::completions(lang::language(), line)) names.insert(std::move(word));
     if (words.empty()) names.insert({"help", "explain"});
     add_properties(names, session, words);
     return names;

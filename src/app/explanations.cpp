@@ -38,9 +38,6 @@ constexpr Explanation explanations[] = {
     {"lua-syntax", "Lua cannot read a chunk",
      "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
      "The line is where Lua stopped reading; the mistake may be before it."},
-    {"newer-dialect", "commands of version 6 and later",
-     "'model new', 'block create brick': the whole file is in another dialect. It is reported once for a file, with the\n"
-     "classic spelling of its first such line. 'kaya help' lists the classic commands."},
     {"other-language", "a file of another program",
      "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC or UDEC. The rest of the file is\n"
      "not read. 'kaya help' lists the commands."},

@@ -8,7 +8,7 @@
 #include "app/tools.hpp"
 #include "base/door.hpp"
 #include "base/terminal_text.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/interp/help.hpp"
 
 #include <algorithm>
@@ -134,7 +134,7 @@ bool own_command(Session& session, const std::string& text) {
     const std::string raw = statement.raw(0);
     if (raw.ends_with(" ?") && raw.find('\n') == raw.npos) {
         const std::string asked = raw.substr(0, raw.size() - 1);
-        if (!lang::completions(lang::classic(), asked).empty()) return false; // it lists words with more about them
+        if (!lang::completions(lang::language(), asked).empty()) return false; // it lists words with more about them
         const auto words = proposals(session, "", asked).words;
         if (words.empty()) return false;
         session.output.print(filled(words, screen().columns - 1));
@@ -209,7 +209,7 @@ int from_keyboard(Session& session) {
             continue;
         }
         text += line + '\n';
-        if (lang::needs_more(lang::classic(), text)) continue;
+        if (lang::needs_more(lang::language(), text)) continue;
         session.autosave.before_typed();
         try {
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
@@ -222,7 +222,7 @@ int from_pipe(Session& session) {
     try {
         for (std::string line; std::getline(std::cin, line);) {
             text += line + '\n';
-            if (lang::needs_more(lang::classic(), text)) continue;
+            if (lang::needs_more(lang::language(), text)) continue;
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
         }
         if (!text.empty()) run_text(session, text);

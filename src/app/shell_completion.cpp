@@ -2,7 +2,7 @@
 
 #include "app/explanations.hpp"
 #include "base/diagnostic.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::string for_fish(std::string_view text) { return quoted(text, "\\'"); }
 
 std::vector<std::string> command_words() {
     std::vector<std::string> words;
-    for (const auto& family : lang::classic().families)
+    for (const auto& family : lang::language().families)
         for (const auto& command : family.commands) words.emplace_back(command.words.front().word);
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());

@@ -12,7 +12,7 @@
 #include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 #include "report/report.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/fish/reserved.hpp"
 #include "lang/interp/help.hpp"
 #include "lang/interp/format.hpp"
@@ -91,9 +91,9 @@ std::string about_name(std::string_view name) {
 } // namespace
 
 std::string help_text(const std::string& words) {
-    if (words.empty()) return lang::help_list(lang::classic());
+    if (words.empty()) return lang::help_list(lang::language());
     try {
-        return lang::help_on(lang::classic(), words);
+        return lang::help_on(lang::language(), words);
     } catch (Diagnostic& problem) {
         const std::string name = lang::fold(words), text = about_name(name);
         if (!text.empty()) return text;
@@ -115,7 +115,7 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
         try {
             const fs::path path = lang::find_deck(deck, {"."});
             const auto source = lang::read_source(path, deck);
-            const std::string text = lang::format_deck(lang::classic(), source);
+            const std::string text = lang::format_deck(lang::language(), source);
             if (what == Formatting::write) write_whole_file(path.string(), text);
             else if (what == Formatting::show) output.print_deck(text);
             else if (file_text(path) != text) {

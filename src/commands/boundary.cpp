@@ -49,10 +49,11 @@ struct TimeFunctionOf {
         return function;
     }
     TimeFunction operator()(const lang::TableValue& value) const {
-        check_table(session, value.table);
+        const std::int64_t number = table_number(session, value);
+        check_table(session, number);
         TimeFunction function;
         function.kind = TimeFunction::Kind::table;
-        function.table = value.table;
+        function.table = number;
         return function;
     }
     TimeFunction operator()(const lang::ScriptValue& value) const {

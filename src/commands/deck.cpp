@@ -1,7 +1,7 @@
 #include "commands/deck.hpp"
 
 #include "lang/commands/commands.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/fish/compiler.hpp"
 #include "lang/script/scripts.hpp"
 
@@ -12,7 +12,7 @@ namespace kaya {
 
 namespace fs = std::filesystem;
 
-Deck::Deck(lang::InterpreterHost& host) : interpreter(lang::classic(), host) { interpreter.checks = deck_checks(); }
+Deck::Deck(lang::InterpreterHost& host) : interpreter(lang::language(), host) { interpreter.checks = deck_checks(); }
 
 std::string Deck::here() const {
     const Place place = interpreter.current_place();

@@ -4,7 +4,7 @@
 
 #include "commands/deck_review.hpp"
 #include "commands/session.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 
 #include <algorithm>
 #include <array>
@@ -137,7 +137,7 @@ std::string DeckReport::json_lines() const {
 DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,
                       const std::vector<std::filesystem::path>& own_joints) {
     const lang::Checks checks = deck_checks();
-    const lang::ReadDeck read = lang::read_deck(lang::classic(), deck, folders, &checks);
+    const lang::ReadDeck read = lang::read_deck(lang::language(), deck, folders, &checks);
     const Session session{Options{}}; // knows built-in names
     std::vector<std::filesystem::path> places{std::filesystem::path(deck).parent_path()};
     places.insert(places.end(), folders.begin(), folders.end());

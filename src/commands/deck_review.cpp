@@ -2,7 +2,7 @@
 
 #include "base/door.hpp"
 #include "commands/save_session.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/interp/named_word.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
@@ -90,7 +90,7 @@ void DeckReview::inside(const lang::FishDefinition& definition) {
         lang::Statement words;
         if (!lexer.next(words)) continue;
         try {
-            statement(lang::bind_with_names(lang::classic(), words, bare_), true);
+            statement(lang::bind_with_names(lang::language(), words, bare_), true);
         } catch (const Diagnostic& mistake) {
             anything_may_be_made();
             if (on_inner) on_inner(&mistake);
@@ -182,7 +182,7 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
     Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
                  "it is searched next to the deck and in the current folder");
     d.code = "no-file";
-    lang::place_problem(d, lang::classic(), read.place);
+    lang::place_problem(d, lang::language(), read.place);
     other_.push_back(std::move(d));
 }
 

@@ -1,5 +1,6 @@
 // save, restore, hist write, vtk write; files are written into the current folder unless they name another.
 #include "base/hash.hpp"
+#include "base/lower_case.hpp"
 #include "commands/handlers.hpp"
 #include "commands/joint_files.hpp"
 #include "commands/joint_values.hpp"
@@ -187,12 +188,33 @@ void run(Session& session, const lang::Restore& command) {
     session.autosave.saved();
 }
 
+namespace {
+
+/// The number of a history by its name, or by its number as a text.
+std::int64_t history_number(const Histories& histories, const std::string& name) {
+    std::vector<std::string_view> known;
+    for (const History& history : histories.all) {
+        if (equal_ignoring_case(history.label, name) || std::to_string(history.number) == name) return history.number;
+        known.push_back(history.label);
+    }
+    const auto near = did_you_mean(name, known);
+    throw Diagnostic(fmt::format("there is no history '{}'", name),
+                     near.empty() ? "histories have their names, or the numbers in which they were made"
+                                  : fmt::format("did you mean '{}'?", near));
+}
+
+} // namespace
+
 void run(Session& session, const lang::HistoryWrite& command) {
     const auto& histories = session.model.histories;
     try {
         if (histories.all.empty()) throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
+        std::vector<std::int64_t> numbers = command.numbers;
+        for (const auto& name : command.names) numbers.push_back(history_number(histories, name));
+        std::optional<std::int64_t> versus = command.versus;
+        if (!command.versus_name.empty()) versus = history_number(histories, command.versus_name);
         const std::string file = command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
-        write_history_csv(histories, session.output_file(file), command.numbers, command.versus);
+        write_history_csv(histories, session.output_file(file), numbers, versus);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

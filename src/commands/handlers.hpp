@@ -45,6 +45,8 @@ void add_handlers(HandlerTable& table, lang::SelectionCommands list);    // sele
 void add_handlers(HandlerTable& table, lang::GeometryCommands list);     // geometry.cpp
 void add_handlers(HandlerTable& table, lang::MaterialCommands list);     // materials.cpp
 void add_handlers(HandlerTable& table, lang::ZoneModelCommands list);    // zone_models.cpp
+void add_handlers(HandlerTable& table, lang::DensityCommands list);      // densities.cpp
+void add_handlers(HandlerTable& table, lang::NewContactCommands list);   // new_contacts.cpp
 void add_handlers(HandlerTable& table, lang::BoundaryCommands list);     // boundary.cpp
 void add_handlers(HandlerTable& table, lang::InitialStateCommands list); // initial_state.cpp
 void add_handlers(HandlerTable& table, lang::TableCommands list);        // tables.cpp

@@ -19,6 +19,7 @@ using SourceKind = HistorySource::Kind;
 
 /// "": that of the field.
 std::string label_of(const lang::HistoryItem& item) {
+    if (!item.name.empty()) return item.name;
     const auto* quantity = std::get_if<lang::HistoryItem::Quantity>(&item.what);
     return quantity == nullptr ? std::string() : quantity->rate;
 }
@@ -107,7 +108,7 @@ void run(Session& session, const lang::HistoryDelete& command) {
     for (const auto number : command.numbers) history_of(session, number, command.place);
     auto& histories = session.model.histories;
     std::erase_if(histories.all, [&](const History& history) {
-        return std::ranges::find(command.numbers, history.number) != command.numbers.end();
+        return command.numbers.empty() || std::ranges::find(command.numbers, history.number) != command.numbers.end();
     });
     if (!histories.all.empty()) return;
     // Without histories the sampled times have no meaning.

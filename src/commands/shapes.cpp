@@ -47,6 +47,10 @@ template <class Command, class Make> void make(Session& session, const Command& 
         } else {
             for (const Polyhedron& part : made) add_block(session.model, part, block);
         }
+        if (const std::int32_t group =
+                command.options.group.empty() ? 0 : make_group(session.model, command.options.group))
+            for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b)
+                session.model.blocks.group[b] = group;
         warn_of_overlaps(session, first, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);

@@ -1,5 +1,6 @@
 // table, and tables for histories of boundary conditions.
 #include "commands/tables.hpp"
+#include "base/lower_case.hpp"
 #include "base/whole_file.hpp"
 #include "commands/handlers.hpp"
 
@@ -104,20 +105,54 @@ private:
 
 } // namespace
 
+namespace {
+
+auto find_named(script::Tables& tables, const std::string& name) {
+    return std::ranges::find_if(tables,
+                                [&](const auto& entry) { return equal_ignoring_case(entry.second.name, name); });
+}
+
+/// The table that a command fills, by its name unless that is empty; a new name gets a new number.
+std::int64_t table_to_fill(script::Tables& tables, const lang::TableCommand& command) {
+    if (command.name.empty()) return command.number;
+    if (const auto found = find_named(tables, command.name); found != tables.end()) return found->first;
+    const std::int64_t next = tables.empty() ? 1 : std::max<std::int64_t>(tables.rbegin()->first, 0) + 1;
+    tables[next].name = command.name;
+    return next;
+}
+
+} // namespace
+
+std::int64_t table_number(Session& session, const lang::TableValue& value) {
+    if (value.name.empty()) return value.table;
+    auto& tables = session.scripts->tables();
+    if (const auto found = find_named(tables, value.name); found != tables.end()) return found->first;
+    std::vector<std::string_view> known;
+    for (const auto& [number, table] : tables) known.push_back(table.name);
+    const auto near = did_you_mean(value.name, known);
+    throw Diagnostic(fmt::format("there is no table '{}'", value.name),
+                     near.empty() ? "make it before: table 'name' import 'file'"
+                                  : fmt::format("did you mean '{}'?", near));
+}
+
 void run(Session& session, const lang::TableCommand& command) {
     auto& tables = session.scripts->tables();
     if (!command.file.empty()) {
         try {
             script::Table table = TableFile(session.input_file(command.file), command.file).read();
-            tables[command.number] = std::move(table);
+            table.name = command.name;
+            tables[table_to_fill(tables, command)] = std::move(table);
         } catch (Diagnostic& mistake) {
             mistake.at(command.place);
             throw;
         }
     }
-    if (command.clear) tables.erase(command.number);
+    if (command.clear && command.name.empty()) tables.erase(command.number);
+    else if (command.clear)
+        std::erase_if(tables, [&](const auto& entry) { return equal_ignoring_case(entry.second.name, command.name); });
     if (command.points.empty()) return;
-    for (const auto& [x, y] : command.points) tables[command.number].insert(x, y);
+    const std::int64_t number = table_to_fill(tables, command);
+    for (const auto& [x, y] : command.points) tables[number].insert(x, y);
 }
 
 void check_table(Session& session, std::int64_t number) {

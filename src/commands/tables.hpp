@@ -2,11 +2,15 @@
 #pragma once
 
 #include "commands/session.hpp"
+#include "lang/commands/commands.hpp"
 
 #include <cstdint>
 #include <string>
 
 namespace kaya {
+
+/// The number of a table. Throws Diagnostic for a name that no table has.
+std::int64_t table_number(Session& session, const lang::TableValue& value);
 
 /// Throws Diagnostic when the table does not exist, is empty, or its x decrease.
 void check_table(Session& session, std::int64_t number);

@@ -1,4 +1,5 @@
 // zone model, zone property, zone load, zone nmd.
+#include "commands/densities.hpp"
 #include "commands/handlers.hpp"
 #include "laws/given_values.hpp"
 #include "mechanics/zone_laws.hpp"
@@ -69,6 +70,8 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
         return;
     }
     const auto blocks = session.pick(ObjectKind::block, command.range);
+    if (command.density) give_density(session, blocks, *command.density, !command.range.place);
+    if (command.action == Action::properties && command.items.empty()) return;
     if (command.action == Action::assign && command.model == no_rock) return take_out(session, command, blocks);
     std::vector<ZoneProperties> wanted; // first all that may be wrong, then the model
     for (const Row block : blocks) {

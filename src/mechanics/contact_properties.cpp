@@ -5,6 +5,7 @@
 #include "laws/given_values.hpp"
 #include "mechanics/contact_search.hpp"
 #include "mechanics/contact_table.hpp"
+#include "mechanics/new_joints.hpp"
 #include "mechanics/property_sets.hpp"
 #include "mechanics/take_over.hpp"
 #include "mechanics/ties.hpp"
@@ -147,6 +148,24 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     // Only here: a user who lowers the strength of a joint wants it to slip.
     note_taken_over(model, initialise_again(model, joints, contacts));
     ModelEdit(model, Change::contacts);
+}
+
+void set_new_joints(Model& model, JointRegistry& joints, const std::string& name, const Items& items,
+                    const std::string& place, std::size_t* failed) {
+    const std::int32_t material = model.settings.default_joint_material;
+    Row row = model.settings.default_properties;
+    if (!name.empty()) row = property_set(model, joints, name, material, place);
+    else if (row < 0) row = property_set(model, joints, default_joint_model(model), material, "");
+    if (!items.empty()) {
+        JointProperties set = model.joint_properties[row];
+        const JointModel& joint = joints.get(set.model);
+        put(joint, set.values, items, true, failed);
+        if (failed) *failed = items.size();
+        check(joint, set.values);
+        set.place = place;
+        row = shared_set(model, std::move(set));
+    }
+    model.settings.default_properties = row;
 }
 
 void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,

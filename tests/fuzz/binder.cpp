@@ -2,7 +2,7 @@
 // command is run and no file is read.
 #include "harness.hpp"
 
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/interp/bare_names.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/deck.hpp"
@@ -47,7 +47,7 @@ constexpr int most_mistakes = 4;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size > fuzz::largest) return 0;
     const std::string text = fuzz::text_of(data, size);
-    const lang::Language& language = lang::classic();
+    const lang::Language& language = lang::language();
     const lang::ValueSource values = value_of;
     survive([&] {
         lang::BareNames names;

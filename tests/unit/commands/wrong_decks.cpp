@@ -1,6 +1,6 @@
 // The decks of tests/wrong: every error with its exact position, message and hint.
 #include "commands/session.hpp"
-#include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ Lines annotated(const Lines& deck) {
     const Checks checks = deck_checks();
     std::vector<Diagnostic> mistakes;
     try {
-        bind_text(classic(), source_from_text("deck", text), {folder}, &checks);
+        bind_text(language(), source_from_text("deck", text), {folder}, &checks);
     } catch (const DeckErrors& errors) { mistakes = errors.all; }
     Lines result;
     for (std::size_t i = 0; i < deck.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/modern/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/deck.hpp"
 
@@ -11,11 +12,12 @@
 namespace kaya::lang {
 
 /// The first command of the text.
-inline BoundCommand bound(const std::string& text, const ValueSource* values = nullptr) {
+inline BoundCommand bound(const std::string& text, const ValueSource* values = nullptr,
+                          const Language& by = language()) {
     Lexer lexer(source_from_text("test.3dd", text));
     Statement statement;
-    if (!next_statement(classic(), lexer, statement)) throw std::logic_error("the test has no statement");
-    return bind_statement(classic(), statement, values);
+    if (!next_statement(by, lexer, statement)) throw std::logic_error("the test has no statement");
+    return bind_statement(by, statement, values);
 }
 
 template <class Command> Command bound_as(const std::string& text, const ValueSource* values = nullptr) {
@@ -26,9 +28,9 @@ template <class Command> Command bound_as(const std::string& text, const ValueSo
 }
 
 /// The error in the text; fails the test if there is none.
-inline Diagnostic mistake(const std::string& text) {
+inline Diagnostic mistake(const std::string& text, const Language& by = language()) {
     try {
-        bound(text);
+        bound(text, nullptr, by);
     } catch (const Diagnostic& d) { return d; }
     ADD_FAILURE() << "'" << text << "' was accepted";
     return Diagnostic("");

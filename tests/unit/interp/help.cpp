@@ -17,7 +17,8 @@ TEST(Help, UsageOfACommand) {
     std::map<std::string, std::string> usages;
     for (const auto& family : classic().families)
         for (const auto& command : family.commands) usages[command.name()] = usage(command);
-    EXPECT_EQ(usages["poly brick"], "poly brick x1 x2 [y1 y2] [z1 z2] [region n] [material n] [constitutive n]");
+    EXPECT_EQ(usages["poly brick"],
+              "poly brick x1 x2 [y1 y2] [z1 z2] [region n] [material n] [constitutive n] [group name]");
     EXPECT_EQ(usages["facetri edge"], "facetri edge edge [range ...]");
     EXPECT_EQ(usages["define"], "define name [argument ...] ... end");
 }

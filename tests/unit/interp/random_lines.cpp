@@ -19,14 +19,15 @@ std::vector<std::string> dictionary() {
             self(self, keyword.keywords);
         }
     };
-    for (const auto& family : classic().families)
-        for (const auto& command : family.commands) {
+    for (const Language* dialect : {&classic(), &modern()}) {
+        for_each_command(*dialect, [&](const CommandSpec& command) {
             for (const Spelling& s : command.words) words.emplace_back(s.word);
             for (const auto& spellings : command.form)
                 for (const Spelling& s : spellings) words.emplace_back(s.word);
             add_keywords(add_keywords, command.keywords);
-        }
-    add_keywords(add_keywords, classic().range_elements);
+        });
+        add_keywords(add_keywords, dialect->range_elements);
+    }
     return words;
 }
 
@@ -59,11 +60,11 @@ TEST_F(RandomLines, AreBoundOrRefused) {
         Lexer lexer(source_from_text("random", text));
         Statement statement;
         try {
-            while (next_statement(classic(), lexer, statement)) {
-                const BoundCommand command = bind_statement(classic(), statement);
+            while (next_statement(language(), lexer, statement)) {
+                const BoundCommand command = bind_statement(language(), statement);
                 (void)command.text();
                 ++accepted;
-                if (command.late) (void)bind_statement(classic(), statement, &source);
+                if (command.late) (void)bind_statement(language(), statement, &source);
             }
         } catch (const Diagnostic& d) {
             ++refused;
@@ -79,10 +80,10 @@ TEST_F(RandomLines, AreBoundOrRefused) {
 TEST_F(RandomLines, CanBeCompletedAndAskedAbout) {
     for (int i = 0; i < 3000; ++i) {
         const std::string text = line();
-        if (text.find('\n') == std::string::npos) (void)completions(classic(), text);
-        (void)needs_more(classic(), text);
+        if (text.find('\n') == std::string::npos) (void)completions(language(), text);
+        (void)needs_more(language(), text);
         try {
-            (void)help_on(classic(), text);
+            (void)help_on(language(), text);
         } catch (const Diagnostic&) {}
     }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <map>
 #include <set>
 
 namespace kaya::lang {
@@ -68,6 +69,7 @@ Score measure_keywords(const std::vector<KeywordSpec>& keywords) {
 
 double percent(const Score& score) { return 100.0 * score.right / score.asked; }
 
+/// The first words of classic commands; those of the modern dialect are few, and words of its tree are measured below.
 TEST(Suggestions, OneLetterMisspellingsOfCommands) {
     std::vector<std::vector<std::string_view>> entries;
     std::set<std::string_view> seen;
@@ -96,12 +98,41 @@ TEST(Suggestions, OneLetterMisspellingsOfKeywords) {
         if (score.asked > 0 && percent(score) < 90)
             fmt::print("  {}: {:.1f} %, e.g. {}\n", where, percent(score), score.missed.front());
     };
-    for (const auto& family : classic().families)
-        for (const auto& command : family.commands) add(measure_keywords(command.keywords), command.name());
-    add(measure_keywords(classic().range_elements), "range");
+    for (const Language* dialect : {&classic(), &modern()}) {
+        for_each_command(*dialect,
+                         [&](const CommandSpec& command) { add(measure_keywords(command.keywords), command.name()); });
+        add(measure_keywords(dialect->range_elements), "range");
+    }
     fmt::print("keywords: {} of {} ({:.1f} %)\n", total.right, total.asked, percent(total));
     EXPECT_GT(total.asked, 10000);
     EXPECT_GE(percent(total), 90);
+}
+
+/// The second and third words of modern lines: each among those that may stand there.
+TEST(Suggestions, OneLetterMisspellingsOfTheModernTree) {
+    std::map<std::string, std::vector<std::vector<std::string_view>>> below;
+    for_each_command(modern(), [&](const CommandSpec& command) {
+        std::string before(command.words.front().word);
+        for (const auto& words : command.form) {
+            auto& known = below[before];
+            const auto spelled = spellings_of(words);
+            if (std::ranges::find(known, spelled) == known.end()) known.push_back(spelled);
+            before.append(" ").append(words.front().word);
+        }
+    });
+    Score score;
+    for (const auto& [before, entries] : below)
+        measure(
+            entries,
+            [&, &entries = entries](const std::string& typed) {
+                return std::ranges::any_of(entries, [&](const auto& words) {
+                    return std::ranges::any_of(words, [&](auto word) { return Spelling(word, 2).matches(typed); });
+                });
+            },
+            score);
+    fmt::print("tree: {} of {} ({:.1f} %)\n", score.right, score.asked, percent(score));
+    EXPECT_GT(score.asked, 10000);
+    EXPECT_GE(percent(score), 95);
 }
 
 TEST(Suggestions, OfShortWordsToo) {
@@ -138,7 +169,8 @@ TEST(Suggestions, ALongListShowsItsNearestWordsAndWhereAllAre) {
 TEST(Suggestions, NoHintOfTheLanguageListsMoreThanEightWords) {
     std::vector<std::string> lines{"hide range", "bound xvel 0 range", "poly",
                                    "gen",        "structure",          "insitu stress 0 0 0 0 0 0"};
-    for_each_command(classic(), [&](const CommandSpec& command) { lines.push_back(command.name()); });
+    for (const Language* dialect : {&classic(), &modern()})
+        for_each_command(*dialect, [&](const CommandSpec& command) { lines.push_back(command.name()); });
     for (const auto& line : lines)
         for (const char* end : {"", " zzqqzzqqzz", " 0 0 0 0 0 0 0 0 0 0"}) {
             std::string hint;

@@ -1,0 +1,77 @@
+// Words of values with components, and of their factors over time.
+#pragma once
+
+#include "lang/modern/leaf.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace kaya::lang {
+
+/// The modern word of a component, and the classic one.
+struct ComponentWords {
+    const char* words;
+    const char* classic;
+};
+constexpr std::array<ComponentWords, 3> velocity_components{
+    {{"velocity-x", "xvel"}, {"velocity-y", "yvel"}, {"velocity-z", "zvel"}}};
+
+/// The words of the components, and one for all three: `member(command, k)` is the value of component k.
+template <class Command, class Member> void vector_words(Leaf<Command>& leaf, const char* word,
+                                                         const std::array<ComponentWords, 3>& components,
+                                                         const char* unit, Member member, std::string_view help) {
+    const ArgumentSpec three = vector("x y z").unit(unit).spec;
+    leaf.special(
+        {word}, {three},
+        [=](Reader& reader, Command& command) {
+            const Vec3 value = reader.vector(three);
+            for (std::size_t k = 0; k < 3; ++k) member(command, k) = value[static_cast<Eigen::Index>(k)];
+        },
+        help);
+    for (const auto& component : components) leaf.word(component.words, component.classic);
+}
+
+/// A table by its name; a name of digits is a number.
+inline TableValue table_named(std::string name) {
+    TableValue table;
+    const char* end = name.data() + name.size();
+    const auto [stop, failed] = std::from_chars(name.data(), end, table.table);
+    if (failed != std::errc() || stop != end) {
+        table.table = 0;
+        table.name = std::move(name);
+    }
+    return table;
+}
+
+/// `table s` or `fish s` after the values of a line: their factor over time.
+template <class Command> void multiplier_words(Leaf<Command>& leaf) {
+    const ArgumentSpec name = text("name").spec;
+    leaf.special(
+        {"table"}, {name},
+        [name](Reader& reader, Command& command) {
+            Multiplier multiplier;
+            multiplier.place = reader.peek() ? reader.peek()->place : Place{};
+            multiplier.function = table_named(reader.text(name));
+            command.multiplier = std::move(multiplier);
+        },
+        "the values of the line are multiplied by this table over time");
+    leaf.special(
+        {"fish"}, {name},
+        [name](Reader& reader, Command& command) {
+            Multiplier multiplier;
+            const Word* word = reader.peek();
+            multiplier.place = word ? word->place : Place{};
+            const bool symbol = word && word->kind == WordKind::symbol;
+            multiplier.function = ScriptValue{symbol ? reader.symbol(name) : reader.text(name)};
+            command.multiplier = std::move(multiplier);
+        },
+        "the values of the line are multiplied by this FISH function or variable in each cycle");
+}
+
+/// A line with a range that it needs.
+template <class Command> void needs_range(const Reader& reader, const Command& command) {
+    if (command.range.place) return;
+    incomplete_line(reader, "a range must be given", "end the line with: range position-z 0 1");
+}
+
+} // namespace kaya::lang

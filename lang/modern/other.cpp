@@ -1,0 +1,111 @@
+// history, table, plot, fish and block history: what is recorded and shown.
+#include "lang/modern/components.hpp"
+#include "lang/modern/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+/// `table s import f`, `table s add v ..`: a table by its name.
+CommandSpec named_table() {
+    Leaf<TableCommand> leaf("table");
+    leaf.help("a table by its name: pairs (x, y), with linear interpolation");
+    leaf.argument(text("name").help("name of the table, or its number as a text"),
+                  [](TableCommand& table, std::string name) {
+                      TableValue named = table_named(std::move(name));
+                      table.number = named.table;
+                      table.name = std::move(named.name);
+                  });
+    leaf.keyword({"import"}, text("file"), &TableCommand::file,
+                 "replaces the table by that of a file: a line of title, a line `count step`, then the values");
+    leaf.action(
+        {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "removes all pairs");
+    const ArgumentSpec x = real("x").spec, y = real("y").spec;
+    for (const char* word : {"add", "insert"})
+        leaf.special(
+            {word}, {x, y},
+            [=](Reader& reader, TableCommand& t) {
+                do {
+                    const double at = reader.real(x);
+                    t.points.push_back({at, reader.real(y)});
+                } while (reader.at_number());
+            },
+            "pairs, in their place by x");
+    leaf.no_effect("sort", "tables are always sorted");
+    leaf.not_yet({"position", "label", "list", "export"}, "other commands of tables");
+    leaf.finish([](const Reader& reader, TableCommand& t) {
+        if (t.points.empty() && t.file.empty() && !t.clear && reader.statement().words.size() < 3)
+            incomplete_line(reader, "table does not say what to do", "expected: add, insert, import or clear");
+    });
+    leaf.right("table '1' add (0,1) (1,2)", "table 1 0 1 1 2").right("table 'run01' import 'quake.tab'");
+    leaf.right("table '1' delete", "table 1 clear");
+    leaf.wrong("table 'a'", "table does not say what to do");
+    leaf.wrong("table 'a' add 1", "a number is missing after '1'");
+    leaf.wrong("table 'a' impotr 'f'", "'impotr' is not a keyword of table");
+    return leaf;
+}
+
+/// `fish history [name s] f`
+CommandSpec fish_history() {
+    Leaf<HistoryAdd> leaf("fish history");
+    leaf.help("records a FISH function or variable from now on");
+    const ArgumentSpec name = text("name").spec;
+    leaf.special(
+        {"name"}, {name},
+        [name](Reader& reader, HistoryAdd& history) { history.items.emplace_back().name = reader.text(name); },
+        "name of the history in files");
+    leaf.otherwise({name}, [name](Reader& reader, HistoryAdd& history) {
+        if (!history.items.empty() && history.items.front().text) return false;
+        if (history.items.empty()) history.items.emplace_back();
+        HistoryItem& item = history.items.front();
+        item.text = reader.peek()->place;
+        const bool symbol = reader.peek()->kind == WordKind::symbol;
+        item.what = HistoryItem::Script{symbol ? reader.symbol(name) : reader.text(name)};
+        return true;
+    });
+    leaf.finish([](const Reader& reader, HistoryAdd& history) {
+        if (history.items.empty() || !history.items.front().text)
+            incomplete_line(reader, "the history has no function to record", "write for example: fish history thrust");
+    });
+    leaf.right("fish history wave", "hist @wave").right("fish history name 'thrust' @wave");
+    leaf.wrong("fish history", "the history has no function to record");
+    return leaf;
+}
+
+} // namespace
+
+Family block_family() {
+    Family family{"block", "selecting, holding, moving and loading blocks", block_commands()};
+    for (auto commands : {ground_commands(), block_history_commands()})
+        family.commands.insert(family.commands.end(), commands.begin(), commands.end());
+    using enum List::What;
+    family.commands.push_back(list_line("block list", blocks, "blocks: place, mass, material, region",
+                                        "block list range position-z 0 1", "list blocks range z 0 1"));
+    family.commands.push_back(list_line("block list information", blocks, "blocks: place, mass, material, region",
+                                        "block list information", "list blocks"));
+    family.commands.push_back(
+        list_line("block list group", groups, "names of groups", "block list group", "list groups"));
+    family.commands.push_back(
+        list_line("block list energy", energy, "energies and their balance", "block list energy", "list energy"));
+    family.commands.push_back(list_line("block list maxima|maximum", extremes, "greatest values of the model",
+                                        "block list maxima", "list max"));
+    family.commands.push_back(list_line("block face list", faces, "faces: place, normal, area",
+                                        "block face list range position-z 2", "list faces range z 2"));
+    return family;
+}
+
+Family other_family() {
+    Family family{"history", "histories, tables and functions", history_commands()};
+    family.commands.push_back(named_table());
+    family.commands.push_back(fish_history());
+    family.commands.push_back(ignored_line("fish automatic-create", "variables that are made when they are set",
+                                           "kaya check warns of names that are never set",
+                                           "fish automatic-create off"));
+    family.commands.push_back(ignored_line("fish boolean-convert", "truths that are numbers", "kaya needs no switch",
+                                           "fish boolean-convert on"));
+    family.commands.push_back(
+        list_line("fish list", List::What::symbols, "variables and functions of FISH", "fish list", "list fish"));
+    return family;
+}
+
+} // namespace kaya::lang

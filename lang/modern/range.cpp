@@ -1,0 +1,206 @@
+// The modern range phrase: its words are a second spelling of the classic elements.
+#include "lang/modern/leaf.hpp"
+
+#include "lang/modern/groups.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya::lang {
+
+namespace {
+
+using Kind = RangeElement::Kind;
+
+/// Modern words, and the classic element that they mean.
+struct ElementWords {
+    const char* words;
+    const char* classic;
+};
+
+constexpr ElementWords elements[] = {
+    {"sphere", "sphere"},
+    {"annulus", "annulus"},
+    {"cylinder", "cylinder"},
+    {"plane", "plane"},
+    {"group-intersection", "group-intersection"},
+    {"id", "id"},
+    {"id-list", "id-list"},
+    {"region", "region"},
+    {"joint-set", "joint-set"},
+    {"jmodel", "jmodel"},
+    {"bmaterial", "material"},
+    {"jmaterial", "jmaterial"},
+    {"mintersection", "mintersection"},
+    {"rintersection", "rintersection"},
+    {"volume", "volume"},
+    {"edge-length", "edge-length"},
+    {"deformable", "deformable"},
+    {"excavated", "excavated"},
+    {"surface", "surface"},
+    {"concave", "concave"},
+    {"leader-id", "leader-id"},
+    {"state", "state"},
+    {"extent", "extent"},
+    {"union", "union"},
+    {"not", "not"},
+};
+
+struct Unsupported {
+    const char* words;
+    const char* about;
+};
+
+constexpr Unsupported unsupported[] = {
+    {"aspect-ratio", "the greatest edge of a block over the cube root of its volume"},
+    {"by", "testing the parts of an object, or the object of a part"},
+    {"component-id", "numbers of parts of structures"},
+    {"component-id-list", "numbers of parts of structures"},
+    {"contact", "objects at contacts"},
+    {"deselected", "selection on the screen"},
+    {"dfn", "fractures of a network"},
+    {"dfn-3dec", "fractures of a network"},
+    {"displacement", "displacements in a range"},
+    {"ellipse", "prisms on an ellipse"},
+    {"extra", "extra variables in a range"},
+    {"extra-list", "extra variables in a range"},
+    {"face-area", "areas of faces in a range"},
+    {"fid", "fractures of a network"},
+    {"fidlist", "fractures of a network"},
+    {"fish", "functions of FISH in a range"},
+    {"fracture-id", "fractures of a network"},
+    {"geometry-distance", "surfaces in a range"},
+    {"geometry-space", "surfaces in a range"},
+    {"index-list", "internal numbers"},
+    {"polygon", "prisms on a polygon"},
+    {"project-range", "ranges of a project"},
+    {"rectangle", "prisms on a rectangle"},
+    {"seed", "objects that are connected to a place"},
+    {"selected", "selection on the screen"},
+    {"set", "sets of surfaces"},
+    {"sregion", "regions of surfaces"},
+    {"structure-type", "kinds of structures"},
+    {"use-hidden", "hidden objects in a range"},
+    {"velocity", "velocities in a range"},
+    {"wall", "blocks that are walls"},
+};
+
+const KeywordSpec& classic_element(std::string_view word) {
+    for (const KeywordSpec& element : range_elements())
+        for (const Spelling& s : element.words)
+            if (s.word == word) return element;
+    throw std::logic_error(fmt::format("there is no classic range element '{}'", word));
+}
+
+RangeElement& added(Reader& reader, RangePhrase& phrase, Kind kind) {
+    RangeElement element;
+    element.kind = kind;
+    element.place = reader.previous().place;
+    phrase.elements.push_back(std::move(element));
+    return phrase.elements.back();
+}
+
+/// True after taking the word `tolerance`.
+bool takes_tolerance(Reader& reader) {
+    const Word* next = reader.peek();
+    if (!next || next->kind != WordKind::word || !Spelling{"tolerance", 3}.matches(next->folded)) return false;
+    reader.take();
+    reader.spell("tolerance");
+    return true;
+}
+
+const ArgumentSpec& tolerance() {
+    static const ArgumentSpec spec = real("tolerance").unit("length").at_least(0).spec;
+    return spec;
+}
+
+/// `position-x low high`, or a value and a tolerance; a value alone is a plane.
+void coordinate(Keywords<RangePhrase>& table, const char* words, const char* classic, Kind kind) {
+    const KeywordSpec& meaning = classic_element(classic);
+    table.special(
+        tree_words(words).front(), meaning.arguments,
+        [&meaning, kind](Reader& reader, RangePhrase& phrase) {
+            meaning.read(reader, &phrase);
+            RangeElement& element = phrase.elements.back();
+            if (element.low != element.high || !takes_tolerance(reader)) return;
+            const double around = reader.real(tolerance());
+            element.kind = kind;
+            element.low -= around;
+            element.high += around;
+        },
+        "a coordinate between two limits, or a value and `tolerance t`");
+}
+
+/// Two corners, or one with a tolerance.
+void position(Keywords<RangePhrase>& table) {
+    const ArgumentSpec corner = vector("x y z").unit("length").spec;
+    table.special(
+        {"position"}, {corner},
+        [corner](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = added(reader, phrase, Kind::box);
+            const Vec3 one = reader.vector(corner);
+            const bool near = takes_tolerance(reader);
+            const double around = near ? reader.real(tolerance()) : 0;
+            const Vec3 other = near ? one : reader.vector(corner);
+            element.centre = one.cwiseMin(other).array() - around;
+            element.end2 = one.cwiseMax(other).array() + around;
+        },
+        "inside a box, given by two corners, or near a place: x y z tolerance t");
+}
+
+/// The tolerance of an orientation is 2 degrees in this dialect, 1 in the classic one.
+void orientation(Keywords<RangePhrase>& table) {
+    const KeywordSpec& meaning = classic_element("orientation");
+    table.special(
+        {"orientation"}, meaning.arguments,
+        [&meaning](Reader& reader, RangePhrase& phrase) {
+            const Word* first = reader.peek();
+            meaning.read(reader, &phrase);
+            const Word* end = &reader.previous() + 1;
+            const bool given = first != nullptr && std::any_of(first, end, [](const Word& word) {
+                                   return word.kind == WordKind::word && Spelling{"tolerance", 3}.matches(word.folded);
+                               });
+            if (!given) phrase.elements.back().radius1 = 2;
+        },
+        "faces and contacts of an orientation: dip d dip-direction a [tolerance t], 2 degrees if not given",
+        meaning.keywords);
+}
+
+void named_range(Keywords<RangePhrase>& table) {
+    const ArgumentSpec name = text("name").spec;
+    table.special(
+        {"named-range", "name"}, {name},
+        [name](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = added(reader, phrase, Kind::named);
+            element.name = reader.text(name);
+        },
+        "a range that `model range create` has made");
+}
+
+std::vector<KeywordSpec> all_elements() {
+    Keywords<RangePhrase> table;
+    position(table);
+    coordinate(table, "position-x", "x", Kind::x);
+    coordinate(table, "position-y", "y", Kind::y);
+    coordinate(table, "position-z", "z", Kind::z);
+    group_element(table);
+    for (const ElementWords& row : elements) {
+        KeywordSpec element = classic_element(row.classic);
+        element.words = tree_words(row.words).front();
+        table.add(std::move(element));
+    }
+    orientation(table);
+    named_range(table);
+    for (const Unsupported& row : unsupported) table.not_yet(tree_words(row.words).front(), row.about);
+    return std::move(table).list();
+}
+
+} // namespace
+
+const RangeGrammar& modern_ranges() {
+    static const std::vector<KeywordSpec> list = all_elements();
+    static const RangeGrammar grammar{list, "range position-z 0 1"};
+    return grammar;
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,77 @@
+// model solve, model factor-of-safety.
+#include "lang/modern/leaf.hpp"
+#include "lang/modern/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+/// The limits that a process word may stand before: `model solve dynamic time 10`.
+void limits(Leaf<Solve>& leaf) {
+    leaf.word("ratio|ratio-average", "ratio").word("ratio-local", "ratio-local").word("ratio-maximum", "ratio-maximum");
+    leaf.word("unbalanced-maximum", "force").word("cycles", "cycles").word("time", "time").word("clock", "clock");
+    leaf.word("elastic", "elastic").no_effect("only", "of elastic: accepted, without effect");
+    leaf.no_effect("or", "the first limit that is reached ends the run, as always");
+    leaf.no_effect("dynamic|mechanical", "the limits that follow are those of motion, the only process");
+    const auto cycles = integer("n").at_least(0);
+    leaf.keyword(
+            {"calm"}, cycles, [](Solve&, std::int64_t) {}, "cycles between two dampings of motion")
+        .ignored();
+    leaf.not_yet({"and"}, "runs that continue until all limits are reached: write one `model solve` after the other");
+    leaf.not_yet({"convergence"}, "the ratio of each gridpoint to its own target: see ratio-local");
+    leaf.not_yet({"cycles-total", "time-total", "cycles-super", "time-total-zone", "unbalanced-average"},
+                 "limits that count from the start of the model: see cycles and time");
+    leaf.not_yet({"fish-halt", "fish-call"}, "functions of FISH that end a run");
+    leaf.not_yet({"thermal", "fluid", "creep"}, "heat, flow and creep");
+}
+
+CommandSpec model_solve() {
+    Leaf<Solve> leaf("model solve", "solve");
+    limits(leaf);
+    leaf.right("model solve", "solve").right("model solve ratio 1e-4 cycles 50", "solve ratio 1e-4 cycles 50");
+    leaf.right("model solve ratio-local 1e-3 or time 2", "solve ratio-local 1e-3 time 2");
+    leaf.right("model solve unb-max 10 cycles 20", "solve force 10 cycles 20");
+    leaf.right("model solve dynamic time 0.01", "solve time 0.01");
+    leaf.right("model solve elastic only ratio 1e-3 cycles 20", "solve elastic ratio 1e-3 cycles 20");
+    leaf.wrong("model solve raito 1e-5", "'raito' is not a keyword of model solve");
+    leaf.wrong("model solve ratio", "a number is missing after 'ratio'");
+    leaf.wrong("model solve ratio 0", "ratio must be greater than 0, not 0");
+    leaf.wrong("model solve 100", "expected a keyword of model solve, found '100'");
+    leaf.wrong("model solve cycles 5 and time 1", "'model solve and' is known, but kaya does not support it yet");
+    return leaf;
+}
+
+CommandSpec factor_of_safety() {
+    Leaf<Solve> leaf("model factor-of-safety", "solve");
+    leaf.help("computes the factor of safety by strength reduction; the model is left unchanged");
+    leaf.start([](const Statement& statement, Solve& solve) {
+        solve.place = statement.words.front().place;
+        solve.factor_of_safety = true;
+    });
+    leaf.word("bracket", "bracket").word("resolution", "resolution").word("filename", "file");
+    leaf.word("ratio", "ratio").word("step-limit", "cycles");
+    leaf.no_effect("associated", "dilation is never changed");
+    leaf.not_yet({"include", "exclude"}, "a choice of strengths: write solve fos include friction");
+    leaf.not_yet({"zone", "joint", "zone-joint", "interface"}, "a choice of strengths: write solve fos include joints");
+    leaf.not_yet({"bracket-limit", "characteristic-steps", "convergence", "perturbation", "ratio-average",
+                  "ratio-local", "ratio-maximum", "list"},
+                 "details of the search");
+    leaf.checks_of_meaning();
+    leaf.right("model factor-of-safety", "solve fos");
+    leaf.right("model factor-of-safety resolution 0.01 ratio 1e-4 step-limit 2000",
+               "solve fos resolution 0.01 ratio 1e-4 cycles 2000");
+    leaf.wrong("model factor-of-safety bracket 2 1", "the stable factor must be below the failing one");
+    return leaf;
+}
+
+} // namespace
+
+Family model_family() {
+    Family family{"model", "the model as a whole", model_commands()};
+    family.commands.push_back(model_solve());
+    family.commands.push_back(factor_of_safety());
+    for (CommandSpec& command : model_history_commands()) family.commands.push_back(std::move(command));
+    return family;
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,115 @@
+// Modern commands that kaya knows by name only: a deck that uses one gets a message with its line.
+#include "lang/modern/language.hpp"
+#include "lang/modern/leaf.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+struct Known {
+    const char* words;
+    const char* about;
+};
+
+constexpr Known known[] = {
+    {"model thermal", "heat"},
+    {"model fluid", "flow of water"},
+    {"model creep", "creep"},
+    {"model results", "files of results"},
+    {"model range delete", "named ranges that are deleted"},
+    {"model mechanical timestep maximum", "a limit of the time step: see timestep fix"},
+    {"model mechanical substep", "substeps"},
+    {"block create group", "groups of new blocks: name the shape after the group"},
+    {"block create wall", "blocks that are walls"},
+    {"block cut dfn", "networks of fractures"},
+    {"block cut geometry", "cuts by surfaces: write cut ground"},
+    {"block cut set", "options of cuts"},
+    {"block cut jointset-id", "the number of the next joint set: give it to block cut joint-set"},
+    {"block generate from-geometry", "blocks of surfaces"},
+    {"block generate from-topography", "blocks below a topography: write cut ground"},
+    {"block generate voronoi", "Voronoi blocks"},
+    {"block relax", "excavation in steps"},
+    {"block merge-start", "tetrahedra that become zones of one block"},
+    {"block merge-finish", "tetrahedra that become zones of one block"},
+    {"block to-flac3d", "files for FLAC3D"},
+    {"block to-pfc", "files for PFC"},
+    {"block to-udec", "files for UDEC"},
+    {"block makewall", "blocks that are walls"},
+    {"block join-by-contact", "contacts that join parts of blocks: see block contact join"},
+    {"block skip-join-update", "joined blocks"},
+    {"block tolerance", "lengths that cuts and blocks use: write jset tolerance"},
+    {"block ratio", "kinds of ratios: name the ratio in model solve"},
+    {"block fragment", "pieces that joints hold together"},
+    {"block analyze-stability", "isolated blocks: write list stability"},
+    {"block trace", "paths of places"},
+    {"block vtk", "files for ParaView: write vtk write"},
+    {"block dynamic eigen", "modes of blocks on their joints"},
+    {"block dynamic free-field", "free fields at the sides of a model"},
+    {"block thermal", "heat"},
+    {"block fluid", "flow of water"},
+    {"block finite-element", "blocks of finite elements"},
+    {"block contact property-distribution", "scattered properties of joints"},
+    {"block contact material-table add", "joint models of new contacts by range: write block contact property"},
+    {"block contact material-table property", "joint models of new contacts by number"},
+    {"block contact material-table modify", "joint models of new contacts by number"},
+    {"block contact material-table remove", "joint models of new contacts by number"},
+    {"block contact material-table list", "joint models of new contacts"},
+    {"block contact material-table apply", "joint models of new contacts: write block contact property"},
+    {"block contact group-subcontact", "groups of sub-contacts: write block contact group"},
+    {"block contact apply", "pore pressures of joints: write block insitu pore-pressure"},
+    {"block contact persistence", "bridges of rock in joints"},
+    {"block contact area-minimum", "the least area of a sub-contact"},
+    {"block contact compute-stiffness", "stiffness of joints from zones"},
+    {"block contact compute", "measures of joints"},
+    {"block contact delete-open", "open sub-contacts that are deleted"},
+    {"block contact vertex-vertex", "contacts of corners"},
+    {"block contact safe-delete", "contacts that are deleted"},
+    {"block contact jmodel list", "joint models: write list jmodels"},
+    {"block face apply-remove", "loads that are taken away: apply the opposite"},
+    {"block face merge", "faces that become one"},
+    {"block gridpoint group", "groups of gridpoints"},
+    {"block gridpoint trace", "paths of gridpoints"},
+    {"block zone generate-new", "a second way to make zones: write block zone generate edgelength"},
+    {"block zone generate high-order-tetra", "zones of higher order"},
+    {"block zone generate rezone", "zones that are made again"},
+    {"block zone generate fix", "gridpoints that zones must have"},
+    {"block zone size", "sizes of zones by range"},
+    {"block zone cmodel list", "zone models"},
+    {"block zone property-distribution", "scattered properties of zones"},
+    {"block zone volume-minimum-delete", "small zones that are deleted"},
+    {"block zone fluid", "flow of water"},
+    {"block zone thermal", "heat"},
+    {"structure cable create", "cables by lines: write structure cable x y z x y z"},
+    {"structure beam create", "beams by lines: write structure beam x y z x y z"},
+    {"structure liner create", "liners by faces: write structure liner range ..."},
+    {"structure pile", "piles"},
+    {"structure shell", "shells"},
+    {"structure geogrid", "geogrids"},
+    {"structure hybrid", "bolts with dowels"},
+    {"structure link", "links of structures"},
+    {"sel", "structures of older versions: write structure cable"},
+    {"flowknot", "flow in joints"},
+    {"flowplane", "flow in joints"},
+    {"fblock", "faces of blocks as blocks"},
+    {"feblock", "blocks of finite elements"},
+    {"fracture", "networks of fractures"},
+    {"geometry", "surfaces as separate objects"},
+    {"data", "data of the user"},
+    {"project", "projects"},
+    {"trace", "paths of places"},
+    {"fish operator", "functions that run in parallel"},
+    {"fish structure", "structures of FISH"},
+    {"fish debug", "the debugger of FISH"},
+    {"fish trace", "variables that are followed"},
+    {"fish result", "files of results"},
+};
+
+} // namespace
+
+Family unsupported_family() {
+    Family family{"not supported yet", "known by name; a deck that uses them gets an error", {}};
+    for (const Known& row : known) family.commands.push_back(unsupported_line(row.words, row.about));
+    return family;
+}
+
+} // namespace kaya::lang
