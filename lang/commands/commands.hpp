@@ -136,11 +136,6 @@ struct FishSetting {
     std::vector<std::string> members;
     Place place;
 };
-/// fish history name 'label' f
-struct FishHistory {
-    std::string label, function;
-    Place place;
-};
 /// param name = value: the first value of a name is kept; kaya --set gives it before the deck does.
 struct Parameter {
     std::string name;
@@ -192,7 +187,7 @@ using PlotCommands = CommandList<Plot>;
 using MovieCommands = CommandList<Movie>;
 using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fraction>;
 using ScriptCommands =
-    CommandList<FishDefinition, FishCall, FishCallback, FishSetting, FishHistory, LuaChunk, LuaFile, Parameter>;
+    CommandList<FishDefinition, FishCall, FishCallback, FishSetting, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =
     CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands,

@@ -130,26 +130,6 @@ CommandSpec fish_structure() {
     return entry;
 }
 
-CommandSpec fish_history() {
-    const auto name = text("function").spec;
-    Entry<FishHistory> entry({"fish"}, {"history"});
-    entry.help("records the value of a function or variable of FISH");
-    entry.place(&FishHistory::place);
-    entry.keyword({"name"}, text("label"), &FishHistory::label, "label of the history");
-    entry.otherwise({name}, [name](Reader& reader, FishHistory& history) {
-        if (!history.function.empty()) return false;
-        history.function = name_at(reader, name);
-        return true;
-    });
-    entry.finish([](const Reader& reader, FishHistory& history) {
-        if (history.function.empty())
-            incomplete_line(reader, "fish history does not say what to record", "write: fish history NAME");
-    });
-    entry.right("fish history crest").right("fish history name 'speed' @crest");
-    entry.wrong("fish history", "fish history does not say what to record");
-    return entry;
-}
-
 CommandSpec fish_set() {
     const auto name = text("@name").spec;
     Entry<Set> entry({"fish"}, {"set"});
@@ -232,7 +212,6 @@ Family script() {
                 callback(),
                 automatic_create(),
                 fish_structure(),
-                fish_history(),
                 fish_set(),
                 fish_list(),
                 fishcall(),

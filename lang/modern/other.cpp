@@ -98,13 +98,8 @@ Family other_family() {
     Family family{"history", "histories, tables and functions", history_commands()};
     family.commands.push_back(named_table());
     family.commands.push_back(fish_history());
-    family.commands.push_back(ignored_line("fish automatic-create", "variables that are made when they are set",
-                                           "kaya check warns of names that are never set",
-                                           "fish automatic-create off"));
     family.commands.push_back(ignored_line("fish boolean-convert", "truths that are numbers", "kaya needs no switch",
                                            "fish boolean-convert on"));
-    family.commands.push_back(
-        list_line("fish list", List::What::symbols, "variables and functions of FISH", "fish list", "list fish"));
     return family;
 }
 

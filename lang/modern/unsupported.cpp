@@ -97,8 +97,6 @@ constexpr Known known[] = {
     {"data", "data of the user"},
     {"project", "projects"},
     {"trace", "paths of places"},
-    {"fish operator", "functions that run in parallel"},
-    {"fish structure", "structures of FISH"},
     {"fish debug", "the debugger of FISH"},
     {"fish trace", "variables that are followed"},
     {"fish result", "files of results"},

@@ -53,14 +53,6 @@ void run(Session& session, const lang::FishSetting& command) {
 
 void run(Session& session, const lang::HistoryAdd& command); // histories.cpp
 
-void run(Session& session, const lang::FishHistory& command) {
-    lang::HistoryAdd add;
-    add.items.push_back({lang::HistoryItem::Script{command.function}, Vec3::Zero(), command.place});
-    add.place = command.place;
-    run(session, add);
-    if (!command.label.empty()) session.model.histories.all.back().label = command.label;
-}
-
 void run(Session& session, const lang::LuaChunk& command) { session.scripts->run_lua(command.text, command.place); }
 
 void run(Session& session, const lang::LuaFile& command) {
