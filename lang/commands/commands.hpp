@@ -186,8 +186,7 @@ using ListCommands = CommandList<List>;
 using PlotCommands = CommandList<Plot>;
 using MovieCommands = CommandList<Movie>;
 using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fraction>;
-using ScriptCommands =
-    CommandList<FishDefinition, FishCall, FishCallback, FishSetting, LuaChunk, LuaFile, Parameter>;
+using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, FishSetting, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =
     CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, ExchangeCommands, SelectionCommands,
