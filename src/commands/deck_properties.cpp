@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <any>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -82,7 +83,14 @@ void DeckProperties::check_item(const Given& given, const lang::Property::Item& 
 
 std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
     std::vector<Diagnostic> found;
-    if (open_ || given_.empty()) return found;
+    // A file is loaded when its line runs, after the checks for foreign code.
+    const auto is_file = [](const std::string& name) {
+        const std::filesystem::path path(name);
+        return path.has_parent_path() || path.has_extension();
+    };
+    if (open_ || given_.empty() || std::ranges::any_of(joint_models_, is_file) ||
+        std::ranges::any_of(zone_models_, is_file))
+        return found;
     try {
         models.get(default_joint_model(Model()));
         for (const auto& name : joint_models_) models.get(name);

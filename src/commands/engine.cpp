@@ -41,6 +41,7 @@ Engine::~Engine() { scripts.reset(); }
 
 void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders,
                    bool trust, std::size_t script_memory) {
+    forget_process_state();
     joints.set_path(joint_folders);
     add_lua_loader(joints);
     joints.before_loading = joints.zones.before_loading = [gate](const std::filesystem::path& file) {

@@ -198,9 +198,10 @@ constexpr struct {
     {"how the process ends and can be looked at (prctl)", put_process_back},
 };
 
+std::optional<State> state;
+
 /// The state of this process: a forked process with separate work has other streams.
 State& taken() {
-    static std::optional<State> state;
     if (!state || state->process != ::getpid()) state.emplace();
     return *state;
 }
@@ -208,6 +209,8 @@ State& taken() {
 } // namespace
 
 void take_process_state() { taken(); }
+
+void forget_process_state() { state.reset(); }
 
 std::vector<std::string> put_process_state_back(std::string& who) {
     who = take_suspects();

@@ -204,9 +204,9 @@ TEST_F(DeckReportTest, WordsAndValuesOfPropertiesAreLookedUp) {
 TEST_F(DeckReportTest, PropertiesOfUnknownModelsAreNotDoubted) {
     write("saved.kaya.h5", "");
     write("tools.lua", "command 'jmodel load mine'");
-    for (const char* first :
-         {"jmodel load mine", "restore saved", "lua\ncommand 'jmodel load mine'\nendlua", "lua tools.lua",
-          "jmodel model [name]", "def f\n  command\n    jmodel load mine\n  endcommand\nend\n@f"}) {
+    for (const char* first : {"jmodel load mine", "jmodel load ./mine.so", "zone load ./mine.so", "restore saved",
+                              "lua\ncommand 'jmodel load mine'\nendlua", "lua tools.lua", "jmodel model [name]",
+                              "def f\n  command\n    jmodel load mine\n  endcommand\nend\n@f"}) {
         write("a.3dd", first + std::string("\nprop jmat 1 roughness 30\njmodel roughness 30\n"));
         for (const auto& line : check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS}).lines)
             EXPECT_THAT(line.text, testing::Not(HasSubstr("roughness"))) << first;

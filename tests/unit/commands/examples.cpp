@@ -128,6 +128,7 @@ std::string before(std::string_view example) {
     if (example.starts_with("limit")) // a separate slope
         return "delete\npoly brick 20 30 0 1 20 25\npoly prism a (30,0,20) (30,0,25) (50,0,35) (50,0,20) b (30,1,20) (30,1,25) (50,1,35) (50,1,20)\n"
                "poly brick 50 70 0 1 20 35\nprop mat 1 density 2000 bcoh 3e3 bfric 19.6\ngravity 0 0 -10\n";
+    if (example.starts_with("ini s")) return "gen edge 1\n"; // rigid blocks have no stress
     if (example.starts_with("insitu topo")) return "gravity 0 0 -9.81\n";
     if (example.find("remove watch") != std::string_view::npos) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
