@@ -9,7 +9,7 @@ namespace kaya {
 /// Takes the state of the process, once; to be called before a law is loaded.
 void take_process_state();
 
-/// Begins anew: a new session may be in another folder.
+/// Starts again: a new session may be in another folder.
 void forget_process_state();
 
 /// Restores the state that laws have changed since, and returns its parts in words ("the working folder"). Checks nothing if no law was
