@@ -33,7 +33,7 @@ template <class Law> void accepted_by_one(const std::vector<std::unique_ptr<Law>
 
 } // namespace
 
-void DeckProperties::check(const lang::BoundCommand& command) {
+void DeckProperties::check(const lang::BoundCommand& command, bool inside) {
     const auto& any = command.command;
     if (any.type() == typeid(lang::Restore)) restored_ = true; // the save may name any model
     if (restored_) return;
@@ -43,18 +43,18 @@ void DeckProperties::check(const lang::BoundCommand& command) {
         return;
     }
     if (const auto* property = std::any_cast<lang::Property>(&any)) {
-        given_.push_back({property->joint ? Of::joint_material : Of::material, {}, property->items});
+        given_.push_back({property->joint ? Of::joint_material : Of::material, {}, property->items, inside});
     } else if (const auto* joint = std::any_cast<lang::JointModelCommand>(&any)) {
         if (!joint->model.empty()) joint_models_.insert(joint->model);
-        given_.push_back({Of::joint_model, joint->model, joint->items});
+        given_.push_back({Of::joint_model, joint->model, joint->items, inside});
     } else if (const auto* test = std::any_cast<lang::JointModelTest>(&any)) {
         joint_models_.insert(test->model);
-        given_.push_back({Of::joint_model, test->model, test->items});
+        given_.push_back({Of::joint_model, test->model, test->items, inside});
     } else if (const auto* zone = std::any_cast<lang::ZoneModelCommand>(&any)) {
         constexpr std::string_view no_rock = "null";
         if (zone->model == no_rock) return;
         if (!zone->model.empty()) zone_models_.insert(zone->model);
-        given_.push_back({Of::zone_model, zone->model, zone->items});
+        given_.push_back({Of::zone_model, zone->model, zone->items, inside});
     }
 }
 

@@ -15,12 +15,13 @@ namespace kaya {
 /// each of those that have the property refuses it.
 class DeckProperties {
 public:
-    void check(const lang::BoundCommand& command);
+    /// `inside`: of a function, where the line may not be reached.
+    void check(const lang::BoundCommand& command, bool inside);
     /// A text of Lua, which may load models.
     void check_script(std::string_view text);
     void anything_may_be_loaded() { open_ = true; }
 
-    /// Errors. Loads the models that the deck names into `models`. Without any of them, for example one that the deck makes itself or whose code has not
+    /// Errors; warnings of lines inside functions. Loads the models that the deck names into `models`. Without any of them, for example one that the deck makes itself or whose code has not
     /// been allowed, nothing is known and nothing is found.
     std::vector<Diagnostic> findings(JointRegistry& models) const;
 
@@ -30,6 +31,7 @@ private:
         Of of;
         std::string model; ///< of a line that names it
         std::vector<lang::Property::Item> items;
+        bool inside = false;
     };
     static void check_item(const Given& given, const lang::Property::Item& item, JointRegistry& models);
 

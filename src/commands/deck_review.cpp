@@ -66,7 +66,7 @@ void DeckReview::file(const lang::BoundFile& file) {
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.check(command, inside);
     materials_.check(command);
-    properties_.check(command);
+    properties_.check(command, inside);
     if (on_statement) on_statement(command);
     if (!inside) find_file(command);
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);

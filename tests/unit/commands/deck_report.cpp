@@ -200,6 +200,14 @@ TEST_F(DeckReportTest, WordsAndValuesOfPropertiesAreLookedUp) {
     EXPECT_EQ(check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS}).lines.size(), wrong);
 }
 
+// A line inside a function may not be reached.
+TEST_F(DeckReportTest, PropertiesInsideFunctionsAreWarnings) {
+    write("a.3dd", "def f\n  if 1 = 2\n    command\n      prop mat 1 dens -1\n    endcommand\n  endif\nend\n@f\n");
+    const DeckReport found = check_deck("a.3dd", {folder()}, {KAYA_TEST_JOINTS});
+    EXPECT_TRUE(found.can_run());
+    EXPECT_THAT(found.text("a.3dd"), HasSubstr("a.3dd:4:18: warning: 'density' is -1, but must be above 0"));
+}
+
 // A model of another folder, a restored model, a model of a script, and a file that is not read may have any property.
 TEST_F(DeckReportTest, PropertiesOfUnknownModelsAreNotDoubted) {
     write("saved.kaya.h5", "");
