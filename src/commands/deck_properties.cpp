@@ -91,17 +91,30 @@ std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
     if (open_ || given_.empty() || std::ranges::any_of(joint_models_, is_file) ||
         std::ranges::any_of(zone_models_, is_file))
         return found;
+    // Loading takes longer than reading: only what the words need. A word that is unknown otherwise makes `models` load all zone models.
+    const auto needs_joints = [](const Given& given) {
+        return given.of != Of::zone_model && std::ranges::any_of(given.items, [&](const auto& item) {
+                   return given.of != Of::material || !find_block_property(item.word);
+               });
+    };
+    const auto needs_all_zones = [](const Given& given) { return given.of == Of::zone_model && given.model.empty(); };
     try {
-        models.get(default_joint_model(Model()));
-        for (const auto& name : joint_models_) models.get(name);
+        if (std::ranges::any_of(given_, needs_joints)) {
+            models.get(default_joint_model(Model()));
+            for (const auto& name : joint_models_) models.get(name);
+        }
         for (const auto& name : zone_models_) models.zones.get(name);
-        for (const auto& name : models.zones.available()) models.zones.get(name);
+        if (std::ranges::any_of(given_, needs_all_zones))
+            for (const auto& name : models.zones.available()) models.zones.get(name);
     } catch (const Diagnostic&) { return found; }
     for (const auto& given : given_)
         for (const auto& item : given.items) {
             try {
                 check_item(given, item, models);
-            } catch (Diagnostic& mistake) { found.push_back(mistake.at(item.place)); }
+            } catch (Diagnostic& mistake) {
+                if (given.inside) mistake.severity = Severity::warning;
+                found.push_back(mistake.at(item.place));
+            }
         }
     return found;
 }
