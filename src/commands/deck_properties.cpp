@@ -15,7 +15,7 @@ namespace kaya {
 
 namespace {
 
-/// Calls `accept` for each law until one takes the item. Throws the last refusal of a value, or else the first one of a word.
+/// Returns if one of the laws takes the item. Throws the last refusal of a value, or else the first one of a word.
 template <class Law> void accepted_by_one(const std::vector<std::unique_ptr<Law>>& laws, const char* noun,
                                           const lang::Property::Item& item) {
     std::optional<Diagnostic> refusal;
@@ -51,7 +51,6 @@ void DeckProperties::check(const lang::BoundCommand& command, bool inside) {
         joint_models_.insert(test->model);
         given_.push_back({Of::joint_model, test->model, test->items, inside});
     } else if (const auto* zone = std::any_cast<lang::ZoneModelCommand>(&any)) {
-        constexpr std::string_view no_rock = "null";
         if (zone->model == no_rock) return;
         if (!zone->model.empty()) zone_models_.insert(zone->model);
         given_.push_back({Of::zone_model, zone->model, zone->items, inside});

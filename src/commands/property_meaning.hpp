@@ -1,4 +1,4 @@
-// What a word of `prop` means: a property of blocks, of joints or of zones.
+// The meaning of a word of `prop`: a property of blocks, of joints or of zones.
 #pragma once
 
 #include "lang/commands/commands.hpp"
@@ -11,6 +11,9 @@
 
 namespace kaya {
 
+/// The zone model of removed rock: `zone model null` removes its blocks, as `excavate` does.
+inline constexpr std::string_view no_rock = "null";
+
 /// One of three; `joint` is the word that joints know.
 struct PropertyMeaning {
     std::optional<lang::BlockProperty> block;
@@ -18,7 +21,7 @@ struct PropertyMeaning {
     std::string joint;
 };
 
-/// What an item means in a program that has loaded `models`; zone models that ship are loaded for their words. `joint_only`: `prop jmat`.
+/// The meaning of an item in a program that has loaded `models`; zone models that ship are loaded for their words. `joint_only`: `prop jmat`.
 /// Throws Diagnostic at the item for a word that none of them knows.
 PropertyMeaning property_meaning(JointRegistry& models, const lang::Property::Item& item, bool joint_only);
 

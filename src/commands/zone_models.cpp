@@ -1,6 +1,7 @@
 // zone model, zone property, zone load, zone nmd.
 #include "commands/densities.hpp"
 #include "commands/handlers.hpp"
+#include "commands/property_meaning.hpp"
 #include "laws/given_values.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/excavation.hpp"
@@ -21,9 +22,6 @@ const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& com
         throw;
     }
 }
-
-/// Removed rock: `zone model null` removes its blocks, as `excavate` does.
-constexpr std::string_view no_rock = "null";
 
 void take_out(Session& session, const lang::ZoneModelCommand& command, const std::vector<Row>& blocks) {
     if (!command.items.empty())
