@@ -7,9 +7,11 @@
 #include "lang/commands/language.hpp"
 #include "lang/interp/deck.hpp"
 #include "model/sampling.hpp"
+#include "pictures/picture_page.hpp"
 #include "scene/svg_chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
@@ -202,14 +204,24 @@ Chart chart_of(Session& session, const PlotView& view) {
     return chart;
 }
 
-/// A drawing as the bytes of a PNG file.
-std::string png_of(Session& session, const Drawing& drawing) {
+/// A drawing as the bytes of its file, by the program that draws.
+template <class Picture> std::string drawn(Session& session, Picture picture, const std::string& suffix) {
+    picture.paper.fine = suffix != ".png";
     if (!session.painter) {
         std::error_code ignored;
         session.painter =
             std::make_shared<Painter>(fs::read_symlink("/proc/self/exe", ignored).parent_path() / "kaya-painter");
     }
-    return session.painter->png(drawing);
+    const std::int32_t width = picture.width, height = picture.height, dpi = picture.paper.dpi;
+    const std::string png = session.painter->png(Drawing(std::move(picture)));
+    constexpr std::int32_t of_screens = 96;
+    if (suffix == ".svg") return svg_page(png, width, height);
+    return suffix == ".pdf" ? pdf_page(png, width, height, dpi > 0 ? dpi : of_screens) : png;
+}
+
+/// Curves in SVG files are lines, and need no other program.
+std::string drawn_chart(Session& session, Chart chart, const std::string& suffix) {
+    return suffix == ".svg" ? svg_of(chart) : drawn(session, std::move(chart), suffix);
 }
 
 /// The picture as the bytes of its file; the suffix selects the format.
@@ -219,32 +231,30 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
     const bool chart = std::ranges::all_of(view.items, is_chart);
     if (!chart && std::ranges::any_of(view.items, is_chart))
         throw Diagnostic("one picture shows either the model or curves", "write a second plot line for the curves");
-    if (chart && suffix == ".svg") return svg_of(chart_of(session, view));
-    return png_of(session, chart ? Drawing(chart_of(session, view)) : Drawing(scene_of(session, view)));
+    if (!chart) return drawn(session, scene_of(session, view), suffix);
+    Chart curves = chart_of(session, view);
+    curves.paper = view.settings.paper;
+    return drawn_chart(session, std::move(curves), suffix);
 }
 
-bool has_curves(const PlotView& view) {
-    return !view.items.empty() && view.items.front().kind >= PlotItem::Kind::histories;
-}
-
-/// Pictures are PNG files, curves also SVG: another suffix of an old deck becomes .png.
-std::string picture_name(Session& session, const std::string& given, bool curves) {
+/// Pictures are PNG, SVG or PDF files: another suffix of an old deck becomes .png.
+std::string picture_name(Session& session, const std::string& given) {
     fs::path path(given);
     if (given.empty()) {
         const std::string stem = fs::path(session.deck).stem().string();
         path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
     }
     const std::string suffix = lower_case(path.extension().string());
-    static constexpr const char* pictures[] = {".bmp", ".jpg", ".jpeg", ".pcx", ".ps",
-                                               ".pdf", ".dxf", ".wmf",  ".tif", ".svg"};
-    if (suffix == ".png" || (curves && suffix == ".svg")) return path.string();
-    if (std::ranges::find(pictures, suffix) != std::end(pictures)) return path.replace_extension(".png").string();
+    static constexpr std::array written{".png", ".svg", ".pdf"};
+    static constexpr std::array others{".bmp", ".jpg", ".jpeg", ".pcx", ".ps", ".dxf", ".wmf", ".tif"};
+    if (std::ranges::find(written, suffix) != written.end()) return path.string();
+    if (std::ranges::find(others, suffix) != others.end()) return path.replace_extension(".png").string();
     return path.string() + ".png";
 }
 
 /// One picture at once, or a movie that begins with the next cycle.
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
-    const std::string file = picture_name(session, line.file, has_curves(view));
+    const std::string file = picture_name(session, line.file);
     if (line.interval == 0) {
         if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));
         return;
@@ -272,14 +282,14 @@ bool write_bytes(Session& session, const std::string& file, const std::function<
 } // namespace
 
 bool write_view(Session& session, const PlotView& view, const std::string& file) {
-    return write_bytes(session, file, [&] { return picture_of(session, view, fs::path(file).extension().string()); });
+    return write_bytes(session, file,
+                       [&] { return picture_of(session, view, lower_case(fs::path(file).extension().string())); });
 }
 
 void write_chart(Session& session, const Chart& chart, const std::string& given) {
-    const std::string file = picture_name(session, given, true);
-    if (write_bytes(session, file, [&] {
-            return fs::path(file).extension() == ".svg" ? svg_of(chart) : png_of(session, Drawing(chart));
-        }))
+    const std::string file = picture_name(session, given);
+    const std::string suffix = lower_case(fs::path(file).extension().string());
+    if (write_bytes(session, file, [&] { return drawn_chart(session, chart, suffix); }))
         session.output.say(fmt::format("picture: {}", file));
 }
 

@@ -106,8 +106,33 @@ private:
             line_.file = take_text();
     }
 
+    /// A view by its name, without perspective: lengths can be measured in it.
+    bool read_side() {
+        struct Side {
+            const char* name;
+            double dip, dip_direction;
+        };
+        static constexpr std::array<Side, 8> sides{{{"front", 90, 180},
+                                                    {"back", 90, 0},
+                                                    {"left", 90, 270},
+                                                    {"right", 90, 90},
+                                                    {"side", 90, 90},
+                                                    {"top", 0, 180},
+                                                    {"bottom", 180, 180},
+                                                    {"isometric", 54.735610317245346, 135}}};
+        Scene& scene = line_.view.settings;
+        for (const Side& side : sides)
+            if (take({side.name})) {
+                scene.dip = side.dip, scene.dip_direction = side.dip_direction;
+                scene.perspective = false;
+                return true;
+            }
+        return false;
+    }
+
     /// Settings of the whole picture.
     bool read_setting() {
+        if (read_side()) return true;
         Scene& scene = line_.view.settings;
         double value = 0;
         if (take({"dip"})) return take_number(scene.dip), true;
@@ -127,6 +152,11 @@ private:
             return true;
         }
         if (take({"axes", "axis"})) return scene.axes = !take({"off"}), take({"on"}), true;
+        if (take({"scale-bar", "scalebar"})) return scene.scale_bar = !take({"off"}), take({"on"}), true;
+        if (take({"dpi"})) {
+            if (take_number(value)) scene.paper.dpi = static_cast<std::int32_t>(std::clamp(value, 0.0, 4800.0));
+            return true;
+        }
         if (take({"interval", "every"})) {
             if (take_number(value)) line_.interval = std::max(1LL, std::llround(value));
             return true;

@@ -2,6 +2,7 @@
 
 #include "png.hpp"
 #include "scene/ticks.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,8 +45,9 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
     axis->SetRange(ticks.low, ticks.high);
     axis->SetCustomTickPositions(places, labels);
     axis->SetTitle(label);
+    use_font(axis->GetTitleProperties());
+    use_font(axis->GetLabelProperties());
     axis->GetTitleProperties()->SetFontSize(font);
-    axis->GetTitleProperties()->BoldOff();
     axis->GetLabelProperties()->SetFontSize(font);
     axis->GetGridPen()->SetColor(216, 216, 216, 255);
     axis->GetGridPen()->SetWidth(static_cast<float>(font) / 14);
@@ -114,6 +116,7 @@ void add_net(vtkChartXY* chart, int font) {
         axis->SetRange(-1.03, 1.03);
         axis->SetCustomTickPositions(places, labels);
         axis->SetTitle("");
+        use_font(axis->GetLabelProperties());
         axis->GetLabelProperties()->SetFontSize(font);
         axis->GetPen()->SetColor(255, 255, 255, 255);
         axis->GetGridPen()->SetColor(225, 225, 225, 255);
@@ -181,6 +184,7 @@ std::string png_of(const Chart& given) {
         chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font),
                                 static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
     chart->SetTitle(given.title);
+    use_font(chart->GetTitleProperties());
     chart->GetTitleProperties()->SetFontSize(static_cast<int>(1.3 * font));
     if (given.net) add_net(chart, font);
     else {
@@ -191,11 +195,12 @@ std::string png_of(const Chart& given) {
     for (std::size_t i = 0; i < given.curves.size(); ++i)
         add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1 || given.net);
+    use_font(chart->GetLegend()->GetLabelProperties());
     chart->GetLegend()->SetLabelSize(font);
     const Corner corner = given.net ? Corner{true, true} : free_corner(given);
     chart->GetLegend()->SetHorizontalAlignment(corner.right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
     chart->GetLegend()->SetVerticalAlignment(corner.top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
-    return png_of(view->GetRenderWindow(), finer);
+    return png_of(view->GetRenderWindow(), given.paper, finer);
 }
 
 } // namespace kaya

@@ -2,10 +2,9 @@
 
 #include "legend.hpp"
 #include "png.hpp"
+#include "words.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkAxesActor.h>
@@ -132,44 +131,31 @@ void add_layer(vtkRenderer* renderer, const Scene& scene, const Layer& layer) {
     renderer->AddActor(actor);
 }
 
-void aim(vtkRenderer* renderer, const Scene& scene) {
-    constexpr double degree = std::numbers::pi / 180;
-    const double dip = scene.dip * degree, direction = scene.dip_direction * degree;
-    const double eye[3] = {std::sin(dip) * std::sin(direction), std::sin(dip) * std::cos(direction), std::cos(dip)};
-    const double up[3] = {-std::cos(dip) * std::sin(direction), -std::cos(dip) * std::cos(direction), std::sin(dip)};
+void aim(vtkRenderer* renderer, const Scene& scene, const Area& area, const Framing& framing) {
     vtkCamera* camera = renderer->GetActiveCamera();
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(eye[0], eye[1], eye[2]);
-    camera->SetViewUp(up[0], up[1], up[2]);
-    camera->SetViewAngle(25);
+    const auto& f = framing;
+    camera->SetFocalPoint(f.focus[0], f.focus[1], f.focus[2]);
+    camera->SetPosition(f.focus[0] + f.distance * f.toward[0], f.focus[1] + f.distance * f.toward[1],
+                        f.focus[2] + f.distance * f.toward[2]);
+    camera->SetViewUp(f.up[0], f.up[1], f.up[2]);
+    camera->SetViewAngle(view_angle);
     camera->SetParallelProjection(!scene.perspective);
-    renderer->ResetCamera();
-    if (!scene.bars.empty()) camera->SetWindowCenter(0.14, 0); // the legend is on the right
-    if (scene.has_centre) {
-        double old[3], place[3];
-        camera->GetFocalPoint(old);
-        camera->GetPosition(place);
-        for (std::size_t k = 0; k < 3; ++k) place[k] += scene.centre[k] - old[k];
-        camera->SetFocalPoint(scene.centre[0], scene.centre[1], scene.centre[2]);
-        camera->SetPosition(place);
-    }
-    const double closer = (scene.bars.empty() ? 1.2 : 1.05) * std::max(scene.magnification, 1e-3);
-    if (scene.perspective) camera->Dolly(closer);
-    else camera->Zoom(closer);
+    camera->SetParallelScale(0.5 * scene.height * f.pixel);
+    // The focus is in the middle of the area, not of the picture.
+    camera->SetWindowCenter(1 - (area.left + area.right) / scene.width, 1 - (area.bottom + area.top) / scene.height);
     renderer->ResetCameraClippingRange();
 }
 
-/// A small cross of axes in the lower left corner that turns with the view.
-void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view) {
+/// A small cross of axes that turns with the view.
+void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view, const Area& place, double font) {
+    const double width = window->GetSize()[0], height = window->GetSize()[1];
     vtkNew<vtkAxesActor> axes;
     for (auto* caption :
          {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
         caption->GetTextActor()->SetTextScaleModeToNone();
         auto* style = caption->GetCaptionTextProperty();
-        style->SetFontSize(std::max(11, window->GetSize()[0] / 62));
-        style->SetColor(0.1, 0.1, 0.1);
-        style->ShadowOff();
-        style->ItalicOff();
+        use_font(style);
+        style->SetFontSize(static_cast<int>(font));
     }
     axes->GetXAxisShaftProperty()->SetColor(0.84, 0.37, 0.0);
     axes->GetXAxisTipProperty()->SetColor(0.84, 0.37, 0.0);
@@ -178,7 +164,7 @@ void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view) {
     axes->GetZAxisShaftProperty()->SetColor(0.0, 0.45, 0.7);
     axes->GetZAxisTipProperty()->SetColor(0.0, 0.45, 0.7);
     corner->SetLayer(1);
-    corner->SetViewport(0.0, 0.0, 0.13, 0.17);
+    corner->SetViewport(place.left / width, place.bottom / height, place.right / width, place.top / height);
     corner->AddActor(axes);
     vtkCamera* camera = corner->GetActiveCamera();
     camera->SetFocalPoint(0, 0, 0);
@@ -205,18 +191,22 @@ std::string png_of(const Scene& given) {
     window->SetSize(scene.width, scene.height);
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
-    renderer->SetBackground2(0.86, 0.89, 0.93);
-    renderer->GradientBackgroundOn();
     window->AddRenderer(renderer);
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightAngle(35, 25);
     lights->AddLightsToRenderer(renderer);
     for (const Layer& layer : scene.layers) add_layer(renderer, scene, layer);
-    aim(renderer, scene);
-    add_texts(renderer, scene);
+    const Layout layout = layout_of(scene);
+    const Framing framing = framing_of(scene, layout.model);
+    aim(renderer, scene, layout.model, framing);
+    add_texts(renderer, scene, layout);
+    if (scene.scale_bar) add_scale_bar(renderer, scene, layout, framing.pixel);
     vtkNew<vtkRenderer> corner;
-    if (scene.axes) add_axes(window, corner, renderer->GetActiveCamera());
-    return png_of(window, finer);
+    const double font = layout.font;
+    if (scene.axes)
+        add_axes(window, corner, renderer->GetActiveCamera(),
+                 {layout.column, 4 * font, layout.column + 7 * font, 11 * font}, font);
+    return png_of(window, scene.paper, finer);
 }
 
 } // namespace kaya

@@ -1,5 +1,7 @@
 #include "png.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -37,10 +39,32 @@ vtkSmartPointer<vtkImageData> smoothed(vtkImageData* fine, int finer) {
     return result;
 }
 
-} // namespace
+/// A chunk of a PNG file: length, name, data, check sum, high bytes first.
+std::string chunk(const std::string& name, const std::string& data) {
+    const auto number = [](std::uint32_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+        return bytes;
+    };
+    std::uint32_t sum = 0xffffffff; // CRC-32 of the PNG specification
+    for (const char c : name + data) {
+        sum ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) sum = (sum & 1) != 0 ? 0xedb88320 ^ sum >> 1 : sum >> 1;
+    }
+    return number(static_cast<std::uint32_t>(data.size())) + name + data + number(~sum);
+}
+
+/// The file says how large it is to be printed.
+std::string with_dpi(std::string png, std::int32_t dpi) {
+    constexpr std::size_t header = 8 + 25; // the signature and the first chunk
+    const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
+    std::string data;
+    for (int axis = 0; axis < 2; ++axis)
+        for (int shift = 24; shift >= 0; shift -= 8) data += static_cast<char>(per_metre >> shift & 0xff);
+    return dpi > 0 && png.size() > header ? png.insert(header, chunk("pHYs", data + '\1')) : png;
+}
 
 std::string png_of(vtkRenderWindow* window, int finer) {
-    window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
     picture->SetInput(window);
     picture->SetInputBufferTypeToRGB();
@@ -54,6 +78,13 @@ std::string png_of(vtkRenderWindow* window, int finer) {
     if (bytes == nullptr || bytes->GetNumberOfValues() == 0) throw std::runtime_error("the picture cannot be made");
     const auto* first = const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0);
     return {reinterpret_cast<const char*>(first), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+} // namespace
+
+std::string png_of(vtkRenderWindow* window, const Paper& paper, int finer) {
+    window->Render();
+    return with_dpi(png_of(window, paper.fine ? 1 : finer), paper.dpi);
 }
 
 } // namespace kaya

@@ -10,6 +10,20 @@ namespace kaya {
 
 namespace {
 
+/// Whether nothing can move a block, and nothing has.
+bool is_held(const Model& model, Row block) {
+    constexpr std::uint8_t all = fix_x | fix_y | fix_z;
+    const bool rigid = model.blocks.deformable[block] == 0;
+    if (rigid && (model.blocks.fixed[block] & all) != all) return false;
+    const auto& g = model.gridpoints;
+    const Span points = model.blocks.gridpoints[block];
+    for (Row point = points.first; point < points.end(); ++point)
+        if ((!rigid && (g.fixed[point] & all) != all) || !g.displacement[point].isZero(0) ||
+            !g.velocity[point].isZero(0))
+            return false;
+    return true;
+}
+
 class BlockPainter {
 public:
     BlockPainter(const Model& model, const Shown& shown, Colouring* colouring)
@@ -19,6 +33,7 @@ public:
         block_ = block;
         block_value_ =
             colouring_ != nullptr && colouring_->table() == ObjectKind::block ? colouring_->value(model_, block) : 0;
+        held_ = colouring_ != nullptr && colouring_->of_motion() && is_held(model_, block);
         zone_of_face_.clear();
         if (colouring_ != nullptr && colouring_->table() == ObjectKind::zone) find_zones();
         rim_.clear();
@@ -46,14 +61,14 @@ private:
     }
 
     float zone_value(Row zone) {
-        return zone == no_row ? std::numeric_limits<float>::quiet_NaN() : colouring_->value(model_, zone);
+        return zone == no_row ? colouring_->grey("no value") : colouring_->value(model_, zone);
     }
 
     Corner corner(Row gridpoint, float value) {
         const auto& g = model_.gridpoints;
         Corner result{g.position[gridpoint] + shown_.deformation * g.displacement[gridpoint], value};
         if (colouring_ != nullptr && colouring_->table() == ObjectKind::gridpoint)
-            result.value = colouring_->value(model_, gridpoint);
+            result.value = held_ ? colouring_->grey("held") : colouring_->value(model_, gridpoint);
         return result;
     }
 
@@ -117,6 +132,7 @@ private:
     Colouring* colouring_;
     Row block_ = 0;
     float block_value_ = 0;
+    bool held_ = false;
     std::map<std::array<Row, 3>, Row> zone_of_face_;
     Polygon rim_;
 };

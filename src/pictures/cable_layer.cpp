@@ -1,6 +1,6 @@
 // add_cables.
 #include "model/cables.hpp"
-#include "pictures/model_picture.hpp"
+#include "pictures/colouring.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -29,13 +29,9 @@ void add_cables(Scene& scene, const Model& model, const Shown& shown, const std:
         }
     }
     if (layer.points.empty()) return;
-    ColourBar bar;
-    bar.title = fmt::format("{} [{}]", word == "slip" ? "slip of the grout" : "tension of the cables", field.unit);
-    bar.low = low;
-    bar.high = high;
-    bar.diverging = low < 0 && high > 0;
     layer.bar = static_cast<std::int32_t>(scene.bars.size());
-    scene.bars.push_back(bar);
+    scene.bars.push_back(colour_bar(
+        fmt::format("{} [{}]", word == "slip" ? "slip of the grout" : "tension of the cables", field.unit), low, high));
     scene.layers.push_back(std::move(layer));
 }
 

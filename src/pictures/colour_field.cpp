@@ -58,7 +58,9 @@ ColourField made_of(const Field& field) {
     std::string title(field.name);
     std::ranges::replace(title, '_', ' ');
     if (field.unit != "-" && !field.unit.empty()) title += fmt::format(" [{}]", field.unit);
-    return {field.kind, title, field.get};
+    const bool motion = field.kind == ObjectKind::gridpoint &&
+                        (field.name.ends_with("displacement") || field.name.ends_with("velocity"));
+    return {field.kind, title, field.get, motion};
 }
 
 } // namespace
@@ -101,22 +103,31 @@ float Colouring::value(const Model& model, Row row) {
     } else if (const auto* vector = std::get_if<Vec3>(&value)) number = vector->norm();
     else if (const auto* real = std::get_if<double>(&value)) number = *real;
     else if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
-    if (std::isfinite(number)) low_ = std::min(low_, number), high_ = std::max(high_, number);
+    if (!std::isfinite(number)) return grey("no value");
+    low_ = std::min(low_, number), high_ = std::max(high_, number);
     return static_cast<float>(number);
 }
 
+float Colouring::grey(const std::string& why) {
+    if (bar_.grey.empty()) bar_.grey = why;
+    return std::numeric_limits<float>::quiet_NaN();
+}
+
 ColourBar Colouring::bar() const {
-    ColourBar bar = bar_;
-    bar.title = field_.title;
-    const bool none = !(low_ <= high_);
-    bar.low = none ? 0 : low_;
-    bar.high = none ? 1 : high_;
-    // Numbers on both sides of zero, when neither side is a trifle: zero is in the middle.
-    const double larger = std::max(-bar.low, bar.high);
-    bar.diverging = bar.low < -0.05 * larger && bar.high > 0.05 * larger;
+    ColourBar bar = colour_bar(field_.title, low_, high_);
+    bar.names = bar_.names;
+    bar.grey = bar_.grey;
+    return bar;
+}
+
+ColourBar colour_bar(const std::string& title, double least, double greatest) {
+    if (!(least <= greatest)) least = 0, greatest = 1;
+    ColourBar bar{title, least, greatest, least, greatest, false, {}, {}};
+    const double larger = std::max(-least, greatest);
+    bar.diverging = least < -0.05 * larger && greatest > 0.05 * larger;
     if (bar.diverging) bar.low = -larger, bar.high = larger;
-    if (bar.low == bar.high)
-        bar.low -= bar.low == 0 ? 1 : 0.5 * std::abs(bar.low), bar.high += bar.high == 0 ? 1 : 0.5 * std::abs(bar.high);
+    const double margin = least == 0 ? 1 : 0.5 * std::abs(least);
+    if (bar.low == bar.high) bar.low -= margin, bar.high += margin;
     return bar;
 }
 

@@ -70,11 +70,8 @@ void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool veloc
     if (longest == 0) return;
     if (scale == 0) scale = model_size(model) / 12 / longest;
     for (float& part : layer.vectors) part = static_cast<float>(part * scale);
-    ColourBar bar;
-    bar.title = velocity ? "velocity [length/time]" : "displacement [length]";
-    bar.high = longest;
     layer.bar = static_cast<std::int32_t>(scene.bars.size());
-    scene.bars.push_back(bar);
+    scene.bars.push_back(colour_bar(velocity ? "velocity [length/time]" : "displacement [length]", 0, longest));
     scene.layers.push_back(std::move(layer));
 }
 

@@ -1,7 +1,7 @@
 // add_members.
 #include "model/members.hpp"
 #include "model/model.hpp"
-#include "pictures/model_picture.hpp"
+#include "pictures/colouring.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,15 +38,10 @@ public:
 
     void finish(Scene& scene, const char* what) {
         if (layer_.points.empty()) return;
-        ColourBar bar;
         std::string name(field_.name);
         std::ranges::replace(name, '_', ' ');
-        bar.title = fmt::format("{} of {} [{}]", name, what, field_.unit);
-        bar.low = low_;
-        bar.high = high_;
-        bar.diverging = low_ < 0 && high_ > 0;
         layer_.bar = static_cast<std::int32_t>(scene.bars.size());
-        scene.bars.push_back(bar);
+        scene.bars.push_back(colour_bar(fmt::format("{} of {} [{}]", name, what, field_.unit), low_, high_));
         scene.layers.push_back(std::move(layer_));
     }
 

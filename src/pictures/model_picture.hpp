@@ -30,6 +30,7 @@ struct ColourField {
     ObjectKind table = ObjectKind::block;
     std::string title; ///< next to the colours: "displacement [length]"
     std::function<FieldValue(const Model&, Row)> get;
+    bool motion = false; ///< a displacement or a velocity of gridpoints
 };
 /// Finds a quantity of gridpoints, zones or blocks by its name in fields(), or by a word of plot lines: disp, vel, sxx, group.
 /// None when there is none of that name.
@@ -40,7 +41,7 @@ std::optional<ColourField> find_joint_field(const std::string& word);
 /// Words of plot lines for quantities, beside the names in fields().
 std::vector<std::string_view> short_field_words(bool of_joints);
 
-/// The blocks with their edges, by the colours of a quantity or all in one colour.
+/// The blocks with their edges, by the colours of a quantity or all in one colour. Colours of motion leave out blocks that are held.
 void add_blocks(Scene& scene, const Model& model, const Shown& shown, const std::optional<ColourField>& field);
 /// The contact faces of blocks, coloured by a quantity; blocks do not hide them.
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field);

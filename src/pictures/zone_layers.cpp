@@ -103,11 +103,7 @@ void add_crosses(Scene& scene, const Model& model, const Shown& shown, double sc
             add_line(layer, {cross.place - arm, value}, {cross.place + arm, value});
             low = std::min(low, cross.values[k]), high = std::max(high, cross.values[k]);
         }
-    ColourBar bar;
-    bar.title = "principal stress [stress]";
-    bar.diverging = high > 0.05 * largest && low < -0.05 * largest;
-    bar.low = bar.diverging ? -largest : low, bar.high = bar.diverging ? largest : high;
-    push_layer(scene, std::move(layer), std::move(bar));
+    push_layer(scene, std::move(layer), colour_bar("principal stress [stress]", low, high));
 }
 
 void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, const ColourField& field,

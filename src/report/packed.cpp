@@ -1,5 +1,6 @@
 #include "report/packed.hpp"
 
+#include "base/base64.hpp"
 #include "io/deflate.hpp"
 
 #include <bit>
@@ -9,21 +10,7 @@
 
 namespace kaya {
 
-std::string packed_bytes(std::string_view bytes) {
-    const std::string small = deflated(bytes);
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((small.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < small.size(); i += 3) {
-        const auto byte = [&](std::size_t k) { return k < small.size() ? static_cast<unsigned char>(small[k]) : 0U; };
-        const unsigned three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-        text += digits[three >> 18];
-        text += digits[three >> 12 & 63];
-        text += i + 1 < small.size() ? digits[three >> 6 & 63] : '=';
-        text += i + 2 < small.size() ? digits[three & 63] : '=';
-    }
-    return text;
-}
+std::string packed_bytes(std::string_view bytes) { return base64(deflated(bytes)); }
 
 std::string byte_planes(std::string_view bytes, std::size_t size) {
     const std::size_t count = bytes.size() / size;

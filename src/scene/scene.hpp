@@ -10,12 +10,15 @@ namespace kaya {
 
 /// The legend of colours: a range of numbers, or a list of names.
 struct ColourBar {
-    std::string title; ///< quantity and unit: "displacement [length]"
-    double low = 0, high = 1;
+    std::string title;              ///< quantity and unit: "displacement [length]"
+    double low = 0, high = 1;       ///< of the colours
+    double least = 0, greatest = 1; ///< of the values
     bool diverging = false;         ///< zero is in the middle
     std::vector<std::string> names; ///< value k is the k-th name; none: a range of numbers
+    std::string grey;               ///< what is drawn in grey; none: nothing is
     template <class Visit> void parts(Visit&& visit) {
-        visit(title), visit(low), visit(high), visit(diverging), visit(names);
+        visit(title), visit(low), visit(high), visit(least), visit(greatest), visit(diverging), visit(names),
+            visit(grey);
     }
 };
 
@@ -35,21 +38,31 @@ struct Layer {
     }
 };
 
+/// What a picture is drawn on.
+struct Paper {
+    std::int32_t dpi = 0; ///< pixels per inch when it is printed; 0: the file does not say
+    bool fine = false;    ///< twice as many pixels along a side, for a page that is enlarged
+    template <class Visit> void parts(Visit&& visit) { visit(dpi), visit(fine); }
+};
+
 /// The model from one side.
 struct Scene {
     std::string title, note; ///< on top; small below it
     std::int32_t width = 1200, height = 900;
+    Paper paper;
     double dip = 65, dip_direction = 155; ///< of the plane of the picture; its normal points to the eye
     std::array<double, 3> centre{0, 0, 0};
     bool has_centre = false;
     double magnification = 1;
-    bool perspective = true, axes = true;
+    bool perspective = true, axes = true, scale_bar = true;
+    std::string length_unit; ///< beside the scale bar
     std::vector<ColourBar> bars;
     std::vector<Layer> layers;
     template <class Visit> void parts(Visit&& visit) {
-        visit(title), visit(note), visit(width), visit(height), visit(dip), visit(dip_direction), visit(centre),
-            visit(has_centre);
-        visit(magnification), visit(perspective), visit(axes), visit(bars), visit(layers);
+        visit(title), visit(note), visit(width), visit(height), visit(paper), visit(dip), visit(dip_direction),
+            visit(centre), visit(has_centre);
+        visit(magnification), visit(perspective), visit(axes), visit(scale_bar), visit(length_unit), visit(bars),
+            visit(layers);
     }
 };
 
@@ -66,8 +79,10 @@ struct Chart {
     std::vector<Curve> curves;
     bool net =
         false; ///< of directions, seen from above: a circle of radius 1 around the origin with the four cardinal directions, and no axes
+    Paper paper{};
     template <class Visit> void parts(Visit&& visit) {
-        visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves), visit(net);
+        visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves), visit(net),
+            visit(paper);
     }
 };
 

@@ -59,6 +59,21 @@ std::string Ticks::label(double value) const {
     return fmt::format("{:.{}f}", value, places);
 }
 
+double round_length(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most) + 1e-12));
+    for (const double factor : {5.0, 2.0})
+        if (factor * power <= most * (1 + 1e-12)) return factor * power;
+    return power;
+}
+
+std::string short_number(double value) {
+    std::string text = fmt::format("{:.4g}", value == 0 ? 0.0 : value);
+    // 1e+06 and 1e-07: as people write them.
+    const auto mark = text.find('e');
+    if (mark == std::string::npos) return text;
+    return text.substr(0, mark + 1) + std::to_string(std::stoi(text.substr(mark + 1)));
+}
+
 Colour sequential_colour(double part) {
     static constexpr Colour stops[] = {{0.267, 0.005, 0.329}, {0.283, 0.141, 0.458}, {0.254, 0.265, 0.530},
                                        {0.207, 0.372, 0.553}, {0.164, 0.471, 0.558}, {0.128, 0.567, 0.551},

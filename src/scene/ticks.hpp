@@ -14,6 +14,10 @@ struct Ticks {
     std::string label(double value) const;
 };
 Ticks round_ticks(double low, double high, int about = 5);
+/// The round length, 1, 2 or 5 times a power of ten, that is nearest below `most`, above 0.
+double round_length(double most);
+/// A value with four digits, as short as it can be written: 0.006413, -1.25e6.
+std::string short_number(double value);
 
 using Colour = std::array<double, 3>;
 /// Viridis: its lightness increases evenly, also for red-green colour blindness. `part` is 0 to 1.

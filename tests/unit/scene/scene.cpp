@@ -1,10 +1,12 @@
-// Drawings as bytes, round numbers, curves as SVG.
+// Drawings as bytes, the frame of a picture, round numbers, curves as SVG.
+#include "scene/framing.hpp"
 #include "scene/svg_chart.hpp"
 #include "scene/ticks.hpp"
 #include "scene/wire.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <random>
 
 namespace kaya {
 namespace {
@@ -17,7 +19,7 @@ Scene small_scene() {
     Scene scene;
     scene.title = "slope";
     scene.dip = 30;
-    scene.bars.push_back({"state", 0, 1, false, {"elastic", "slip-now"}});
+    scene.bars.push_back({"state", 0, 1, 0, 1, false, {"elastic", "slip-now"}, ""});
     Layer layer;
     layer.points = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     layer.values = {0, 1, 1};
@@ -44,6 +46,76 @@ TEST(Wire, BytesThatAreCutOffOrTooLongAreRefused) {
     std::string huge = bytes;
     huge[1] = huge[8] = '\x7f'; // the length of the title
     EXPECT_FALSE(drawing_from(huge));
+}
+
+/// Where a point is seen, in pixels from the middle of the area.
+std::array<double, 2> seen(const Scene& scene, const Framing& f, const Layer& layer, std::size_t at) {
+    double across = 0, upwards = 0, nearer = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double way = layer.points[at + k] - f.focus[k];
+        across += way * f.right[k], upwards += way * f.up[k], nearer += way * f.toward[k];
+    }
+    const double pixel = scene.perspective ? f.pixel * (f.distance - nearer) / f.distance : f.pixel;
+    return {across / pixel, upwards / pixel};
+}
+
+TEST(Framing, FillsItsAreaFromAnySide) {
+    std::mt19937 random(5);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (int trial = 0; trial < 200; ++trial) {
+        Scene scene;
+        scene.perspective = trial % 2 == 0;
+        scene.dip = between(0, 180), scene.dip_direction = between(-360, 360);
+        const double size = std::pow(10, between(-3, 4)), far = between(-10, 10) * size;
+        Layer layer;
+        for (int k = 0; k < 60; ++k)
+            layer.points.push_back(static_cast<float>(far + size * between(0, 1) * (k % 3 + 1)));
+        scene.layers.push_back(layer);
+        const Area area{between(0, 100), between(0, 100), between(600, 1200), between(500, 900)};
+        const Framing framing = framing_of(scene, area);
+        double wide = 0, high = 0;
+        for (std::size_t at = 0; at < layer.points.size(); at += 3) {
+            const auto [x, y] = seen(scene, framing, layer, at);
+            wide = std::max(wide, 2 * std::abs(x) / (area.right - area.left));
+            high = std::max(high, 2 * std::abs(y) / (area.top - area.bottom));
+        }
+        EXPECT_LT(std::max(wide, high), 1 + 1e-6) << trial;
+        EXPECT_GT(std::max(wide, high), 1 - 1e-6) << trial;
+    }
+}
+
+TEST(Framing, NothingOrOnePointIsInTheMiddle) {
+    for (const bool perspective : {false, true})
+        for (const std::vector<float>& points : {std::vector<float>{}, {3, 4, 5}, {NAN, 0, 0}}) {
+            Scene scene;
+            scene.perspective = perspective;
+            scene.layers.emplace_back().points = points;
+            const Framing framing = framing_of(scene, {0, 0, 100, 100});
+            EXPECT_GT(framing.distance, 0);
+            EXPECT_GT(framing.pixel, 0);
+            EXPECT_NEAR(framing.focus[2], points.size() == 3 && points[0] == 3 ? 5 : 0, 1e-6);
+        }
+}
+
+TEST(Framing, ACentreAndAMagnificationOfTheUserApply) {
+    Scene scene = small_scene();
+    const Framing whole = framing_of(scene, {0, 0, 1000, 800});
+    scene.has_centre = true, scene.centre = {1, 2, 3}, scene.magnification = 4;
+    const Framing part = framing_of(scene, {0, 0, 1000, 800});
+    EXPECT_EQ(part.focus[1], 2);
+    EXPECT_NEAR(part.distance, whole.distance / 4, 1e-12);
+    EXPECT_NEAR(part.pixel, whole.pixel / 4, 1e-12);
+}
+
+TEST(Numbers, AreShortAndLengthsRound) {
+    EXPECT_EQ(short_number(0.00641312), "0.006413");
+    EXPECT_EQ(short_number(-1.25e6), "-1.25e6");
+    EXPECT_EQ(short_number(3e-7), "3e-7");
+    EXPECT_EQ(short_number(-0.0), "0");
+    for (const auto& [most, round] : {std::pair{9.9, 5.0}, {5.0, 5.0}, {4.9, 2.0}, {1.0, 1.0}, {0.019, 0.01}})
+        EXPECT_NEAR(round_length(most), round, 1e-12) << most;
 }
 
 TEST(Ticks, AreRoundAndEncloseTheRange) {
