@@ -90,7 +90,7 @@ std::array<EndForce, 2> beam_ends(const BeamMotion& motion, const BeamForces& fo
 
 EndStiffness beam_end_stiffness(const BeamSection& section, double length) {
     // Deformations: extension, twist, and the rotations of both ends against the chord about y and z.
-    Eigen::Matrix<double, 6, 12> g = Eigen::Matrix<double, 6, 12>::Zero();
+    Eigen::MatrixXd g = Eigen::MatrixXd::Zero(6, 12);
     g(0, 6) = g(1, 9) = 1;
     g(0, 0) = g(1, 3) = -1;
     const double by_length = 1 / length;
@@ -99,7 +99,7 @@ EndStiffness beam_end_stiffness(const BeamSection& section, double length) {
         g(2 + end, 8) = g(4 + end, 1) = by_length;
         g(2 + end, 2) = g(4 + end, 7) = -by_length;
     }
-    Eigen::Matrix<double, 6, 6> k = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(6, 6);
     k(0, 0) = section.axial / length;
     k(1, 1) = section.torsion / length;
     const auto bending = [&](int at, double stiffness) {

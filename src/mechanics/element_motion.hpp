@@ -3,9 +3,7 @@
 
 #include "base/vector.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 namespace kaya {
@@ -38,16 +36,6 @@ struct EndStiffness {
 
 /// `deformation` maps the motion of the nodes (three translations and three rotations each) to deformations, `stiffness` maps these to
 /// generalised forces. A rotation counts as a translation at the distance `arm`.
-template <int deformations, int motions>
-EndStiffness end_stiffness(const Eigen::Matrix<double, deformations, motions>& deformation,
-                           const Eigen::Matrix<double, deformations, deformations>& stiffness, double arm) {
-    Eigen::Matrix<double, deformations, motions> scaled = deformation;
-    for (int k = 0; k < motions; ++k)
-        if (k % 6 >= 3) scaled.col(k) /= arm;
-    const Eigen::Matrix<double, motions, motions> whole = scaled.transpose() * stiffness * scaled;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> solver(whole, Eigen::EigenvaluesOnly);
-    const double largest = std::max(0.0, solver.eigenvalues()[motions - 1]);
-    return {largest, largest * arm * arm};
-}
+EndStiffness end_stiffness(const Eigen::MatrixXd& deformation, const Eigen::MatrixXd& stiffness, double arm);
 
 } // namespace kaya

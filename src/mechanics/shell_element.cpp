@@ -128,7 +128,7 @@ ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>&
 
 EndStiffness shell_end_stiffness(const ShellShape& shape) {
     // Deformations: strains, rotations of the corners against the plane, and against its turn about the normal.
-    Eigen::Matrix<double, 12, 18> g = Eigen::Matrix<double, 12, 18>::Zero();
+    Eigen::MatrixXd g = Eigen::MatrixXd::Zero(12, 18);
     for (int k = 0; k < 3; ++k) {
         const Vec2 n = shape.gradients.col(k);
         const int at = 6 * k;
@@ -142,7 +142,7 @@ EndStiffness shell_end_stiffness(const ShellShape& shape) {
         }
         g(3 + 2 * k, at + 3) = g(4 + 2 * k, at + 4) = g(9 + k, at + 5) = 1;
     }
-    Eigen::Matrix<double, 12, 12> stiffness = Eigen::Matrix<double, 12, 12>::Zero();
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(12, 12);
     stiffness.topLeftCorner<3, 3>() = shape.area * shape.membrane;
     stiffness.block<6, 6>(3, 3) = shape.rotations;
     stiffness.bottomRightCorner<3, 3>().diagonal().setConstant(shape.drilling);
