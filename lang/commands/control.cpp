@@ -31,6 +31,9 @@ CommandSpec set() {
     entry.keyword({"report"}, on_off(), &Set::report,
                   "on: writes a page for a browser at the end of the run, with the model over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
+    entry.keyword(
+        {"units"}, text("system"), &Set::units,
+        "names the units of pictures, histories and reports and checks values against them; converts nothing");
     const auto seed = integer("n").at_least(0).optional();
     entry.special(
         {Spelling{"random", 3}}, {seed.spec},
@@ -77,7 +80,7 @@ CommandSpec set() {
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
     entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
-    entry.right("set gravity 0 0 -9.81 random 7").right("set random");
+    entry.right("set gravity 0 0 -9.81 random 7").right("set random").right("set units si");
     entry.right("set pagination off").right("set atol 1e-4 echo off");
     entry.wrong("set", "set has no setting");
     entry.wrong("set dyn maybe", "expected on or off, found 'maybe'");

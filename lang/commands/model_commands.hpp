@@ -51,6 +51,7 @@ struct Set {
     std::optional<bool> echo;
     std::optional<bool> report; ///< report on|off
     std::optional<Vec3> gravity;
+    std::optional<std::string> units;                ///< units SYSTEM
     std::optional<std::int64_t> seed;                ///< random n: of urand and grand
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };

@@ -31,6 +31,8 @@ void add_run_options(CLI::App& app, RunOrder& order) {
     app.add_option("--watch", order.watch, "a port: a browser on this machine can follow the run; 0: any free port")
         ->check(CLI::Range(0, 65535));
     app.add_option("--into", order.into, "the folder for files that the run writes; it is created if necessary");
+    app.add_option("--color", order.options.colour, "colours of messages: auto, always or never")
+        ->check(CLI::IsMember({"auto", "always", "never"}));
     app.add_flag("--strict", order.options.strict, "warnings are errors");
     app.add_flag("--batch,--quiet,-q", order.options.quiet, "results, warnings and errors only");
     app.add_option("--set", order.parameters,

@@ -178,7 +178,7 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
     for (const ObjectKind kind : exported_kinds())
         write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind));
     write("fields.csv", field_list_csv());
-    if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}));
+    if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}, units_of(extras)));
     for (std::size_t i = 0; i < extras.decks.size(); ++i)
         write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()),
               extras.decks[i].content);

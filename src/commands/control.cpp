@@ -4,6 +4,7 @@
 #include "base/lower_case.hpp"
 #include "base/parallel.hpp"
 #include "commands/keyboard.hpp"
+#include "commands/plausible.hpp"
 #include "mechanics/contact_properties.hpp"
 
 #include <algorithm>
@@ -100,6 +101,10 @@ void run(Session& session, const lang::Set& command) {
         session.autosave.set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);
     if (command.report) session.report = *command.report;
     if (command.gravity) settings.gravity = *command.gravity;
+    if (command.units) {
+        session.units = Units(*command.units);
+        doubt_units(session);
+    }
     if (command.seed) session.scripts->seed(static_cast<std::uint64_t>(*command.seed));
     if (command.log_file) {
         session.log_file = *command.log_file;

@@ -1,6 +1,7 @@
 // The running deck: its definitions so far, and the present position in it.
 #pragma once
 
+#include "base/units.hpp"
 #include "commands/given_properties.hpp"
 #include "commands/ranges.hpp"
 
@@ -32,6 +33,7 @@ public:
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
     GivenProperties given_properties;                ///< of `param` and `kaya --set`; they replace values of the deck
     std::string title;
+    Units units;      ///< `set units`
     std::string deck; ///< file name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages

@@ -123,6 +123,7 @@ SaveExtras session_extras(Session& session) {
     extras.title = session.title;
     extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
     extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
+    keep_units(extras, session.units);
     if (const auto files = joint_files(session); !files.empty())
         extras.scripts.push_back({std::string(part_joints), joint_files_text(files)});
     for (const auto& source : session.sources)
@@ -179,6 +180,7 @@ void run(Session& session, const lang::Restore& command) {
     }
     session.ranges = std::move(ranges);
     session.title = extras.title;
+    session.units = units_of(extras);
     if (!extras.missing.empty())
         session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
                                       extras.program_version, fmt::join(extras.missing, ", ")),
@@ -214,7 +216,7 @@ void run(Session& session, const lang::HistoryWrite& command) {
         std::optional<std::int64_t> versus = command.versus;
         if (!command.versus_name.empty()) versus = history_number(histories, command.versus_name);
         const std::string file = command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
-        write_history_csv(histories, session.output_file(file), numbers, versus);
+        write_history_csv(histories, session.output_file(file), numbers, versus, session.units);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

@@ -182,6 +182,7 @@ std::string list_information(Session& session, const lang::List&) {
     const auto& m = session.model;
     TextTable table({"quantity", "value"});
     if (!session.title.empty()) table.add({"title", session.title});
+    if (session.units.given()) table.add({"units", session.units.name()});
     table.add({"time", time_text(m)});
     const std::pair<const char*, std::size_t> counts[] = {
         {"cycle", static_cast<std::size_t>(m.clock.cycle)},

@@ -362,6 +362,7 @@ void check_materials(Session& session) {
     warn_of_rigid_models(session);
     doubt_elasticity(session);
     doubt_densities(session);
+    doubt_units(session);
 }
 
 void add_handlers(HandlerTable& table, lang::MaterialCommands list) { fill(table, list); }

@@ -44,6 +44,8 @@ public:
     /// Clears the progress line, so that the next line starts at the left.
     void end_refresh();
     bool on_terminal() const { return terminal_; }
+    /// Whether messages are coloured; without it they are on a terminal, unless NO_COLOR is set.
+    void set_colour(bool on) { colour_ = on; }
 
     /// Copies all that follows to a file, which is appended to. Throws Diagnostic when it cannot.
     void start_log(const std::string& file);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numbers>
 #include <set>
 
@@ -72,6 +73,31 @@ void doubt_densities(Session& session) {
                                                 number_text(material.density));
         if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
     }
+}
+
+void doubt_units(Session& session) {
+    if (!session.units.given()) return;
+    const Units& units = session.units;
+    const auto doubt_value = [&](const std::string& what, double value, double in_si, const char* si, double least,
+                                 double most, std::string_view quantity) {
+        if (value == 0 || (std::abs(in_si) >= least && std::abs(in_si) <= most)) return;
+        const std::string unit = units.label(quantity);
+        const std::string meant = unit == si ? "" : fmt::format(", which is {:.3g} {}", in_si, si);
+        const std::string message =
+            fmt::format("{} {} {}{}: are the units {}?", what, number_text(value), unit, meant, units.name());
+        if (session.said_once.insert(message).second)
+            session.warn(doubt(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
+                                                    least, most, si, fmt::join(Units::names(), ", "))));
+    };
+    for (const auto& [number, material] : session.model.materials) {
+        const auto of = [&](const char* what) { return fmt::format("material {}: {}", number, what); };
+        doubt_value(of("density"), material.density, units.density_in_si(material.density), "kg/m^3", 100, 25000,
+                    "density");
+        doubt_value(of("bulk modulus"), material.bulk, units.stress_in_si(material.bulk), "Pa", 1e5, 1e12, "stress");
+        doubt_value(of("shear modulus"), material.shear, units.stress_in_si(material.shear), "Pa", 1e4, 1e12, "stress");
+    }
+    const double gravity = session.model.settings.gravity.norm();
+    doubt_value("gravity", gravity, units.acceleration_in_si(gravity), "m/s^2", 0.1, 100, "acceleration");
 }
 
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {

@@ -17,6 +17,8 @@ void doubt_elasticity(Session& session);
 void doubt_densities(Session& session);
 /// Weight that pulls up: a note, since some models count depth downwards.
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place);
+/// Values that no rock or stone has in the units that the deck names (`set units`).
+void doubt_units(Session& session);
 /// Damping that removes all force from moving bodies.
 void doubt_damping(Session& session, const lang::Damp& command);
 /// A run in which nothing can move.

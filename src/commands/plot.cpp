@@ -121,6 +121,8 @@ Scene scene_of(Session& session, const PlotView& view) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
         add_item(session, scene, item, inside && outside);
     }
+    for (ColourBar& bar : scene.bars) bar.title = session.units.in_brackets(bar.title);
+    if (session.units.given()) scene.length_unit = session.units.label("length");
     return scene;
 }
 
@@ -158,7 +160,7 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
         }
         chart.curves.push_back(std::move(curve));
     }
-    chart.x_label = versus != nullptr ? axis_name(*versus) : "time [time]";
+    chart.x_label = versus != nullptr ? axis_name(*versus) : "time";
 }
 
 Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
@@ -201,6 +203,9 @@ Chart chart_of(Session& session, const PlotView& view) {
         throw Diagnostic("there are no samples to draw", "name histories or tables that hold values: plot hist 1 vs 2");
     if (chart.y_label.empty() && chart.curves.size() == 1) chart.y_label = chart.curves.front().name;
     if (chart.title.empty()) chart.title = chart.curves.front().name;
+    if (session.units.given() && chart.x_label == "time") chart.x_label = "time [time]";
+    for (std::string* text : {&chart.x_label, &chart.y_label}) *text = session.units.in_brackets(*text);
+    for (Curve& curve : chart.curves) curve.name = session.units.in_brackets(curve.name);
     return chart;
 }
 

@@ -10,6 +10,7 @@ namespace kaya {
 Program::Program(const Options& given, std::FILE* results, std::FILE* messages)
     : options(given), output(results, messages) {
     output.quiet = options.quiet;
+    if (options.colour != "auto") output.set_colour(options.colour == "always");
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }

@@ -272,6 +272,7 @@ void Session::clear() {
     if (by_script) scripts->change_model();
     else scripts->clear();
     title.clear();
+    units = {};
     property_places.clear();
     if (!by_script) said_once.clear();
     autosave.saved();

@@ -52,7 +52,7 @@ std::string column_title(const History& history) {
 }
 
 std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,
-                        std::optional<std::int64_t> versus) {
+                        std::optional<std::int64_t> versus, const Units& units) {
     std::vector<const History*> columns;
     if (versus) columns.push_back(&find_history(histories, *versus));
     if (numbers.empty()) {
@@ -64,7 +64,7 @@ std::string history_csv(const Histories& histories, const std::vector<std::int64
     std::string text = versus ? "" : "cycle,time";
     for (const auto* history : columns) {
         if (!text.empty()) text += ',';
-        text += csv_cell(column_title(*history));
+        text += csv_cell(units.in_brackets(column_title(*history)));
     }
     text += '\n';
     for (std::size_t row = 0; row < histories.time.size(); ++row) {
@@ -79,8 +79,8 @@ std::string history_csv(const Histories& histories, const std::vector<std::int64
 }
 
 void write_history_csv(const Histories& histories, const std::string& path, const std::vector<std::int64_t>& numbers,
-                       std::optional<std::int64_t> versus) {
-    write_whole_file(path, history_csv(histories, numbers, versus));
+                       std::optional<std::int64_t> versus, const Units& units) {
+    write_whole_file(path, history_csv(histories, numbers, versus, units));
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // Histories as a table of comma-separated values.
 #pragma once
 
+#include "base/units.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
@@ -15,11 +16,11 @@ namespace kaya {
 /// history `versus` when it is given. A sample that a history does not have is an empty cell.
 /// No numbers: all histories. Throws Diagnostic for a number that is not there.
 std::string history_csv(const Histories& histories, const std::vector<std::int64_t>& numbers,
-                        std::optional<std::int64_t> versus);
+                        std::optional<std::int64_t> versus, const Units& units = {});
 
 /// The same to a file, whole or not at all (base/whole_file.hpp).
 void write_history_csv(const Histories& histories, const std::string& path, const std::vector<std::int64_t>& numbers,
-                       std::optional<std::int64_t> versus);
+                       std::optional<std::int64_t> versus, const Units& units = {});
 
 /// The header of a history's column: number, label and place: "3:Normal Stress [script nstav]", "6:shear_displacement [length, sub-contact
 /// nearest to -1 -1 0]".

@@ -62,6 +62,8 @@ std::string describe_save_file(const std::string& path) {
     if (!extras.missing.empty())
         add_line(text, "not in it", fmt::format("{}; as in a new model", fmt::join(extras.missing, ", ")));
     if (!extras.title.empty()) add_line(text, "title", extras.title);
+    const Units units = units_of(extras);
+    if (units.given()) add_line(text, "units", units.name());
     add_line(text, "cycle", std::to_string(model.clock.cycle));
     add_line(text, "time",
              fmt::format("{:g}{}, step {:g}", model.clock.time,
@@ -75,7 +77,7 @@ std::string describe_save_file(const std::string& path) {
     add_line(text, "histories",
              fmt::format("{}, {}, every {}", model.histories.all.size(), counted(model.histories.time.size(), "sample"),
                          model.histories.interval == 1 ? "cycle" : counted(model.histories.interval, "cycle")));
-    for (const auto& history : model.histories.all) add_line(text, "", column_title(history));
+    for (const auto& history : model.histories.all) add_line(text, "", units.in_brackets(column_title(history)));
     for (const auto& deck : extras.decks)
         add_line(text, "deck", fmt::format("{}, {}", deck.name, counted(lines_in(deck.content), "line")));
     for (const auto& script : extras.scripts)

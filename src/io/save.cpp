@@ -7,6 +7,7 @@
 #include "io/save_walk.hpp"
 #include "model/state.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -64,6 +65,15 @@ std::string save_image(Model& model, const SaveExtras& extras) {
 
 void save_state(Model& model, const std::string& path, const SaveExtras& extras) {
     write_whole_file(path, save_image(model, extras));
+}
+
+Units units_of(const SaveExtras& extras) {
+    const auto found = std::ranges::find(extras.scripts, "units", &SaveExtras::Item::name);
+    return found == extras.scripts.end() ? Units() : Units(found->content);
+}
+
+void keep_units(SaveExtras& extras, const Units& units) {
+    if (units.given()) extras.scripts.push_back({"units", units.name()});
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // The whole model as a file, and back. The layout is described in docs/save-files.md.
 #pragma once
 
+#include "base/units.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
@@ -47,5 +48,9 @@ void save_state(Model& model, const std::string& path, const SaveExtras& extras)
 /// is thrown and `model` is unchanged. `name` is for messages.
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name);
 SaveExtras restore_state(Model& model, const std::string& path);
+
+/// The units that the deck named, a part of `scripts`; none of files without them.
+Units units_of(const SaveExtras& extras);
+void keep_units(SaveExtras& extras, const Units& units);
 
 } // namespace kaya

@@ -64,22 +64,25 @@ constexpr const char* view =
 <label>displacements times <input id="factor" type="range" min="0" max="100" value="0"> <output id="factor-value">0</output></label>
 <label>cut across <select id="axis"><option>x</option><option>y</option><option>z</option></select>
 <input id="cut" type="range" min="0" max="1000" value="1000"></label>
-<label><input id="edges" type="checkbox" checked> edges</label> <button id="reset" type="button">from the start</button></div>
-<p class="hint">Drag turns, the wheel comes nearer, dragging with the right button moves; a click on a block or joint shows its values.</p>
+<label><input id="edges" type="checkbox" checked> edges</label> <button id="reset" type="button">from the start</button>
+<span id="sides" role="group" aria-label="views"></span></div>
+<p class="hint">Drag turns, the wheel or two fingers come nearer, dragging with the right button moves; a click on a block or joint shows its values. Keys: arrows turn, + and - come nearer, 0 is from the start.</p>
 <noscript><p>The view needs JavaScript.</p></noscript>
 )";
 
 } // namespace
 
 std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder& order) {
+    const Units units = units_of(extras);
     const std::string title = markup_text(extras.title.empty() ? order.file : extras.title);
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{}</title>\n"
         "<style>{}</style></head><body>\n<h1>{}</h1>\n",
         title, of_kind("css"), title);
+    page += section("model", "The model", view);
     page += section("run", "The run", run_table(model, extras, order));
-    page += section("model", "The model",
-                    view + block_table(model) + "<h3>Groups</h3>\n" + group_table(model) + zone_table(model));
+    page += section("parts", "Blocks, groups and zones",
+                    block_table(model) + "<h3>Groups</h3>\n" + group_table(model) + zone_table(model));
     if (!model.histories.all.empty())
         page += section("histories", "Histories",
                         "<div id=\"curves\"></div>\n<noscript><p>The curves need JavaScript.</p></noscript>\n");
@@ -94,9 +97,9 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
     page += section("decks", "Decks", decks(extras));
     page += fmt::format(
         "<script type=\"application/json\" id=\"scene-data\">{}</script>\n<script type=\"application/json\" id=\"history-data\">{}</script>\n",
-        states_json(model, order), histories_json(model.histories));
+        with_units(states_json(model, order), units), histories_json(model.histories, units));
     page += fmt::format("<script type=\"application/json\" id=\"joint-data\">{}</script>\n",
-                        joint_scene_json(model, order.centre));
+                        with_units(joint_scene_json(model, order.centre), units));
     page +=
         fmt::format("<script type=\"application/json\" id=\"course-data\">{}</script>\n", course_json(order.course));
     return page + "<script>\n'use strict';\n" + of_kind("js") + "</script>\n</body></html>\n";

@@ -258,12 +258,26 @@ std::string curve_json(std::string_view title, std::span<const double> along, st
     return fmt::format(R"({{"title":{},"times":"{}","values":"{}"}})", json_text(title), packed(along), packed(values));
 }
 
-std::string histories_json(const Histories& histories) {
+std::string with_units(std::string_view json, const Units& units) {
+    constexpr std::string_view mark = R"("unit":")";
+    if (!units.given()) return std::string(json);
+    std::string result;
+    for (std::size_t at = 0; at < json.size();) {
+        const std::size_t found = json.find(mark, at);
+        if (found == std::string_view::npos) return result.append(json.substr(at));
+        const std::size_t first = found + mark.size(), end = json.find('"', first);
+        result.append(json.substr(at, first - at)) += units.label(json.substr(first, end - first));
+        at = end;
+    }
+    return result;
+}
+
+std::string histories_json(const Histories& histories, const Units& units) {
     std::vector<std::string> all;
     for (const auto& history : histories.all) {
         const auto first = static_cast<std::ptrdiff_t>(std::min(history.first_sample, histories.time.size()));
         const std::vector<double> times(histories.time.begin() + first, histories.time.end());
-        all.push_back(curve_json(column_title(history), times, history.values));
+        all.push_back(curve_json(units.in_brackets(column_title(history)), times, history.values));
     }
     return fmt::format("[{}]", fmt::join(all, ","));
 }

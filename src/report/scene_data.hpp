@@ -1,6 +1,7 @@
 // The surfaces of the blocks, with the quantities for their colours, for the view in the browser.
 #pragma once
 
+#include "base/units.hpp"
 #include "model/model.hpp"
 
 #include <span>
@@ -18,7 +19,10 @@ std::string joint_scene_json(const Model& model, const Vec3& centre);
 /// A curve as JSON, with numbers of one kind along it.
 std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values);
 
+/// The same with the quantities of its fields, "unit":"length", as labels of a system of units.
+std::string with_units(std::string_view json, const Units& units);
+
 /// Histories with their times, as a JSON list.
-std::string histories_json(const Histories& histories);
+std::string histories_json(const Histories& histories, const Units& units);
 
 } // namespace kaya

@@ -65,6 +65,7 @@ std::string run_table(Model& model, const SaveExtras& extras, const ReportOrder&
                 {"decks", decks}};
     if (!order.took.empty()) pairs.emplace_back("took", order.took);
     if (!extras.title.empty()) pairs.insert(pairs.begin(), {"title", extras.title});
+    if (const Units units = units_of(extras); units.given()) pairs.emplace_back("units", units.name());
     const auto& clock = model.clock;
     pairs.insert(pairs.end(),
                  {{"cycles", fmt::format("{}", clock.cycle)},

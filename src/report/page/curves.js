@@ -1,4 +1,4 @@
-// A curve in time: zoom by dragging, values under the pointer, the numbers as a file.
+// A curve over time or over cycles: zoom by dragging, values under the pointer, the numbers as a file.
 const svgName = 'http://www.w3.org/2000/svg';
 
 function svgElement(name, attributes, text) {
@@ -25,8 +25,8 @@ function range(values) {
 }
 
 class CurveView {
-    constructor(parent, title, times, values) {
-        this.title = title; this.times = times; this.values = values;
+    constructor(parent, title, times, values, along) {
+        this.title = title; this.along = along; this.times = times; this.values = values;
         this.box = document.createElement('div');
         this.box.className = 'curve';
         const head = document.createElement('h3');
@@ -68,7 +68,7 @@ class CurveView {
             this.svg.append(svgElement('path', { d: `M80 ${this.up(v)}H740`, stroke: '#ddd' }));
             this.svg.append(svgElement('text', { x: 74, y: this.up(v) + 4, 'text-anchor': 'end', 'font-size': 12 }, short(v)));
         }
-        this.svg.append(svgElement('text', { x: 740, y: 275, 'text-anchor': 'end', 'font-size': 12 }, 'time'));
+        this.svg.append(svgElement('text', { x: 740, y: 275, 'text-anchor': 'end', 'font-size': 12 }, this.along));
         this.svg.append(svgElement('path', { d: this.path(inside), fill: 'none', stroke: '#0072b2', 'stroke-width': 1.6 }));
         this.mark = svgElement('circle', { r: 4, fill: '#d55e00', visibility: 'hidden' });
         this.svg.append(this.mark);
@@ -97,7 +97,7 @@ class CurveView {
     move(event) {
         if (this.times.length === 0) return;
         const i = this.nearest(this.timeAt(event));
-        this.read.textContent = `time ${short(this.times[i])}: ${short(this.values[i])}`;
+        this.read.textContent = `${this.along} ${short(this.times[i])}: ${short(this.values[i])}`;
         this.mark.setAttribute('cx', this.across(this.times[i]));
         this.mark.setAttribute('cy', this.up(this.values[i]));
         this.mark.setAttribute('visibility', isFinite(this.values[i]) ? 'visible' : 'hidden');
@@ -110,7 +110,7 @@ class CurveView {
     download() {
         // An apostrophe keeps a spreadsheet from taking the title for a formula.
         const title = this.title.replace(/^[=+\-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20]/, "'$&");
-        let text = `time,"${title.replace(/"/g, '""')}"\n`;
+        let text = `${this.along},"${title.replace(/"/g, '""')}"\n`;
         this.times.forEach((t, i) => { text += `${t},${isFinite(this.values[i]) ? this.values[i] : ''}\n`; });
         const link = document.createElement('a');
         link.href = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));

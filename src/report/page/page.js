@@ -1,4 +1,4 @@
-// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&state=3&show=joints&pick=300,200
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&side=front&state=3&show=joints&pick=300,200
 async function unpackScene(scene) {
     for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
         ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
@@ -58,11 +58,18 @@ function showPicked(scene, block, what) {
     box.style.display = block < 0 ? 'none' : 'block';
     if (block < 0) { box.textContent = ''; return; }
     const lines = [`${what} ${scene.numbers[block]}`];
-    for (const field of scene.fields)
-        if (field.of === 'block' && field.name !== 'id') {
-            const value = field.values[block];
-            lines.push(`${field.name}: ${field.names.length > 0 ? field.names[value] : short(value)}`);
+    const first = scene.corners.subarray(0, block).reduce((sum, n) => sum + n, 0), end = first + scene.corners[block];
+    for (const field of scene.fields) {
+        if (field.name === 'id') continue;
+        const unit = field.unit === '-' ? '' : ` ${field.unit}`;
+        if (field.of === 'block') lines.push(`${field.name}: ${field.names.length > 0 ? field.names[field.values[block]] : short(field.values[block]) + unit}`);
+        else { // from the least to the greatest of its corners
+            const values = field.values.subarray(first, end).filter(v => isFinite(v));
+            if (values.length === 0) continue;
+            const low = short(Math.min(...values)), high = short(Math.max(...values));
+            lines.push(`${field.name}: ${low === high ? low : `${low} to ${high}`}${unit}`);
         }
+    }
     box.textContent = lines.join('\n');
 }
 
@@ -147,6 +154,13 @@ async function connect(states, view) {
     state.oninput = setState;
     get('edges').onchange = e => { view.state.edges = e.target.checked; view.draw(); };
     get('reset').onclick = () => { view.reset(); view.draw(); };
+    for (const side of Object.keys(sides)) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = side;
+        button.onclick = () => view.from(side);
+        get('sides').append(button);
+    }
     view.onpick = block => showPicked(scene, block, joints ? 'joint' : 'block');
     const asked = new URLSearchParams(location.hash.slice(1));
     const choose = () => {
@@ -154,6 +168,7 @@ async function connect(states, view) {
         field.value = index >= 0 ? index : 0;
     };
     choose();
+    if (asked.get('side') in sides) view.from(asked.get('side'));
     if (asked.has('factor')) factor.value = asked.get('factor');
     if (asked.has('axis')) axis.value = asked.get('axis');
     if (asked.has('cut')) cut.value = asked.get('cut');
@@ -172,14 +187,14 @@ async function connect(states, view) {
     }
 }
 
-async function showCurves(data, place) {
+async function showCurves(data, place, along) {
     for (const curve of readJson(data))
-        new CurveView(document.getElementById(place), curve.title, await unpack(curve.times, Float64Array), await unpack(curve.values, Float64Array));
+        new CurveView(document.getElementById(place), curve.title, await unpack(curve.times, Float64Array), await unpack(curve.values, Float64Array), along);
 }
 
 async function start() {
-    await showCurves('history-data', 'curves');
-    await showCurves('course-data', 'course-curves');
+    await showCurves('history-data', 'curves', 'time');
+    await showCurves('course-data', 'course-curves', 'cycle');
     const states = await readStates(), scene = states.at(-1).scene;
     if (scene.numbers.length === 0) { document.getElementById('view').remove(); document.getElementById('controls').remove(); return; }
     try {

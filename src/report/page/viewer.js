@@ -1,4 +1,7 @@
 // The blocks, to be turned, coloured, cut and picked.
+const sides = { // heading and pitch
+    front: [Math.PI, 0], back: [0, 0], left: [-Math.PI / 2, 0], right: [Math.PI / 2, 0], top: [Math.PI, Math.PI / 2], isometric: [0.75 * Math.PI, 0.6155],
+};
 class BlockView {
     constructor(canvas, scene) {
         this.canvas = canvas; this.scene = scene;
@@ -91,6 +94,19 @@ class BlockView {
         this.distance = 1.4 * (this.scene.size || 1);
         this.heading = Math.PI - 0.5; this.pitch = 0.4; // x to the right, y away
     }
+    from(side) {
+        [this.heading, this.pitch] = sides[side];
+        this.draw();
+    }
+    turn(heading, pitch) {
+        this.heading += heading;
+        this.pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.pitch + pitch));
+        this.draw();
+    }
+    nearer(times) {
+        this.distance /= times;
+        this.draw();
+    }
     camera() {
         const size = this.scene.size || 1;
         const far = this.distance + 2 * size, view = lookAt(this.target, this.distance, this.heading, this.pitch);
@@ -146,11 +162,20 @@ class BlockView {
     }
     listen() {
         let last = null, moved = 0;
-        const still = () => { last = null; if (this.turning) { this.turning = false; this.draw(); } };
+        const fingers = new Map(); // on the screen, by their number
+        const apart = () => { const [a, b] = [...fingers.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
+        const still = e => { fingers.delete(e.pointerId); last = null; if (this.turning) { this.turning = false; this.draw(); } };
         this.canvas.addEventListener('contextmenu', e => e.preventDefault());
-        this.canvas.addEventListener('pointerdown', e => { last = [e.clientX, e.clientY]; moved = 0; this.canvas.setPointerCapture(e.pointerId); });
+        this.canvas.addEventListener('pointerdown', e => { last = [e.clientX, e.clientY]; moved = 0; fingers.set(e.pointerId, last); this.canvas.setPointerCapture(e.pointerId); });
         this.canvas.addEventListener('pointermove', e => {
             if (!last) return;
+            if (fingers.size === 2) {
+                const before = apart();
+                fingers.set(e.pointerId, [e.clientX, e.clientY]);
+                moved = 4; // no click
+                if (before > 0 && apart() > 0) this.nearer(apart() / before);
+                return;
+            }
             const dx = e.clientX - last[0], dy = e.clientY - last[1];
             moved += Math.abs(dx) + Math.abs(dy);
             last = [e.clientX, e.clientY];
@@ -158,19 +183,21 @@ class BlockView {
             if (e.buttons & 2 || e.shiftKey) {
                 const step = this.distance / 700;
                 this.target = this.target.map((t, k) => t - step * (dx * this.axes.right[k] - dy * this.axes.up[k]));
-            } else {
-                this.heading += dx / 200;
-                this.pitch = Math.max(-1.55, Math.min(1.55, this.pitch + dy / 200));
-            }
-            this.draw();
+                this.draw();
+            } else this.turn(dx / 200, dy / 200);
         });
         this.canvas.addEventListener('pointerup', e => {
             const box = this.canvas.getBoundingClientRect();
             if (last && moved < 4 && this.onpick) this.onpick(this.pick(e.clientX - box.left, e.clientY - box.top));
-            still();
+            still(e);
         });
         this.canvas.addEventListener('pointercancel', still);
-        this.canvas.addEventListener('wheel', e => { e.preventDefault(); this.distance *= Math.exp(e.deltaY / 800); this.draw(); }, { passive: false });
+        this.canvas.addEventListener('wheel', e => { e.preventDefault(); this.nearer(Math.exp(-e.deltaY / 800)); }, { passive: false });
+        const keys = {
+            ArrowLeft: () => this.turn(-0.1, 0), ArrowRight: () => this.turn(0.1, 0), ArrowUp: () => this.turn(0, -0.1), ArrowDown: () => this.turn(0, 0.1),
+            '+': () => this.nearer(1.2), '-': () => this.nearer(1 / 1.2), 0: () => { this.reset(); this.draw(); },
+        };
+        this.canvas.addEventListener('keydown', e => { if (keys[e.key]) { e.preventDefault(); keys[e.key](); } });
         new ResizeObserver(() => this.draw()).observe(this.canvas);
     }
 }
