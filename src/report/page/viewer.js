@@ -91,10 +91,11 @@ class BlockView {
     }
     reset() {
         this.target = [0, 0, 0];
-        this.distance = 1.4 * (this.scene.size || 1);
+        this.distance = 1.55 * (this.scene.size || 1);
         this.heading = Math.PI - 0.5; this.pitch = 0.4; // x to the right, y away
     }
     from(side) {
+        this.reset();
         [this.heading, this.pitch] = sides[side];
         this.draw();
     }
