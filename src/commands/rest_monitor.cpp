@@ -20,7 +20,9 @@ constexpr double quiet_part = 0.1 / 16;
 /// So is one that gains less than this part of its displacement since the run began: its springs still settle.
 constexpr double settling_part = 0.02;
 
-bool held(const Model& model, std::size_t b) {
+} // namespace
+
+bool is_held(const Model& model, Row b) {
     if (!model.blocks.deformable[b]) return (model.blocks.fixed[b] & 7) == 7;
     const Span span = model.blocks.gridpoints[b];
     for (Row g = span.first; g < span.end(); ++g)
@@ -28,7 +30,6 @@ bool held(const Model& model, std::size_t b) {
     return true;
 }
 
-/// Sizes of the forces on each block: of its contacts, its loads and its weight.
 std::vector<double> acting_forces(const Model& model) {
     const auto& blocks = model.blocks;
     std::vector<double> acting(blocks.size());
@@ -45,12 +46,11 @@ std::vector<double> acting_forces(const Model& model) {
     return acting;
 }
 
-} // namespace
-
 std::optional<MovingBody> fastest_body(const Model& model) {
     MovingBody fastest;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        const double speed = held(model, b) ? 0 : block_velocity(model, static_cast<Row>(b)).norm();
+        const double speed =
+            is_held(model, static_cast<Row>(b)) ? 0 : block_velocity(model, static_cast<Row>(b)).norm();
         if (speed > fastest.speed) fastest = {static_cast<Row>(b), speed};
     }
     return fastest.block == no_row ? std::nullopt : std::optional(fastest);
@@ -102,7 +102,7 @@ std::optional<MovingBody> RestMonitor::moving() const {
     const double step = model_.clock.time_step / time_step_fraction(model_.settings); // the largest stable one
     MovingBody most;
     for (std::size_t b = 0; b < now.blocks.size(); ++b) {
-        if (held(model_, b) || !(blocks.inertial_mass[b] > 0)) continue;
+        if (is_held(model_, static_cast<Row>(b)) || !(blocks.inertial_mass[b] > 0)) continue;
         const double quiet = quiet_part * acting[b] * step * step / blocks.inertial_mass[b];
         for (const auto column : {&Mark::centroid, &Mark::vertex}) {
             const Vec3 then = (middle.*column)[b] - (first.*column)[b], lately = (now.*column)[b] - (middle.*column)[b];

@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 
 #include "commands/failure_monitor.hpp"
+#include "commands/free_fall.hpp"
 #include "commands/handlers.hpp"
 #include "commands/law_conduct.hpp"
 #include "commands/materials.hpp"
@@ -196,6 +197,23 @@ std::string reached(const Limits& limits, const Clock& start, const Model& model
     return {};
 }
 
+/// The end of a run to equilibrium in which all but the bodies that fall past them have come to rest; checked once in several cycles.
+RunEnd end_by_fall(const Limits& limits, const Clock& start, const Model& model) {
+    constexpr std::int64_t interval = 64;
+    const bool to_equilibrium = limits.ratio || limits.maximum_ratio || limits.local_ratio || limits.force;
+    const std::int64_t cycles = model.clock.cycle - start.cycle;
+    if (!to_equilibrium || cycles == 0 || cycles % interval != 0) return {};
+    const auto fall = free_fall(model);
+    if (!fall) return {};
+    bool others_rest = !limits.force || fall->force <= *limits.force;
+    for (const auto& limit : {limits.ratio, limits.maximum_ratio, limits.local_ratio})
+        others_rest = others_rest && (!limit || fall->ratio <= *limit);
+    if (!others_rest) return {};
+    std::string fallen = body_text(model, {fall->blocks.front()});
+    if (const std::size_t more = fall->blocks.size() - 1; more > 0) fallen += " and " + counted(more, "other block");
+    return {"the fall of " + fallen, false, fallen};
+}
+
 } // namespace
 
 bool settle_forces(Session& session) {
@@ -262,6 +280,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
                 at_rest += ", but " + body_text(session.model, *confirmation.moving()) + " does not come to rest";
         }
         if (!at_rest.empty()) return {at_rest, true};
+        if (RunEnd fall = end_by_fall(limits, start, session.model); !fall.why.empty()) return fall;
         return {reached(limits, start, session.model, seconds)};
     };
     const CycleRun run(session);

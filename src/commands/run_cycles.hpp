@@ -30,6 +30,7 @@ bool settle_forces(Session& session);
 struct RunEnd {
     std::string why;
     bool at_rest = false;
+    std::string fallen = {}; ///< names the bodies that fall past all others, if they are the reason
 };
 
 /// Runs until a limit is reached; returns which. A watch sees every cycle.

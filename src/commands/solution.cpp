@@ -26,13 +26,19 @@ std::string end_text(std::string_view run, const RunEnd& end) {
 }
 
 /// Reports how close to rest a run is, and which body does not come to rest.
-void tell_rest(Session& session, const RestMonitor& monitor, bool still, const Place& place) {
+void tell_rest(Session& session, const RestMonitor& monitor, const RunEnd& end, bool still, const Place& place) {
     const Clock& clock = session.model.clock;
     std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
     if (const auto fastest = fastest_body(session.model))
         text +=
             fmt::format("  largest velocity {} {}", number_text(fastest->speed), body_text(session.model, *fastest));
     session.output.say(text);
+    if (!end.fallen.empty()) {
+        session.warn(Diagnostic(end.fallen + " left all others: free fall does not come to rest",
+                                "fix what should hold it, delete it, or run for a `time`")
+                         .at(place));
+        return;
+    }
     const auto moving = monitor.moving();
     if (!moving) return;
     session.warn(
@@ -102,7 +108,7 @@ void run(Session& session, const lang::Solve& command) {
     const RunEnd end = advance_until(session, limits, &monitor);
     session.world.stopped_by = end.why;
     session.output.say(end_text("solve", end));
-    tell_rest(session, monitor, command.still, command.place);
+    tell_rest(session, monitor, end, command.still, command.place);
 }
 
 void run(Session& session, const lang::Damp& command) {
