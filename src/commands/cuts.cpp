@@ -1,7 +1,9 @@
 // jset, tunnel, densify, join: cutting and joining existing blocks.
 #include "commands/ground.hpp"
 #include "commands/handlers.hpp"
+
 #include "commands/long_work.hpp"
+#include "commands/plausible.hpp"
 
 #include "geometry/block_cuts.hpp"
 #include "geometry/ground_cuts.hpp"
@@ -101,6 +103,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
+        doubt_dip(session, command.dip[0], command.place);
         JointSet set;
         set.dip = command.dip[0];
         set.dip_deviation = command.dip[1];

@@ -1,5 +1,7 @@
 #include "commands/plausible.hpp"
 
+#include "commands/materials.hpp"
+#include "commands/rest_monitor.hpp"
 #include "commands/session.hpp"
 #include "commands/text_table.hpp"
 
@@ -103,6 +105,81 @@ void doubt_units(Session& session) {
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
     if (!(gravity.z() > 0 && gravity.x() == 0 && gravity.y() == 0)) return;
     session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
+}
+
+namespace {
+
+/// The value of a property by its own name, and none where the model has no such property.
+std::optional<double> value_of(const JointModel& model, const JointProperties& set, std::string_view name) {
+    for (std::size_t k = 0; k < model.properties.size() && k < set.values.size(); ++k)
+        if (model.properties[k].name == name) return set.values[k];
+    return std::nullopt;
+}
+
+/// The stress of the weight of the highest column in the model.
+double weight_stress(const Model& model) {
+    double density = 0;
+    for (const auto& [number, material] : model.materials) density = std::max(density, material.density);
+    return density * model.settings.gravity.norm() * model_size(model);
+}
+
+} // namespace
+
+void doubt_joints(Session& session) {
+    const double weight = weight_stress(session.model);
+    for (const Row row : property_sets_in_use(session.model)) {
+        const JointProperties& set = session.model.joint_properties[static_cast<std::size_t>(row)];
+        const JointModel* joint = session.joints.find(set.model);
+        if (joint == nullptr) continue;
+        const auto say = [&](const std::string& message, const std::string& hint) {
+            const std::string where = set.place.empty() ? set.model : fmt::format("{}, {}", set.model, set.place);
+            const std::string text = fmt::format("{} ({})", message, where);
+            if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
+        };
+        const auto friction = value_of(*joint, set, "friction"), dilation = value_of(*joint, set, "dilation"),
+                   stiffness = value_of(*joint, set, "stiffness-normal"), walls = value_of(*joint, set, "jcso");
+        const bool angles = joint->properties[joint->find_property("dilation").value_or(0)].unit == "angle";
+        if (friction && dilation && angles && *dilation > *friction)
+            say(fmt::format("dilation {} is above friction {}: a joint that slips would give energy",
+                            number_text(*dilation), number_text(*friction)),
+                "dilation is at most the friction, and mostly a fraction of it");
+        // Half of the digits of a place are left for its closure.
+        constexpr double least = 1e-12;
+        if (stiffness && weight > 0 && weight / *stiffness < least * model_size(session.model))
+            say(fmt::format(
+                    "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
+                    number_text(*stiffness), weight / *stiffness),
+                "about ten times the modulus of the rock over the size of a block is stiff enough");
+        constexpr double far_below = 0.01; // MPa for Pa is a factor of a million
+        if (walls && *walls > 0 && *walls < far_below * weight)
+            say(fmt::format("jcso {} is far below the stress of the model's weight, {:.3g}", number_text(*walls),
+                            weight),
+                "are the strengths in MPa and the rest in Pa?");
+    }
+}
+
+void doubt_dip(Session& session, double dip, const Place& place) {
+    if (!(dip > 90)) return;
+    session.warn(doubt(fmt::format("a dip of {} is more than vertical", number_text(dip)),
+                       fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)))
+                     .at(place));
+}
+
+void doubt_idle_model(Session& session, const Place& place) {
+    const Model& model = session.model;
+    if (model.blocks.empty() || model.zones.size() > 0 || model.boundary_histories.size() > 0 ||
+        model.structures.any() || model.settings.water != Water::none)
+        return;
+    const auto none = [](const auto& column) {
+        return std::ranges::all_of(column, [](const Vec3& v) { return v.isZero(0); });
+    };
+    const std::vector<double> forces = acting_forces(model);
+    if (std::ranges::any_of(forces, [](double force) { return force != 0; }) || !none(model.gridpoints.velocity) ||
+        !none(model.blocks.velocity))
+        return;
+    session.warn(doubt("no force acts and nothing moves: there is no equilibrium to look for",
+                       "gravity 0 0 -9.81 gives weight, apply and boundary give loads")
+                     .at(place));
 }
 
 void doubt_damping(Session& session, const lang::Damp& command) {

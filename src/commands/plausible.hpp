@@ -19,6 +19,13 @@ void doubt_densities(Session& session);
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place);
 /// Values that no rock or stone has in the units that the deck names (`set units`).
 void doubt_units(Session& session);
+/// Joints that dilate more than they resist, that are too stiff for the digits of a place, or whose walls are weaker than the weight of the
+/// model: properties of contacts, when these have them.
+void doubt_joints(Session& session);
+/// Planes that dip by more than 90 degrees.
+void doubt_dip(Session& session, double dip, const Place& place);
+/// A search for equilibrium where no force acts and nothing moves.
+void doubt_idle_model(Session& session, const Place& place);
 /// Damping that removes all force from moving bodies.
 void doubt_damping(Session& session, const lang::Damp& command);
 /// A run in which nothing can move.

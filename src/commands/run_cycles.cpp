@@ -7,6 +7,7 @@
 #include "commands/handlers.hpp"
 #include "commands/law_conduct.hpp"
 #include "commands/materials.hpp"
+#include "commands/plausible.hpp"
 #include "commands/plot_views.hpp"
 #include "commands/progress.hpp"
 #include "commands/tables.hpp"
@@ -104,6 +105,7 @@ void make_ready(Session& session) {
     session.joints.tables().refresh();
     session.cycle->prepare();
     if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
+    doubt_joints(session);
 }
 
 /// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.

@@ -104,6 +104,7 @@ void run(Session& session, const lang::Solve& command) {
                                     "'elastic' has no effect"));
         session.output.say(end_text("solve elastic", advance_until(session, limits)));
     }
+    doubt_idle_model(session, command.place);
     RestMonitor monitor(session.model);
     const RunEnd end = advance_until(session, limits, &monitor);
     session.world.stopped_by = end.why;
