@@ -130,7 +130,7 @@ function(kaya_ship_joint_model name)
   target_link_libraries(joint_${name} PRIVATE kaya_flags)
   set_target_properties(joint_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/joints)
   add_dependencies(program joint_${name})
-  install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints)
+  install(TARGETS joint_${name} LIBRARY DESTINATION lib/kaya/joints COMPONENT program)
 endfunction()
 
 # The zone models that ship, likewise.
@@ -139,7 +139,7 @@ function(kaya_ship_zone_model name)
   target_link_libraries(zone_${name} PRIVATE kaya_flags)
   set_target_properties(zone_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/zones)
   add_dependencies(program zone_${name})
-  install(TARGETS zone_${name} LIBRARY DESTINATION lib/kaya/zones)
+  install(TARGETS zone_${name} LIBRARY DESTINATION lib/kaya/zones COMPONENT program)
 endfunction()
 
 # The headers for joint models are next to the program, as after installation.

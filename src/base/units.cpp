@@ -35,7 +35,7 @@ const System* system_named(std::string_view name) {
     return found == systems.end() ? nullptr : found;
 }
 
-/// "" for a word that is no quantity.
+/// "" for a word that is not a quantity.
 std::string symbol(const System& system, std::string_view word) {
     if (word == "length") return std::string(system.length);
     if (word == "time") return std::string(system.time);
@@ -58,7 +58,7 @@ Units::Units(std::string_view name) {
     std::ranges::replace(wanted, ' ', '-');
     const System* system = system_named(wanted);
     if (system == nullptr)
-        throw Diagnostic(fmt::format("'{}' is no system of units", name),
+        throw Diagnostic(fmt::format("'{}' is not a system of units", name),
                          fmt::format("those that fit together are {}", fmt::join(names(), ", ")));
     name_ = system->name;
 }

@@ -17,7 +17,7 @@ public:
 
     const std::string& name() const { return name_; }
     bool given() const { return !name_.empty(); }
-    /// "stress/length" becomes "MPa/m"; words that are no quantity stay.
+    /// "stress/length" becomes "MPa/m"; words that are not quantities stay.
     std::string label(std::string_view quantity) const;
     /// The same for the quantity at the beginning of each pair of brackets: "force [force, block nearest to 0 0 0]".
     std::string in_brackets(std::string_view text) const;

@@ -1,0 +1,59 @@
+# Packages of Debian by `cpack`: kaya (the program, its laws, manual, completion), kaya-pictures (the painter, if it was built) and
+# kaya-dev (headers and the CMake package for joint and zone models). scripts/package builds them for any processor since 2009.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is installed is the target `program`
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR "The kaya authors")
+set(CPACK_PACKAGE_CONTACT "The kaya authors <kaya@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program development)
+if(KAYA_PAINTER_BUILT)
+  list(APPEND CPACK_COMPONENTS_ALL pictures)
+endif()
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the libraries that the files need, found by dpkg-shlibdeps
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kaya)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "kaya-pictures, kaya-dev")
+set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME kaya-pictures)
+set(CPACK_DEBIAN_PICTURES_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), xvfb, fonts-dejavu-core")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME kaya-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), g++")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "distinct element program for jointed rock and masonry
+kaya runs command files in the style of 3DEC: polyhedral blocks, rigid or
+divided into zones, cut by joints, move in time by the distinct element
+method. Functions in FISH and Lua, joint and zone laws as libraries, reports
+for a browser.")
+set(CPACK_COMPONENT_PICTURES_DESCRIPTION "pictures of kaya's models without a screen
+The program that draws for the command plot of kaya.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for joint and zone laws of kaya
+With them 'kaya jmodel build' and CMake's find_package(kaya) compile laws in
+C and C++.")
+
+# What Debian wants in /usr/share/doc and of manuals: compressed, and the same bytes each time (no time in them).
+find_program(KAYA_GZIP gzip)
+if(KAYA_GZIP)
+  set(KAYA_MANUAL ${PROJECT_BINARY_DIR}/package/kaya.1.gz)
+  set(changes ${PROJECT_BINARY_DIR}/package/changelog.gz)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
+  add_custom_command(OUTPUT ${changes} DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM
+    COMMAND ${KAYA_GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changes})
+  add_custom_command(OUTPUT ${KAYA_MANUAL} DEPENDS kaya VERBATIM COMMAND ${KAYA_GZIP} -9nc ${PROJECT_BINARY_DIR}/kaya.1 > ${KAYA_MANUAL})
+  add_custom_target(package_texts DEPENDS ${changes} ${KAYA_MANUAL})
+  add_dependencies(program package_texts)
+  install(FILES ${KAYA_MANUAL} DESTINATION share/man/man1 COMPONENT program)
+endif()
+foreach(component ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${component} upper)
+  set(name ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  set(folder share/doc/${name})
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/copyright DESTINATION ${folder} COMPONENT ${component})
+  # What lintian finds and is meant: no mail address; laws of arithmetic alone need nothing of the C library.
+  file(CONFIGURE OUTPUT package/${name} CONTENT "${name}: bogus-mail-host *\n${name}: library-not-linked-against-libc *\n")
+  install(FILES ${PROJECT_BINARY_DIR}/package/${name} DESTINATION share/lintian/overrides COMPONENT ${component})
+  if(KAYA_GZIP)
+    install(FILES ${changes} DESTINATION ${folder} COMPONENT ${component})
+  endif()
+endforeach()
+include(CPack)
