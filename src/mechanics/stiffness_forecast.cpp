@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace kaya {
 
@@ -92,6 +93,16 @@ bool varies(const JointModel& joint, const std::vector<double>& values) {
         copy.normal_disp += copy.normal_disp_inc;
     }
     return changed();
+}
+
+/// The direction of an offset is at most this oblique to the normal of its contact.
+constexpr double least_cosine = 0.1;
+
+/// The offset of an overlap contact, along its normal where no direction is stored.
+ClosureOffset offset_of_contact(const Contacts& contacts, Row c) {
+    ClosureOffset offset = offset_of(contacts, c);
+    if (offset.along.isZero(0)) offset.along = contacts.normal[c];
+    return offset;
 }
 
 Vec3 free_part(Vec3 change, unsigned fixed) {
@@ -220,7 +231,46 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
     return grows;
 }
 
-bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, double step) {
+/// How far the blocks of an overlap contact may have moved into each other after a time, beyond their present overlap; 0 if they are apart
+/// then. Their support along the normal is that of the moved blocks, rotations included.
+double StiffnessForecast::closing_of(const Model& model, Row c, double time) const {
+    const auto& contacts = model.contacts;
+    const Vec3& n = contacts.normal[c];
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const Vec3 origin = model.blocks.centroid[b1]; // numbers stay small
+    const auto farthest = [&](Row b, const Vec3& direction, bool moved) {
+        const Motion& motion = motions_[b];
+        const double angle = motion.spin.norm() * time;
+        const Mat3 turn = moved && angle > 0 ? Eigen::AngleAxisd(angle, motion.spin.normalized()).toRotationMatrix()
+                                             : Mat3(Mat3::Identity());
+        const Vec3 shift = moved ? Vec3(motion.velocity * time) : Vec3(Vec3::Zero());
+        double most = -std::numeric_limits<double>::infinity();
+        for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g) {
+            const Vec3 arm = model.gridpoints.position[g] - motion.centre;
+            most = std::max(most, direction.dot(motion.centre - origin + turn * arm + shift));
+        }
+        return most;
+    };
+    const auto gap = [&](bool moved) { return -farthest(b1, n, moved) - farthest(b2, -n, moved); };
+    const double now = gap(false), then = gap(true),
+                 offset = now - gap_along(model, b1, b2, n, offset_of_contact(contacts, c));
+    return then < offset ? std::max(0.0, now - then) : 0;
+}
+
+/// The factor by which an overlap may stiffen within the steps ahead: that of its area at the greatest depth which its blocks can reach.
+double StiffnessForecast::growth_of_overlap(const Model& model, Row c, double step, OverlapScratch& scratch) const {
+    const auto& contacts = model.contacts;
+    const double closing =
+        std::max(closing_of(model, c, 0.5 * steps_ahead * step), closing_of(model, c, steps_ahead * step));
+    const double area = std::max(contacts.stiffness_area[c], contacts.area[c]);
+    if (!(closing > 0 && area > 0)) return 1;
+    ClosureOffset offset = offset_of_contact(contacts, c);
+    offset.closure += closing / std::max(least_cosine, offset.along.dot(contacts.normal[c]));
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
+    return std::max(patch.area, patch.carrying_area(0)) / area;
+}
+
+bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, double step, Of of) {
     find_motions(model, adjacency, step);
     springs_.resize(model.sub_contacts.size());
     marks_.assign(model.contacts.size(), 0);
@@ -228,12 +278,27 @@ bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, d
         for (std::size_t i = first; i < last; ++i)
             for (const Row c : varying_[i].contacts) marks_[c] = check(model, varying_[i], c, step);
     });
+    growth_.assign(model.contacts.size(), 1);
+    if (of == Of::laws_and_overlaps)
+        for_chunks(growth_.size(), 64, [&](std::size_t first, std::size_t last) {
+            OverlapScratch& scratch = scratch_.local();
+            for (std::size_t i = first; i < last; ++i) {
+                const Row c = static_cast<Row>(i);
+                if (!follows_overlap(model, c)) continue;
+                growth_[i] = growth_of_overlap(model, c, step, scratch);
+                if (growth_[i] > harmless) marks_[i] = 1;
+            }
+        });
     if (std::find(marks_.begin(), marks_.end(), 1) == marks_.end()) return false;
     for (std::size_t c = 0; c < in_varying_.size(); ++c) {
-        if (in_varying_[c]) continue;
         const NormalAreaFactor factor(model, static_cast<Row>(c));
         const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) springs_[s] = springs_of(model.sub_contacts, s, factor);
+        for (Row s = span.first; s < span.end(); ++s) {
+            if (!in_varying_[c]) springs_[s] = springs_of(model.sub_contacts, s, factor);
+            if (!(growth_[c] > 1) || s >= span.first + carriers) continue;
+            springs_[s].normal *= growth_[c];
+            springs_[s].shear *= growth_[c] * factor.of_carriers;
+        }
     }
     return true;
 }

@@ -103,9 +103,9 @@ void TimeStep::audit(const Model& model) const {
 }
 
 /// The longest step, not above `step`, that is still short enough for the stiffness of the joints at its end.
-double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, double step) {
+double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, double step, StiffnessForecast::Of of) {
     const double fraction = time_step_fraction(model.settings);
-    for (int i = 0; i < 200 && ahead_.update(model, adjacency, step); ++i) {
+    for (int i = 0; i < 200 && ahead_.update(model, adjacency, step, of); ++i) {
         bounds_.foreseen = &ahead_.springs();
         bounds_.update_at(model, adjacency, ahead_.marks(), StepBounds::Of::bodies_and_neighbours);
         const double allowed = fraction * bounds_.limit(model, adjacency).stable;
@@ -148,7 +148,8 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
     const double of_members = all ? limit_of_members(model, stable).stable : std::numeric_limits<double>::infinity();
     stable = std::min(stable, of_members);
     if (settings.given_time_step > 0) return take_given(model, adjacency, stable, of_members, all);
-    if (clock.time_step == 0)
+    const double before = clock.time_step;
+    if (before == 0)
         clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
     double step = clock.time_step;
     if (!std::isinf(stable)) {
@@ -157,7 +158,10 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
         if (wanted < (1 - rounding) * step) step = std::max(shrink * wanted, std::min(wanted, least));
         else if (may_grow && wanted * shrink * shrink > step) step = wanted;
     }
-    clock.time_step = ahead_.needed() && !scaled ? without_growth(model, adjacency, step) : step;
+    // Overlaps look ahead by the steps that they have made: a first or a longer step must look for itself.
+    const auto of = step > before ? StiffnessForecast::Of::laws_and_overlaps : StiffnessForecast::Of::laws;
+    const bool may_stiffen = ahead_.needed() || step > before;
+    clock.time_step = may_stiffen && !scaled ? without_growth(model, adjacency, step, of) : step;
 }
 
 std::string TimeStep::report(const Model& model, const Adjacency& adjacency) {

@@ -38,7 +38,7 @@ private:
     void fit_masses(Model& model, const Adjacency& adjacency, bool anew);
     void take_given(Model& model, const Adjacency& adjacency, double stable, double of_members, bool all);
 
-    double without_growth(const Model& model, const Adjacency& adjacency, double step);
+    double without_growth(const Model& model, const Adjacency& adjacency, double step, StiffnessForecast::Of of);
 
     StepBounds bounds_;
     StiffnessForecast ahead_;
