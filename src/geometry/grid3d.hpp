@@ -40,6 +40,12 @@ Grid3d read_grid3d(std::string_view text, const std::string& file);
 /// block; its physical group gives group, region and material. Throws Diagnostic with file and line.
 Grid3d read_msh(std::string_view text, const std::string& file);
 
+/// Zones of FLAC3D's text grids; connected ones of a group are a block.
+Grid3d read_f3grid(std::string_view text, const std::string& file);
+
+/// Cells of Neper's tessellations (.tess) as rigid blocks.
+Grid3d read_tess(std::string_view text, const std::string& file);
+
 /// Reads any of them, by the suffix.
 Grid3d read_grid3d_file(const std::string& path);
 bool is_grid_file(const std::string& path);

@@ -15,10 +15,8 @@ struct GridFormat {
     std::string_view suffix;
     Grid3d (*read)(std::string_view, const std::string&);
 };
-constexpr std::array grid_formats{
-    GridFormat{".3dgrid", read_grid3d},
-    GridFormat{".msh", read_msh},
-};
+constexpr std::array grid_formats{GridFormat{".3dgrid", read_grid3d}, GridFormat{".f3grid", read_f3grid},
+                                  GridFormat{".msh", read_msh}, GridFormat{".tess", read_tess}};
 
 const GridFormat* grid_format_of(const std::string& path) {
     const std::string suffix = lower_case(std::filesystem::path(path).extension().string());

@@ -25,8 +25,8 @@ struct Format {
     std::vector<FaceSoup> (*read)(std::string_view, const std::string&);
 };
 constexpr std::array formats{
-    Format{".stl", read_stl},  Format{".obj", read_obj},   Format{".ply", read_ply},
-    Format{".wrl", read_vrml}, Format{".vrml", read_vrml},
+    Format{".stl", read_stl},   Format{".obj", read_obj}, Format{".ply", read_ply},  Format{".wrl", read_vrml},
+    Format{".vrml", read_vrml}, Format{".dxf", read_dxf}, Format{".ts", read_gocad}, Format{".json", read_compas},
 };
 
 const Format* format_of(const std::string& path) {

@@ -45,5 +45,8 @@ std::vector<FaceSoup> read_stl(std::string_view bytes, const std::string& file);
 std::vector<FaceSoup> read_obj(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_ply(std::string_view bytes, const std::string& file);
 std::vector<FaceSoup> read_vrml(std::string_view text, const std::string& file);
+std::vector<FaceSoup> read_dxf(std::string_view text, const std::string& file);
+std::vector<FaceSoup> read_gocad(std::string_view text, const std::string& file);
+std::vector<FaceSoup> read_compas(std::string_view text, const std::string& file);
 
 } // namespace kaya

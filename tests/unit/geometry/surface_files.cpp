@@ -226,6 +226,6 @@ TEST(SurfaceFiles, AreChosenBySuffix) {
         FAIL();
     } catch (const Diagnostic& diagnostic) {
         EXPECT_EQ(diagnostic.message, "model.dwg does not have the suffix of a surface file");
-        EXPECT_EQ(diagnostic.hint, "use one of .stl, .obj, .ply, .wrl, .vrml");
+        EXPECT_EQ(diagnostic.hint, "use one of .stl, .obj, .ply, .wrl, .vrml, .dxf, .ts, .json");
     }
 }
