@@ -151,6 +151,10 @@ struct Densify {
 struct Import {
     std::string file;
     BlockOptions options;
+    bool stop = false;          ///< at the first wrong body; otherwise it is left out
+    double scale = 1;           ///< of the coordinates
+    char up = 'z';              ///< the axis of the file that points up
+    double mend = 0, holes = 0; ///< lengths of the model, 0: none
     Place place;
 };
 struct Export {

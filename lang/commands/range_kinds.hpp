@@ -40,7 +40,8 @@ enum class RangeKind {
     orientation,         ///< normal, and radius1 as tolerance in degrees: faces and contacts
     concave,             ///< bodies that are not convex
     edge_length,         ///< low..high, shortest edge of a block
-    aspect_ratio,        ///< low..high, extent over thickness of a block
+    aspect_ratio,        ///< low..high, longest edge of a block over the cube root of its volume
+    face_area,           ///< low..high, smallest face of a block
     leader,              ///< low..high, number of the first block of a body
     polygon,             ///< vertices; distance from its plane
     ellipse,             ///< centre, half axes end2 and normal; distance from its plane
@@ -99,7 +100,8 @@ inline const std::vector<RangeWords>& range_words() {
         {RangeKind::surface, flag, {Spelling{"surface", 4}}, "", "faces on which no other block lies, and what is on them"},
         {RangeKind::concave, flag, {Spelling{"concave", 4}}, "", "joined blocks that make a body which is not convex"},
         {RangeKind::edge_length, limits, {Spelling{"edge-length", 4}}, "length", "blocks whose shortest edge is between two limits"},
-        {RangeKind::aspect_ratio, limits, {Spelling{"aspect-ratio", 4}}, "", "blocks whose greatest extent over their thickness is between two limits"},
+        {RangeKind::aspect_ratio, limits, {Spelling{"aspect-ratio", 4}}, "", "blocks whose longest edge over the cube root of their volume is between two limits; 1 for a cube"},
+        {RangeKind::face_area, limits, {Spelling{"face-area", 4}}, "area", "blocks whose smallest face is between two limits"},
         {RangeKind::leader, limits_of_numbers, {Spelling{"leader-id", 4}}, "", "blocks of bodies by the number of the body's first block; a block on its own is its own leader"},
         {RangeKind::polygon, own, {}, "", ""},
         // clang-format on

@@ -304,7 +304,7 @@ CommandSpec poly_tunnel() {
 
 CommandSpec import_file() {
     Entry<Import> entry({"import"});
-    entry.help("makes blocks of the closed surfaces or blocks in a file: .3dgrid, .msh, .stl, .obj, .ply, .wrl");
+    entry.help("makes blocks of the closed surfaces, cells or zones in a file");
     entry.argument(text("file").help("name with suffix, which selects the format"), &Import::file);
     const auto options = [](std::int64_t BlockOptions::*member) {
         return [member](Import & command) -> auto& { return command.options.*member; };
@@ -315,13 +315,46 @@ CommandSpec import_file() {
                   "material number of blocks to which the file gives none, 1 if not given");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), options(&BlockOptions::constitutive),
                   "constitutive number, 1 if not given");
+    entry.action(
+        {"skip"}, [](Import& command) { command.stop = false; },
+        "leaves out bodies that are wrong, with a warning each");
+    entry.action(
+        {"stop"}, [](Import& command) { command.stop = true; }, "makes no block if a body is wrong");
+    entry.keyword({"mend"}, real("d").unit("length").above(0), &Import::mend,
+                  "joins corners, and corners and edges, nearer than this; drops narrower faces");
+    entry.keyword({"holes"}, real("d").unit("length").above(0), &Import::holes,
+                  "closes holes of surfaces that are no wider than this");
+    entry.keyword({"scale"}, real("s").above(0), &Import::scale, "factor of all coordinates, 0.001 for millimetres");
+    Keywords<Import> axes;
+    axes.action(
+        {"x"}, [](Import& command) { command.up = 'x'; }, "x, y and z of the file become z, x and y");
+    axes.action(
+        {"y"}, [](Import& command) { command.up = 'y'; }, "y of the file becomes z, and z becomes -y");
+    axes.action(
+        {"z"}, [](Import& command) { command.up = 'z'; }, "as it is");
+    const auto list = std::move(axes).list();
+    entry.special(
+        {"up"}, {},
+        [list](Reader& reader, Import& command) {
+            const Word* word = reader.peek();
+            if (!word) reader.missing({.name = "x, y or z", .kind = ArgumentKind::text});
+            const KeywordSpec* axis = word->kind == WordKind::word ? find_keyword(list, word->folded) : nullptr;
+            if (!axis) reader.unknown("an axis", {"x", "y", "z"});
+            reader.take();
+            axis->read(reader, &command);
+        },
+        "axis of the file that points up, z if not given", list);
     entry.place(&Import::place);
     entry.right("import 'vault.stl'")
         .right("import wall.3dgrid mat 2")
         .right("import stones.obj region 3")
-        .right("import rock.msh");
+        .right("import rock.msh")
+        .right("import dome.obj scale 0.001 up y stop")
+        .right("import scan.ply mend 0.002 holes 0.5");
     entry.wrong("import", "a word is missing after 'import'");
     entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
+    entry.wrong("import a.stl mend 0", "mend must be greater than 0, not 0");
+    entry.wrong("import a.stl up w", "'w' is not an axis");
     return entry;
 }
 

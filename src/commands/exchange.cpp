@@ -1,69 +1,17 @@
 // import, export: blocks in files of other programs.
-#include "base/lower_case.hpp"
-#include "base/stop_point.hpp"
-#include "commands/handlers.hpp"
 #include "base/counted.hpp"
-#include "geometry/grid3d.hpp"
-#include "geometry/surface_files.hpp"
 #include "base/whole_file.hpp"
+#include "commands/handlers.hpp"
+#include "commands/incoming.hpp"
+#include "geometry/grid3d.hpp"
 #include "model/build.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <fmt/format.h>
-#include <optional>
 
 namespace kaya {
 
 namespace {
-
-/// A block that was read and checked, not yet in the model.
-struct Incoming {
-    Solid solid;
-    std::optional<TetMesh> mesh;
-    std::string group;
-    std::int32_t region;
-    std::int32_t material = 0; ///< 0: not given in the file
-};
-
-/// Strongly warped faces become triangles: they are common in files of other programs.
-constexpr Flatness of_files{1e-3, true};
-
-std::vector<Incoming> from_grid(const std::string& path, std::int32_t region) {
-    std::vector<Incoming> blocks;
-    const Grid3d grid = read_grid3d_file(path);
-    for (const auto& block : grid.blocks) {
-        stop_point();
-        Incoming incoming{solid_from_surface(surface_of(grid, block), of_files),
-                          {},
-                          block.group,
-                          block.region != 0 ? block.region : region,
-                          block.material};
-        if (!block.zones.empty()) {
-            if (incoming.solid.parts.size() > 1)
-                throw Diagnostic(fmt::format("block {} is concave and has zones", block.number),
-                                 "give its faces without zones, or convex blocks");
-            incoming.mesh = zones_of(grid, block, incoming.solid.parts.front());
-        }
-        blocks.push_back(std::move(incoming));
-    }
-    return blocks;
-}
-
-std::vector<Incoming> from_surfaces(const std::string& path, std::int32_t region) {
-    std::vector<Incoming> blocks;
-    for (const auto& [name, surface] : read_surfaces(path)) {
-        stop_point();
-        blocks.push_back({solid_from_surface(surface, of_files), {}, name, region, 0});
-    }
-    return blocks;
-}
-
-bool is_grid(const std::string& path) {
-    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
-    return suffix == ".3dgrid";
-}
 
 std::int32_t group_number(Model& model, const std::string& name) {
     if (name.empty()) return 0;
@@ -73,22 +21,57 @@ std::int32_t group_number(Model& model, const std::string& name) {
     return static_cast<std::int32_t>(found - names.begin());
 }
 
+/// Bodies that are wrong: an error if none is right or the deck says so, else a warning for each of the first ones.
+void report_refused(Session& session, const lang::Import& command, IncomingFile& file) {
+    if (file.refused.empty()) return;
+    if (command.stop || file.blocks.empty()) throw file.refused.front();
+    constexpr std::size_t most = 20;
+    for (std::size_t i = 0; i < std::min(most, file.refused.size()); ++i) {
+        Diagnostic warning = file.refused[i];
+        warning.message += "; it is left out";
+        session.warn(warning.at(command.place));
+    }
+    if (file.refused.size() > most)
+        session.warn(Diagnostic(fmt::format("{} more are left out", counted(file.refused.size() - most, "body")),
+                                "`import ... stop` ends the run at the first")
+                         .at(command.place));
+}
+
+void report_repairs(Session& session, const std::string& file, const RepairCounts& counts) {
+    std::vector<std::string> parts;
+    if (counts.welded > 0) parts.push_back(fmt::format("{} joined", counted(counts.welded, "corner")));
+    if (counts.narrow > 0) parts.push_back(fmt::format("{} dropped", counted(counts.narrow, "narrow face")));
+    if (counts.inserted > 0) parts.push_back(fmt::format("{} put on edges", counted(counts.inserted, "corner")));
+    if (counts.closed > 0) parts.push_back(fmt::format("{} closed", counted(counts.closed, "hole")));
+    if (counts.doubled > 0)
+        parts.push_back(fmt::format("{} dropped that lay on others", counted(counts.doubled, "face")));
+    if (!parts.empty()) session.note_once(fmt::format("{}: {}", file, fmt::join(parts, ", ")));
+}
+
+double volume_of(const IncomingFile& file) {
+    double volume = 0;
+    for (const IncomingBlock& block : file.blocks)
+        for (const Polyhedron& part : block.solid.parts) volume += mass_properties(part).volume;
+    return volume;
+}
+
 } // namespace
 
 void run(Session& session, const lang::Import& command) {
     Model& model = session.model;
     try {
         const std::string path = session.input_file(command.file).string();
-        const auto region = static_cast<std::int32_t>(command.options.region);
         // All blocks are read and checked before the first is made.
-        const auto blocks = is_grid(path) || is_msh(path) ? from_grid(path, region) : from_surfaces(path, region);
+        IncomingFile file = read_blocks(path, {command.scale, command.up, {command.mend, command.holes}});
+        report_refused(session, command, file);
+        report_repairs(session, command.file, file.repaired);
         std::size_t parts = 0, zoned = 0;
-        for (const Incoming& block : blocks) {
+        for (const IncomingBlock& block : file.blocks) {
             NewBlock options;
             options.material =
                 block.material != 0 ? block.material : static_cast<std::int32_t>(command.options.material);
             options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
-            options.region = block.region;
+            options.region = block.region != 0 ? block.region : static_cast<std::int32_t>(command.options.region);
             options.group = group_number(model, block.group);
             const Row row = add_solid(model, block.solid.parts, options);
             parts += block.solid.parts.size();
@@ -97,8 +80,11 @@ void run(Session& session, const lang::Import& command) {
             ++zoned;
         }
         if (zoned > 0) put_in_block_order(model);
-        session.output.say(fmt::format("{}: {} solid{} read, {} block{}, {} with zones", command.file, blocks.size(),
-                                       blocks.size() == 1 ? "" : "s", parts, parts == 1 ? "" : "s", zoned));
+        const std::string left_out =
+            file.refused.empty() ? "" : fmt::format(", {} left out", counted(file.refused.size(), "wrong one"));
+        session.output.say(fmt::format("{}: {} read{}, {}, {} with zones, volume {:g}", command.file,
+                                       counted(file.blocks.size(), "solid"), left_out, counted(parts, "block"), zoned,
+                                       volume_of(file)));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -106,7 +92,7 @@ void run(Session& session, const lang::Import& command) {
 }
 
 void run(Session& session, const lang::Export& command) {
-    if (!is_grid(command.file))
+    if (!is_block_grid(command.file))
         throw Diagnostic(fmt::format("'{}' does not have the suffix .3dgrid", command.file),
                          "blocks are written as .3dgrid; `vtk write` makes pictures")
             .at(command.place);

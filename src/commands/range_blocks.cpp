@@ -105,7 +105,11 @@ RangeTest by_edge_length(const RangeElement& e, RangeContext&) {
 }
 
 RangeTest by_aspect_ratio(const RangeElement& e, RangeContext&) {
-    return by_shape(e, [](const BlockQuality& quality) { return quality.extent / quality.thickness; });
+    return by_shape(e, [](const BlockQuality& quality) { return quality.longest_edge / std::cbrt(quality.volume); });
+}
+
+RangeTest by_face_area(const RangeElement& e, RangeContext&) {
+    return by_shape(e, [](const BlockQuality& quality) { return quality.smallest_face; });
 }
 
 RangeTest by_leader(const RangeElement& e, RangeContext& context) {
@@ -204,8 +208,9 @@ RangeTest by_joint_state(const RangeElement& e, RangeContext& context) {
 using Kind = RangeElement::Kind;
 constexpr std::array block_tests{
     RangeEntry{Kind::edge_length, by_edge_length}, RangeEntry{Kind::aspect_ratio, by_aspect_ratio},
-    RangeEntry{Kind::leader, by_leader},           RangeEntry{Kind::concave, in_concave_body},
-    RangeEntry{Kind::surface, on_surface},         RangeEntry{Kind::joint_state, by_joint_state},
+    RangeEntry{Kind::face_area, by_face_area},     RangeEntry{Kind::leader, by_leader},
+    RangeEntry{Kind::concave, in_concave_body},    RangeEntry{Kind::surface, on_surface},
+    RangeEntry{Kind::joint_state, by_joint_state},
 };
 
 } // namespace

@@ -2,13 +2,15 @@
 //
 // The faces are sorted into a tree of half spaces (binary space partition: Fuchs, Kedem and Naylor 1980;
 // Thibault and Naylor 1987 for solids): the plane of one face splits both the present space, a convex
-// polyhedron, and the other faces; where no face is left, the space is inside or outside as the last
-// plane says. All pieces are convex all the way, so the cutting of convex polyhedra with its tolerance
-// does the whole work.
+// polyhedron, and the other faces. Where no face is left, the space is a part if the surface winds around
+// it once. The last plane alone could not tell: slivers of faces, which rounding makes, have planes too.
+// All pieces are convex all the way, so the cutting of convex polyhedra with its tolerance does the whole
+// work.
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/surface_checks.hpp"
+#include "geometry/winding.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -26,7 +28,6 @@ struct Fragment {
 
 struct Sides {
     std::vector<Fragment> front, back;
-    int split = 0; ///< fragments on both sides
 };
 
 /// The part of the polygon on the side `sign` of the plane.
@@ -62,7 +63,6 @@ Sides sort_sides(const std::vector<Fragment>& fragments, const Plane& plane, dou
         } else if (high <= near) {
             sides.back.push_back(fragment);
         } else {
-            ++sides.split;
             sides.front.push_back({clip(fragment.corners, plane, 1), fragment.plane});
             sides.back.push_back({clip(fragment.corners, plane, -1), fragment.plane});
         }
@@ -97,25 +97,66 @@ struct Cell {
     std::vector<Fragment> fragments;
 };
 
-std::vector<Polyhedron> inside_cells(Cell&& whole, double near) {
-    std::vector<Polyhedron> inside;
+/// Thinner than `near`: by volume over area, because faces that rounding makes have no directions.
+bool is_sliver(const Polyhedron& space, double near) {
+    double largest = 0;
+    for (const auto& face : space.faces) {
+        const Vec3& base = space.vertices[face.vertices[0]];
+        Vec3 twice_area = Vec3::Zero();
+        for (std::size_t i = 2; i < face.vertices.size(); ++i)
+            twice_area += (space.vertices[face.vertices[i - 1]] - base).cross(space.vertices[face.vertices[i]] - base);
+        largest = std::max(largest, twice_area.norm() / 2);
+    }
+    return mass_properties(space).volume < near * largest;
+}
+
+/// Adds a cell without faces to the parts if it is inside. Slivers that rounding makes are left out.
+void decide(Polyhedron&& space, double near, const Triangles& triangles, ConvexSplit& split) {
+    if (is_sliver(space, near)) return;
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& v : space.vertices) centre += v / static_cast<double>(space.vertices.size());
+    const int turns = winding(triangles, centre);
+    if (turns != 0 && turns != 1) split.crossed_at = centre;
+    if (turns > 0) split.parts.push_back(std::move(space));
+}
+
+/// Cuts a cell; where vertices at the edge of the band make that impossible, with another band.
+Cut cut_cell(const Polyhedron& space, const Plane& plane, double near) {
+    Cut halves;
+    for (const double factor : {1.0, 0.0, 3.0, 10.0, 30.0}) {
+        halves = cut_with_band(space, plane, factor * near);
+        if (halves.outcome != CutOutcome::sliver) break;
+    }
+    return halves;
+}
+
+ConvexSplit split_space(Cell&& whole, double near, const Triangles& triangles) {
+    ConvexSplit split;
     std::vector<Cell> waiting;
     waiting.push_back(std::move(whole));
-    while (!waiting.empty()) {
+    const auto pass_on = [&](Polyhedron&& space, std::vector<Fragment>&& fragments) {
+        if (fragments.empty()) decide(std::move(space), near, triangles, split);
+        else waiting.push_back({std::move(space), std::move(fragments)});
+    };
+    while (!waiting.empty() && !split.crossed_at) {
         Cell cell = std::move(waiting.back());
         waiting.pop_back();
         const Plane plane = best_plane(cell.fragments, near);
         Sides sides = sort_sides(cell.fragments, plane, near);
-        Cut halves = cut(cell.space, plane, 0, near);
-        const bool has_front = halves.outcome == CutOutcome::cut || halves.outcome == CutOutcome::above;
-        const bool has_back = halves.outcome != CutOutcome::above;
-        if (halves.outcome == CutOutcome::above) halves.above = cell.space;
-        if (halves.outcome == CutOutcome::below || halves.outcome == CutOutcome::sliver) halves.below = cell.space;
-        if (has_back && sides.back.empty()) inside.push_back(halves.below);
-        if (has_back && !sides.back.empty()) waiting.push_back({std::move(halves.below), std::move(sides.back)});
-        if (has_front && !sides.front.empty()) waiting.push_back({std::move(halves.above), std::move(sides.front)});
+        Cut halves = cut_cell(cell.space, plane, near);
+        if (halves.outcome == CutOutcome::cut) {
+            pass_on(std::move(halves.below), std::move(sides.back));
+            pass_on(std::move(halves.above), std::move(sides.front));
+        } else if (halves.outcome == CutOutcome::above) {
+            pass_on(std::move(cell.space), std::move(sides.front));
+        } else if (halves.outcome == CutOutcome::below) {
+            pass_on(std::move(cell.space), std::move(sides.back));
+        } else { // the plane grazes the space
+            sides.front.insert(sides.front.end(), sides.back.begin(), sides.back.end());
+            pass_on(std::move(cell.space), std::move(sides.front));
+        }
     }
-    return inside;
+    return split;
 }
 
 std::vector<Fragment> fragments_of(const Surface& surface) {
@@ -170,7 +211,7 @@ void restore_joint_sets(std::vector<Polyhedron>& parts, const Surface& surface, 
 
 } // namespace
 
-std::vector<Polyhedron> convex_parts(const Surface& surface) {
+ConvexSplit convex_parts(const Surface& surface) {
     constexpr std::size_t most_faces = 5000;
     if (surface.faces.size() > most_faces)
         throw Diagnostic(
@@ -183,24 +224,23 @@ std::vector<Polyhedron> convex_parts(const Surface& surface) {
         high = high.cwiseMax(v);
     }
     const Vec3 margin = Vec3::Constant(0.1 * size);
-    std::vector<Polyhedron> parts =
-        inside_cells({make_brick(low - margin, high + margin), fragments_of(surface)}, near);
+    const Triangles triangles = triangles_of(surface);
+    ConvexSplit split = split_space({make_brick(low - margin, high + margin), fragments_of(surface)}, near, triangles);
+    if (split.crossed_at) return split;
 
     double volume = 0;
-    for (Polyhedron& part : parts) {
+    for (Polyhedron& part : split.parts) {
         snap(part, surface.vertices, 10 * near);
         volume += mass_properties(part).volume;
     }
-    Polyhedron whole;
-    whole.vertices = surface.vertices;
-    for (const auto& face : surface.faces)
-        for (const auto& t : triangles_of(surface.vertices, face)) whole.faces.push_back({{t[0], t[1], t[2]}, 0});
-    const double wanted = mass_properties(whole).volume;
-    if (parts.empty() || std::abs(volume - wanted) > 1e-6 * wanted)
-        throw Diagnostic("the concave surface could not be split into convex parts",
+    const double wanted = volume_of(triangles);
+    if (split.parts.empty() || std::abs(volume - wanted) > 1e-6 * wanted)
+        throw Diagnostic(fmt::format("the concave surface could not be split into convex parts: they have {:.6g} "
+                                     "of its volume {:.6g}",
+                                     volume, wanted),
                          "give it as convex blocks and join them");
-    restore_joint_sets(parts, surface, 10 * near);
-    return parts;
+    restore_joint_sets(split.parts, surface, 10 * near);
+    return split;
 }
 
 } // namespace kaya

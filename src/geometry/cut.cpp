@@ -24,11 +24,11 @@ struct Side {
     int sign = 0; ///< 0 on the plane
 };
 
-Side side_of(const Vec3& vertex, const Plane& plane) {
+Side side_of(const Vec3& vertex, const Plane& plane, double least_band) {
     Side side;
     side.distance = plane.distance(vertex);
-    const double band =
-        band_units * std::numeric_limits<double>::epsilon() * (vertex.lpNorm<1>() + plane.origin.lpNorm<1>());
+    const double band = std::max(least_band, band_units * std::numeric_limits<double>::epsilon() *
+                                                 (vertex.lpNorm<1>() + plane.origin.lpNorm<1>()));
     if (side.distance > band) side.sign = 1;
     if (side.distance < -band) side.sign = -1;
     return side;
@@ -177,13 +177,20 @@ double thickness(const Polyhedron& polyhedron) {
     return std::isfinite(least) ? least : 0;
 }
 
-Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest, double nearest) {
+namespace {
+
+struct CutLimits {
+    double thinnest = 0, nearest = 0, band = 0;
+};
+
+Cut cut_within(const Polyhedron& polyhedron, const Plane& plane, int joint_set, const CutLimits& limits) {
+    const auto& [thinnest, nearest, band] = limits;
     Cut result;
     // Most planes miss most blocks, so this first pass stores nothing.
     double highest = 0, lowest = 0;
     bool any_above = false, any_below = false, any_near = false;
     for (const Vec3& vertex : polyhedron.vertices) {
-        const Side side = side_of(vertex, plane);
+        const Side side = side_of(vertex, plane, band);
         any_above |= side.sign > 0;
         any_below |= side.sign < 0;
         any_near |= side.sign != 0 && std::abs(side.distance) < nearest;
@@ -202,7 +209,7 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
     vertices.points.reserve(polyhedron.vertices.size() + 8);
     vertices.sides.reserve(polyhedron.vertices.size() + 8);
     vertices.points = polyhedron.vertices;
-    for (const Vec3& vertex : polyhedron.vertices) vertices.sides.push_back(side_of(vertex, plane));
+    for (const Vec3& vertex : polyhedron.vertices) vertices.sides.push_back(side_of(vertex, plane, band));
 
     CutPiece above{1, {}}, below{-1, {}};
     above.faces.reserve(polyhedron.faces.size() + 1);
@@ -243,6 +250,16 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
     if (thinnest > 0 && std::min(thickness(result.above), thickness(result.below)) < thinnest)
         result = Cut{CutOutcome::sliver, {}, {}};
     return result;
+}
+
+} // namespace
+
+Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest, double nearest) {
+    return cut_within(polyhedron, plane, joint_set, {thinnest, nearest, 0});
+}
+
+Cut cut_with_band(const Polyhedron& polyhedron, const Plane& plane, double band) {
+    return cut_within(polyhedron, plane, 0, {0, 0, band});
 }
 
 } // namespace kaya

@@ -27,6 +27,10 @@ struct Cut {
 /// gets a new edge shorter than `nearest`.
 Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest = 0, double nearest = 0);
 
+/// The same with vertices up to `band` from the plane taken as lying on it: for pieces of planes that meet at small angles, whose vertices
+/// are known to no better than that.
+Cut cut_with_band(const Polyhedron& polyhedron, const Plane& plane, double band);
+
 /// The least distance between a face and the vertex farthest from it: the thickness of a plate, the
 /// smaller side of a needle. Zero for a polyhedron without faces.
 double thickness(const Polyhedron& polyhedron);

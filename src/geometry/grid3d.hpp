@@ -36,13 +36,20 @@ struct Grid3d {
 /// numbers that are used twice or never defined.
 Grid3d read_grid3d(std::string_view text, const std::string& file);
 
-/// Tetrahedra and hexahedra of gmsh's .msh, ASCII 2.2 or 4.1; hexahedra become six zones. Each volume of the geometry is a block; its
-/// physical group gives group, region and material. Throws Diagnostic with file and line.
+/// Cells of gmsh's .msh, ASCII 2.2 or 4.1, as zones; edges of elements of second order are straight. Each volume of the geometry is a
+/// block; its physical group gives group, region and material. Throws Diagnostic with file and line.
 Grid3d read_msh(std::string_view text, const std::string& file);
 
-/// Reads either, by the suffix.
+/// Zones of FLAC3D's text grids; connected ones of a group are a block.
+Grid3d read_f3grid(std::string_view text, const std::string& file);
+
+/// Cells of Neper's tessellations (.tess) as rigid blocks.
+Grid3d read_tess(std::string_view text, const std::string& file);
+
+/// Reads any of them, by the suffix.
 Grid3d read_grid3d_file(const std::string& path);
-bool is_msh(const std::string& path);
+bool is_grid_file(const std::string& path);
+std::string grid_suffixes();
 
 /// The text of a grid; numbers are written so that they read back bit for bit.
 std::string write_grid3d(const Grid3d& grid);

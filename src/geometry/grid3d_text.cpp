@@ -1,6 +1,5 @@
 // The lines of a .3dgrid file.
 #include "base/diagnostic.hpp"
-#include "geometry/input_text.hpp"
 #include "geometry/grid3d.hpp"
 #include "geometry/words.hpp"
 
@@ -167,15 +166,6 @@ Grid3d read_grid3d(std::string_view text, const std::string& file) {
     }
     if (reader.grid.blocks.empty()) throw Diagnostic(fmt::format("{} holds no blocks", file));
     return std::move(reader.grid);
-}
-
-Grid3d read_grid3d_file(const std::string& path) {
-    const std::string text = input_text(path);
-    return is_msh(path) ? read_msh(text, path) : read_grid3d(text, path);
-}
-
-bool is_msh(const std::string& path) {
-    return path.size() > 4 && same_word(std::string_view(path).substr(path.size() - 4), ".msh");
 }
 
 std::string write_grid3d(const Grid3d& grid) {

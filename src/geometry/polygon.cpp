@@ -38,15 +38,19 @@ bool crosses_itself(const std::vector<Vec2>& outline) {
     return false;
 }
 
-/// True when corner `i` of the remaining outline can be cut off: it is convex and no other corner lies in the triangle.
-bool is_ear(const std::vector<Vec2>& drawing, const std::vector<int>& left, std::size_t i) {
+/// Distance of a point to the left of the line from `a` to `b`.
+double left_of(const Vec2& a, const Vec2& b, const Vec2& p) { return turn(a, b, p) / (b - a).norm(); }
+
+/// True when corner `i` of the remaining outline can be cut off: it is convex, and no other corner lies in the triangle or within `near` of
+/// it. A diagonal along a straight row of corners would cross the faces beside the row by rounding.
+bool is_ear(const std::vector<Vec2>& drawing, const std::vector<int>& left, std::size_t i, double near) {
     const std::size_t count = left.size();
     const Vec2 &a = drawing[left[(i + count - 1) % count]], &b = drawing[left[i]], &c = drawing[left[(i + 1) % count]];
-    if (turn(a, b, c) <= 0) return false;
+    if (!(left_of(c, a, b) > near)) return false;
     for (const int other : left) {
         const Vec2& p = drawing[other];
         if (p == a || p == b || p == c) continue;
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+        if (left_of(a, b, p) >= -near && left_of(b, c, p) >= -near && left_of(c, a, p) >= -near) return false;
     }
     return true;
 }
@@ -67,11 +71,14 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& vertices, 
     const std::vector<Vec2> drawing = drawing_of(vertices, face.vertices, mean_normal(vertices, face.vertices));
     std::vector<int> left(face.vertices.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
+    double extent = 0;
+    for (const Vec2& corner : drawing) extent = std::max(extent, corner.lpNorm<Eigen::Infinity>());
+    const double near = 1e-9 * extent;
     std::vector<std::array<int, 3>> triangles;
     while (left.size() > 2) {
         const std::size_t count = left.size();
         std::size_t ear = 0;
-        while (ear < count && !is_ear(drawing, left, ear)) ++ear;
+        while (ear < count && !is_ear(drawing, left, ear, near)) ++ear;
         // Without an ear only collinear corners are left; any will do.
         ear %= count;
         const auto at = [&](std::size_t i) { return face.vertices[left[i % count]]; };

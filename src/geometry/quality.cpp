@@ -81,6 +81,7 @@ void measure_faces(const Polyhedron& polyhedron, BlockQuality& quality) {
                        &b = polyhedron.vertices[face.vertices[(i + 1) % face.vertices.size()]];
             twice_area += (a - centre).cross(b - centre);
             quality.shortest_edge = std::min(quality.shortest_edge, (b - a).norm());
+            quality.longest_edge = std::max(quality.longest_edge, (b - a).norm());
         }
         quality.smallest_face = std::min(quality.smallest_face, twice_area.norm() / 2);
         const Vec3 normal = face_normal(polyhedron, face);

@@ -15,7 +15,7 @@ struct BlockQuality {
     double extent = 0;    ///< greatest distance between two vertices
     double thickness = 0; ///< least distance between a face and the vertex farthest from it
     double width = 0;     ///< middle edge of the brick with the same second moments
-    double shortest_edge = 0;
+    double shortest_edge = 0, longest_edge = 0;
     double smallest_face = 0; ///< area
     double worst_warp = 0;    ///< greatest distance of a vertex from the plane of its face
     double worst_bulge = 0;   ///< greatest distance of a vertex outside the plane of another face

@@ -131,7 +131,10 @@ Ground read_ground(const std::string& path) {
     if (suffix == ".stl" || suffix == ".obj" || suffix == ".ply") {
         std::vector<Vec3> corners;
         std::vector<std::array<int, 3>> triangles;
-        for (const auto& [name, surface] : read_surfaces(path)) {
+        std::vector<Surface> surfaces;
+        for (const FaceSoup& soup : read_soups(path))
+            for (Surface& one : separate(welded(soup))) surfaces.push_back(std::move(one));
+        for (const Surface& surface : surfaces) {
             const int first = static_cast<int>(corners.size());
             corners.insert(corners.end(), surface.vertices.begin(), surface.vertices.end());
             for (const auto& face : surface.faces)

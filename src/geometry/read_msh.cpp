@@ -1,30 +1,31 @@
-// Tetrahedra and hexahedra of a file of gmsh, ASCII 2.2 and 4.1. The sections are those of gmsh's reference manual, chapter 9.
-#include "geometry/grid3d.hpp"
-#include "geometry/words.hpp"
+// Tetrahedra, pyramids, wedges and hexahedra of a file of gmsh, ASCII 2.2 and 4.1. The sections are those of gmsh's reference manual, chapter 9.
+#include "geometry/cell_zones.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 
 namespace kaya {
 namespace {
 
-constexpr long long tetrahedron = 4, hexahedron = 5; // types of elements
-constexpr int solid = 3;                             // dimensions of a volume
+constexpr int solid = 3; // dimensions of a volume
 
-/// Types that fill space and are not read.
-constexpr std::array other_solids{
-    std::pair{6LL, "prism"}, std::pair{7LL, "pyramid"}, std::pair{11LL, "second-order tetrahedron"},
-    std::pair{12LL, "second-order hexahedron"}, std::pair{17LL, "second-order hexahedron"}};
-
-double six_volumes(const Grid3d& grid, const std::array<int, 4>& t) {
-    const Vec3& a = grid.gridpoints.at(t[0]);
-    return (grid.gridpoints.at(t[1]) - a).cross(grid.gridpoints.at(t[2]) - a).dot(grid.gridpoints.at(t[3]) - a);
-}
+/// A type of elements that fills space: its corners come first, those inside its edges, faces and volume after them.
+struct ElementType {
+    long long type;
+    CellKind kind;
+    std::size_t nodes;
+};
+constexpr std::array element_types{
+    ElementType{4, CellKind::tetrahedron, 4},  ElementType{11, CellKind::tetrahedron, 10},
+    ElementType{5, CellKind::hexahedron, 8},   ElementType{17, CellKind::hexahedron, 20},
+    ElementType{12, CellKind::hexahedron, 27}, ElementType{6, CellKind::wedge, 6},
+    ElementType{18, CellKind::wedge, 15},      ElementType{13, CellKind::wedge, 18},
+    ElementType{7, CellKind::pyramid, 5},      ElementType{19, CellKind::pyramid, 13},
+    ElementType{14, CellKind::pyramid, 14},
+};
 
 /// A volume of the geometry, or the part of it that belongs to one physical group.
 struct Volume {
@@ -52,9 +53,12 @@ public:
             words_.expect(fmt::format("$End{}", known->name));
         }
         if (of_volume_.empty())
-            words_.fail("there is no tetrahedron and no hexahedron in it",
+            words_.fail("there is no element in it that fills space",
                         "mesh volumes (gmsh -3), and save them: with physical groups gmsh saves those only");
-        make_blocks();
+        for (auto& [volume, set] : of_volume_) {
+            name(volume, set);
+            make_blocks(grid_, set);
+        }
         return std::move(grid_);
     }
 
@@ -192,14 +196,14 @@ private:
     }
 
     /// The nodes to the end of the line.
-    template <std::size_t N> std::array<int, N> nodes(long long number) {
-        std::array<int, N> result{};
-        for (int& node : result) {
+    std::vector<int> nodes(long long number, std::size_t count) {
+        std::vector<int> result;
+        while (result.size() < count) {
             const long long found = words_.integer_in_line("the number of a node");
             if (found < 1 || found > std::numeric_limits<int>::max() ||
                 !grid_.gridpoints.contains(static_cast<int>(found)))
                 words_.fail(fmt::format("element {} has node {}, which is not there", number, found));
-            node = static_cast<int>(found);
+            result.push_back(static_cast<int>(found));
         }
         if (const std::string_view rest = words_.next_in_line(); !rest.empty())
             words_.fail(fmt::format("'{}' follows the nodes of element {}", rest.substr(0, 30), number));
@@ -207,96 +211,18 @@ private:
     }
 
     void element(long long number, long long type, const Volume& volume) {
-        if (type == tetrahedron) add(number, "tetrahedron", volume, {nodes<4>(number)});
-        else if (type == hexahedron) add(number, "hexahedron", volume, cut(nodes<8>(number)));
-        else if (const auto other = std::ranges::find(other_solids, type, &std::pair<long long, const char*>::first);
-                 other != other_solids.end())
-            words_.fail(fmt::format("element {} is a {}", number, other->second),
-                        "tetrahedra and hexahedra of first order are read: Mesh.ElementOrder = 1");
-        else words_.skip_line(); // points, lines and surfaces
+        const auto known = std::ranges::find(element_types, type, &ElementType::type);
+        if (known == element_types.end()) return words_.skip_line(); // points, lines and surfaces
+        std::vector<int> corners = nodes(number, known->nodes);
+        corners.resize(corners_of(known->kind)); // edges are straight
+        add_cell(grid_, of_volume_[volume], words_, known->kind, number, corners);
     }
 
-    /// Six tetrahedra around the corner with the lowest number. All faces are cut through their lowest corner, and so from both
-    /// sides in the same way (Dompierre et al. 1999, How to subdivide pyramids, prisms and hexahedra into tetrahedra).
-    static std::vector<std::array<int, 4>> cut(const std::array<int, 8>& corner) {
-        static constexpr std::array<std::array<std::size_t, 4>, 6> faces{
-            {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-        const int lowest = *std::ranges::min_element(corner);
-        std::vector<std::array<int, 4>> parts;
-        for (const auto& face : faces) {
-            std::array<int, 4> loop{corner[face[0]], corner[face[1]], corner[face[2]], corner[face[3]]};
-            if (std::ranges::find(loop, lowest) != loop.end()) continue;
-            std::ranges::rotate(loop, std::ranges::min_element(loop));
-            // Faces run outward, seen from outside against the clock.
-            parts.push_back({lowest, loop[0], loop[1], loop[2]});
-            parts.push_back({lowest, loop[0], loop[2], loop[3]});
-        }
-        return parts;
-    }
-
-    void add(long long number, std::string_view what, const Volume& volume,
-             const std::vector<std::array<int, 4>>& parts) {
-        constexpr double flat = 1e-12; // of the cube of its size
-        int right = 0, wrong = 0;
-        for (const auto& part : parts) {
-            double size = 0;
-            for (const int node : part)
-                size = std::max(size, (grid_.gridpoints.at(node) - grid_.gridpoints.at(part[0])).norm());
-            const double volumes = six_volumes(grid_, part);
-            if (!(std::abs(volumes) > flat * size * size * size))
-                words_.fail(fmt::format("{} {} has no volume", what, number));
-            (volumes > 0 ? right : wrong) += 1;
-        }
-        if (right > 0 && wrong > 0)
-            words_.fail(fmt::format("{} {} is turned inside out in part", what, number),
-                        "its nodes stand in a wrong order, or it is warped too much");
-        for (const auto& part : parts) {
-            const int zone = static_cast<int>(grid_.zones.size()) + 1;
-            grid_.zones.emplace(zone, part);
-            of_volume_[volume].push_back(zone);
-        }
-    }
-
-    /// Zones of a volume that hang together by faces become a block.
-    void make_blocks() {
-        for (const auto& [volume, zones] : of_volume_) {
-            std::vector<std::size_t> leader(zones.size());
-            std::iota(leader.begin(), leader.end(), std::size_t{0});
-            const auto first_of = [&](std::size_t z) {
-                while (leader[z] != z) z = leader[z] = leader[leader[z]];
-                return z;
-            };
-            std::map<std::array<int, 3>, std::size_t> owner;
-            for (std::size_t z = 0; z < zones.size(); ++z) {
-                const auto& corner = grid_.zones.at(zones[z]);
-                for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-                    std::array<int, 3> face{};
-                    for (std::size_t k = 0, i = 0; k < 4; ++k)
-                        if (k != left_out) face[i++] = corner[k];
-                    std::ranges::sort(face);
-                    const auto [other, is_new] = owner.emplace(face, z);
-                    if (is_new) continue;
-                    const std::size_t a = first_of(other->second), b = first_of(z);
-                    leader[std::max(a, b)] = std::min(a, b);
-                }
-            }
-            std::map<std::size_t, std::size_t> block_of;
-            for (std::size_t z = 0; z < zones.size(); ++z) {
-                const auto [found, is_new] = block_of.try_emplace(first_of(z), grid_.blocks.size());
-                if (is_new) grid_.blocks.push_back(block_in(volume));
-                grid_.blocks[found->second].zones.push_back(zones[z]);
-            }
-        }
-    }
-
-    Grid3d::Block block_in(const Volume& volume) const {
-        Grid3d::Block block;
-        block.number = static_cast<int>(grid_.blocks.size()) + 1;
-        if (volume.physical == 0 || volume.physical > std::numeric_limits<int>::max()) return block;
-        block.region = block.material = static_cast<int>(volume.physical);
-        const auto name = names_.find(block.region);
-        block.group = name != names_.end() ? name->second : fmt::format("physical-{}", block.region);
-        return block;
+    void name(const Volume& volume, ZoneSet& set) const {
+        if (volume.physical == 0 || volume.physical > std::numeric_limits<int>::max()) return;
+        set.number = static_cast<int>(volume.physical);
+        const auto known = names_.find(set.number);
+        set.group = known != names_.end() ? known->second : fmt::format("physical-{}", set.number);
     }
 
     static constexpr std::array<Section, 4> sections_{
@@ -309,7 +235,7 @@ private:
     bool is_new_ = false;
     std::map<int, std::string> names_;           ///< of physical groups of volumes
     std::map<long long, long long> physical_of_; ///< volume of the geometry: its first physical group
-    std::map<Volume, std::vector<int>> of_volume_;
+    std::map<Volume, ZoneSet> of_volume_;
 };
 
 } // namespace

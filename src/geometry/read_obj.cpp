@@ -1,5 +1,5 @@
 // Wavefront files: numbered vertices and faces; each object and group is a block.
-#include "geometry/face_soup.hpp"
+#include "geometry/surface_files.hpp"
 #include "geometry/words.hpp"
 
 #include <fmt/format.h>
@@ -25,10 +25,10 @@ std::size_t vertex_number(const Words& words, std::string_view word, std::size_t
 
 } // namespace
 
-std::vector<NamedSurface> read_obj(std::string_view text, const std::string& file) {
+std::vector<FaceSoup> read_obj(std::string_view text, const std::string& file) {
     Words words(text, file, "", "#");
     std::vector<Vec3> vertices;
-    std::vector<NamedSurface> surfaces;
+    std::vector<FaceSoup> soups;
     FaceSoup soup;
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         if (word == "v") {
@@ -40,14 +40,13 @@ std::vector<NamedSurface> read_obj(std::string_view text, const std::string& fil
                 loop.push_back(vertices[vertex_number(words, w, vertices.size())]);
             soup.loops.push_back(std::move(loop));
         } else if (word == "o" || word == "g") {
-            add_surfaces(soup, surfaces);
+            soups.push_back(std::move(soup));
             soup = {std::string(words.next_in_line()), {}};
         }
         words.skip_line(); // normals, textures and other records are ignored
     }
-    add_surfaces(soup, surfaces);
-    need_surfaces(surfaces, file);
-    return surfaces;
+    soups.push_back(std::move(soup));
+    return soups;
 }
 
 } // namespace kaya

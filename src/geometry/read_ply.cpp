@@ -1,6 +1,6 @@
 // Polygon files: a header with the layout, then vertices and faces as text or binary.
 #include "base/diagnostic.hpp"
-#include "geometry/face_soup.hpp"
+#include "geometry/surface_files.hpp"
 #include "geometry/words.hpp"
 
 #include <algorithm>
@@ -171,7 +171,7 @@ std::vector<Vec3> loop_of(const std::vector<double>& numbers, const std::vector<
 
 } // namespace
 
-std::vector<NamedSurface> read_ply(std::string_view bytes, const std::string& file) {
+std::vector<FaceSoup> read_ply(std::string_view bytes, const std::string& file) {
     const Header header = read_header(bytes, file);
     Body body(bytes, header, file);
     std::vector<Vec3> vertices;
@@ -199,10 +199,7 @@ std::vector<NamedSurface> read_ply(std::string_view bytes, const std::string& fi
             }
         }
     }
-    std::vector<NamedSurface> surfaces;
-    add_surfaces(soup, surfaces);
-    need_surfaces(surfaces, file);
-    return surfaces;
+    return {std::move(soup)};
 }
 
 } // namespace kaya

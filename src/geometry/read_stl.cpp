@@ -1,7 +1,7 @@
 // Stereolithography files: triangles corner by corner, as text or binary (80 bytes, number of triangles,
 // 50 bytes for each).
 #include "base/diagnostic.hpp"
-#include "geometry/face_soup.hpp"
+#include "geometry/surface_files.hpp"
 #include "geometry/words.hpp"
 
 #include <array>
@@ -31,7 +31,7 @@ bool is_binary(std::string_view bytes) {
            bytes.size() == header_bytes + triangle_bytes * static_cast<std::size_t>(triangle_count(bytes));
 }
 
-std::vector<NamedSurface> read_binary(std::string_view bytes, const std::string& file) {
+std::vector<FaceSoup> read_binary(std::string_view bytes, const std::string& file) {
     FaceSoup soup;
     for (std::size_t i = 0; i < triangle_count(bytes); ++i) {
         std::array<float, 9> corners;
@@ -45,14 +45,12 @@ std::vector<NamedSurface> read_binary(std::string_view bytes, const std::string&
         }
         soup.loops.push_back(std::move(loop));
     }
-    std::vector<NamedSurface> surfaces;
-    add_surfaces(soup, surfaces);
-    return surfaces;
+    return {std::move(soup)};
 }
 
-std::vector<NamedSurface> read_text(std::string_view text, const std::string& file) {
+std::vector<FaceSoup> read_text(std::string_view text, const std::string& file) {
     Words words(text, file, "", "");
-    std::vector<NamedSurface> surfaces;
+    std::vector<FaceSoup> soups;
     while (!words.peek().empty()) {
         FaceSoup soup;
         words.expect("solid");
@@ -74,23 +72,21 @@ std::vector<NamedSurface> read_text(std::string_view text, const std::string& fi
         }
         words.expect("endsolid");
         words.skip_line();
-        add_surfaces(soup, surfaces);
+        soups.push_back(std::move(soup));
     }
-    return surfaces;
+    return soups;
 }
 
 } // namespace
 
-std::vector<NamedSurface> read_stl(std::string_view bytes, const std::string& file) {
+std::vector<FaceSoup> read_stl(std::string_view bytes, const std::string& file) {
     const bool binary = is_binary(bytes);
     if (!binary && !same_word(bytes.substr(0, 5), "solid"))
         throw Diagnostic(fmt::format("{} is not a whole STL file: it does not begin with 'solid', and its length is "
                                      "not that of its number of triangles",
                                      file),
                          "export it again");
-    auto surfaces = binary ? read_binary(bytes, file) : read_text(bytes, file);
-    need_surfaces(surfaces, file);
-    return surfaces;
+    return binary ? read_binary(bytes, file) : read_text(bytes, file);
 }
 
 } // namespace kaya

@@ -1,5 +1,5 @@
 // VRML files, version 1 and 2: every IndexedFaceSet is read, with its own or the last given points.
-#include "geometry/face_soup.hpp"
+#include "geometry/surface_files.hpp"
 #include "geometry/words.hpp"
 
 #include <algorithm>
@@ -37,11 +37,11 @@ void need_unplaced(Words& words, const std::string& field) {
 
 } // namespace
 
-std::vector<NamedSurface> read_vrml(std::string_view text, const std::string& file) {
+std::vector<FaceSoup> read_vrml(std::string_view text, const std::string& file) {
     if (text.substr(0, 5) != "#VRML") Words(text, file, "", "").fail("a VRML file begins with '#VRML'");
     Words words(text, file, ",", "#");
     std::vector<Vec3> points;
-    std::vector<NamedSurface> surfaces;
+    std::vector<FaceSoup> soups;
     std::string name;
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         if (word == "DEF") {
@@ -69,13 +69,12 @@ std::vector<NamedSurface> read_vrml(std::string_view text, const std::string& fi
                 loop.push_back(points[static_cast<std::size_t>(index)]);
             });
             finish();
-            add_surfaces(soup, surfaces);
+            soups.push_back(std::move(soup));
         } else if (word == "translation" || word == "scale" || word == "rotation") {
             need_unplaced(words, std::string(word));
         }
     }
-    need_surfaces(surfaces, file);
-    return surfaces;
+    return soups;
 }
 
 } // namespace kaya

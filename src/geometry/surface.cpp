@@ -47,15 +47,54 @@ std::map<Edge, std::vector<EdgeUse>> edges_of(const Surface& surface) {
     return edges;
 }
 
-/// Number of the edge-connected part that each face belongs to, counted from 0 by first face.
+/// Direction from an edge into a face on it.
+Vec3 into_face(const Surface& surface, const Edge& edge, const EdgeUse& use) {
+    const Vec3 along = (surface.vertices[edge[1]] - surface.vertices[edge[0]]).normalized();
+    return mean_normal(surface, surface.faces[use.face]).cross(use.rising ? along : Vec3(-along));
+}
+
+/// The faces of an edge of four or more that continue each other: those that lie on each other, and two that are left then.
+std::vector<std::array<int, 2>> pairs_on(const Surface& surface, const Edge& edge, std::vector<EdgeUse> uses) {
+    constexpr double same_direction = 1e-3;
+    std::vector<std::array<int, 2>> pairs;
+    for (std::size_t i = 0; i < uses.size();) {
+        const Vec3 direction = into_face(surface, edge, uses[i]);
+        const auto own = uses.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto partner = std::find_if(own + 1, uses.end(), [&](const EdgeUse& other) {
+            return (into_face(surface, edge, other) - direction).norm() < same_direction;
+        });
+        if (partner == uses.end()) {
+            ++i;
+            continue;
+        }
+        pairs.push_back({own->face, partner->face});
+        uses.erase(partner);
+        uses.erase(uses.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    if (uses.size() == 2) pairs.push_back({uses[0].face, uses[1].face});
+    return pairs;
+}
+
+/// Number of the edge-connected part that each face belongs to, counted from 0 by first face. Closed parts may meet in an edge.
 std::vector<int> parts_of(const Surface& surface) {
     std::vector<int> parent(surface.faces.size());
     std::iota(parent.begin(), parent.end(), 0);
-    for (const auto& [edge, uses] : edges_of(surface))
-        for (const EdgeUse& use : uses) {
-            const int a = root_of(parent, uses.front().face), b = root_of(parent, use.face);
-            parent[std::max(a, b)] = std::min(a, b);
-        }
+    const auto join = [&](int one, int other) {
+        const int a = root_of(parent, one), b = root_of(parent, other);
+        parent[std::max(a, b)] = std::min(a, b);
+    };
+    const auto edges = edges_of(surface);
+    // An odd number of faces at an edge is a mistake of all of them.
+    for (const auto& [edge, uses] : edges)
+        if (uses.size() == 2 || uses.size() % 2 != 0)
+            for (const EdgeUse& use : uses) join(uses.front().face, use.face);
+    for (const auto& [edge, uses] : edges) {
+        if (uses.size() == 2 || uses.size() % 2 != 0) continue;
+        std::map<int, int> uses_by_part;
+        for (const EdgeUse& use : uses) ++uses_by_part[root_of(parent, use.face)];
+        if (std::ranges::all_of(uses_by_part, [](const auto& part) { return part.second % 2 == 0; })) continue;
+        for (const auto& [one, other] : pairs_on(surface, edge, uses)) join(one, other);
+    }
     std::vector<int> part(parent.size());
     int count = 0;
     for (std::size_t f = 0; f < parent.size(); ++f) {
@@ -92,13 +131,6 @@ double volume_of(const Surface& surface) {
                 6;
     }
     return volume;
-}
-
-Polyhedron polyhedron_of(const Surface& surface) {
-    Polyhedron polyhedron;
-    polyhedron.vertices = surface.vertices;
-    for (const auto& face : surface.faces) polyhedron.faces.push_back({face.vertices, face.joint_set});
-    return polyhedron;
 }
 
 } // namespace
@@ -248,7 +280,7 @@ void check_faces(Surface& surface) {
 int turn_alike(Surface& surface) {
     const auto edges = edges_of(surface);
     for (const auto& [edge, uses] : edges) {
-        if (uses.size() == 2) continue;
+        if (uses.size() % 2 == 0) continue;
         const std::string where = fmt::format("the edge from {} to {}", text_of(surface.vertices[edge[0]]),
                                               text_of(surface.vertices[edge[1]]));
         const std::string& name = surface.faces[uses[0].face].name;
@@ -257,7 +289,7 @@ int turn_alike(Surface& surface) {
                              "add the face that is missing, or give the corner exactly as in the other face");
         throw Diagnostic(fmt::format("{} faces meet in {}, among them {} and {}", uses.size(), where, name,
                                      surface.faces[uses[1].face].name),
-                         "two faces meet in an edge of a closed surface");
+                         "an even number of faces meets in an edge of a closed surface, two as a rule");
     }
     const std::vector<int> part = parts_of(surface);
     const auto stray = std::find_if(part.begin(), part.end(), [](int p) { return p > 0; });
@@ -269,6 +301,7 @@ int turn_alike(Surface& surface) {
 
     std::vector<std::vector<std::pair<int, bool>>> neighbours(surface.faces.size());
     for (const auto& [edge, uses] : edges) {
+        if (uses.size() != 2) continue;
         const bool opposed = uses[0].rising != uses[1].rising;
         neighbours[uses[0].face].emplace_back(uses[1].face, opposed);
         neighbours[uses[1].face].emplace_back(uses[0].face, opposed);
@@ -337,26 +370,6 @@ bool is_convex(const Surface& surface, double tolerance) {
         }
     }
     return true;
-}
-
-Solid solid_from_surface(const Surface& given, const Flatness& flatness) {
-    Surface surface = given;
-    Solid solid;
-    check_faces(surface);
-    solid.turned_faces = turn_alike(surface);
-    solid.anticlockwise = !turn_outward(surface) && solid.turned_faces == 0;
-    check_outlines(surface);
-    merge_flat_neighbours(surface);
-    solid.mended_by = flatten(surface, flatness, solid.triangulated);
-    // A fine net from a file is as round as the digits of single precision make it.
-    const double tolerance = surface.faces.size() > fine_net ? 1e-6 : 1e-9;
-    if (is_convex(surface, tolerance * size_of(surface.vertices))) {
-        solid.parts.push_back(polyhedron_of(surface));
-        return solid;
-    }
-    check_crossings(surface);
-    solid.parts = convex_parts(surface);
-    return solid;
 }
 
 } // namespace kaya

@@ -4,12 +4,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace kaya {
 
-void check_crossings(const Surface& surface) {
+std::vector<std::pair<std::string, std::string>> crossing_faces(const Surface& surface) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
     Mesh mesh;
@@ -26,13 +25,11 @@ void check_crossings(const Surface& surface) {
         }
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
     CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(crossings));
-    std::vector<std::pair<int, int>> faces;
+    std::vector<std::pair<std::string, std::string>> names;
     for (const auto& [a, b] : crossings)
-        if (face_of[a] != face_of[b]) faces.emplace_back(std::minmax(face_of[a], face_of[b]));
-    if (faces.empty()) return;
-    const auto first = *std::min_element(faces.begin(), faces.end());
-    throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}", surface.faces[first.first].name,
-                                 surface.faces[first.second].name));
+        if (face_of[a] != face_of[b])
+            names.emplace_back(surface.faces[face_of[a]].name, surface.faces[face_of[b]].name);
+    return names;
 }
 
 } // namespace kaya

@@ -102,31 +102,38 @@ void drop_mid_edge_corners(Surface& surface, double near) {
 
 /// Triangles instead of a face. The diagonal of a four-cornered face starts at its lowest corner, so that
 /// a neighbour with the same four corners gets the same one.
-std::vector<Surface::Face> split(const Surface& surface, const Surface::Face& face) {
+std::vector<Surface::Face> split(const Surface& surface, const Surface::Face& face, const Diagonals& diagonals) {
+    const auto other = diagonals.find(face.name);
+    const std::size_t turn = other == diagonals.end() ? 0 : static_cast<std::size_t>(other->second);
+    Surface::Face given = face;
+    std::vector<int>& loop = given.vertices;
     std::vector<std::array<int, 3>> triangles;
-    if (face.vertices.size() == 4) {
-        const auto lowest = std::min_element(face.vertices.begin(), face.vertices.end(), [&](int a, int b) {
+    if (loop.size() == 4) {
+        const auto lowest = std::min_element(loop.begin(), loop.end(), [&](int a, int b) {
             return std::lexicographical_compare(surface.vertices[a].begin(), surface.vertices[a].end(),
                                                 surface.vertices[b].begin(), surface.vertices[b].end());
         });
-        std::vector<int> loop = face.vertices;
-        std::rotate(loop.begin(), loop.begin() + (lowest - face.vertices.begin()), loop.end());
-        triangles = {{loop[0], loop[1], loop[2]}, {loop[0], loop[2], loop[3]}};
-    } else {
-        triangles = triangles_of(surface.vertices, face);
+        std::rotate(loop.begin(), lowest, loop.end());
     }
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(turn % loop.size()), loop.end());
+    if (loop.size() == 4) triangles = {{loop[0], loop[1], loop[2]}, {loop[0], loop[2], loop[3]}};
+    else triangles = triangles_of(surface.vertices, given);
     std::vector<Surface::Face> result;
     for (const auto& t : triangles) result.push_back({{t[0], t[1], t[2]}, face.joint_set, face.name});
     return result;
 }
 
 /// Puts triangles in place of the faces that are not flat.
-void split_warped(Surface& surface, double rounding) {
+void split_warped(Surface& surface, double rounding, const Diagonals& diagonals,
+                  std::vector<std::string>& triangulated) {
     std::vector<Surface::Face> faces;
     for (auto& face : surface.faces) {
-        if (warp(surface, face) <= rounding) faces.push_back(std::move(face));
-        else
-            for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
+        if (warp(surface, face) <= rounding) {
+            faces.push_back(std::move(face));
+            continue;
+        }
+        triangulated.push_back(face.name);
+        for (auto& triangle : split(surface, face, diagonals)) faces.push_back(std::move(triangle));
     }
     surface.faces = std::move(faces);
 }
@@ -170,8 +177,8 @@ std::string advice_for(const Surface& surface, const Surface::Face& face) {
 
 } // namespace
 
-void merge_flat_neighbours(Surface& surface) {
-    const double near = 1e-6 * size_of(surface.vertices);
+void merge_flat_neighbours(Surface& surface, const Flatness& flatness) {
+    const double near = flatness.merged * size_of(surface.vertices);
     const auto half_edges = half_edges_of(surface);
     std::vector<bool> grouped(surface.faces.size(), false);
     std::vector<Surface::Face> merged;
@@ -196,7 +203,8 @@ void merge_flat_neighbours(Surface& surface) {
     check_faces(surface);
 }
 
-double flatten(Surface& surface, const Flatness& flatness, std::vector<std::string>& triangulated) {
+double flatten(Surface& surface, const Flatness& flatness, const Diagonals& diagonals,
+               std::vector<std::string>& triangulated) {
     const double size = size_of(surface.vertices);
     double reach = size;
     for (const Vec3& v : surface.vertices) reach = std::max(reach, v.lpNorm<1>());
@@ -209,7 +217,7 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
             faces.push_back(face);
         } else if (flatness.triangulate_rest || off <= flatness.triangulated * size) {
             triangulated.push_back(face.name);
-            for (auto& triangle : split(surface, face)) faces.push_back(std::move(triangle));
+            for (auto& triangle : split(surface, face, diagonals)) faces.push_back(std::move(triangle));
         } else {
             throw Diagnostic(
                 fmt::format("{} is not flat: its corners lie up to {:.3g} off its mean plane", face.name, off),
@@ -226,7 +234,7 @@ double flatten(Surface& surface, const Flatness& flatness, std::vector<std::stri
     int sweep = 0;
     while (worst_warp(surface) > rounding) {
         if (++sweep > patience && triangles_allowed) {
-            split_warped(surface, rounding);
+            split_warped(surface, rounding, diagonals, triangulated);
             break;
         }
         if (sweep > most_sweeps) {

@@ -72,14 +72,17 @@ std::string reading(const std::string& name, Chance& c) {
                    name) +
                ending;
     const bool ground = ends_with_any(name, {".pit", ".xyz", ".asc"});
-    if (ground || (c.heads(0.3) && !ends_with_any(name, {".msh", ".3dgrid"}))) {
+    if (ground ||
+        (c.heads(0.3) && !ends_with_any(name, {".msh", ".3dgrid", ".f3grid", ".tess", ".ts", ".dxf", ".json"}))) {
         static constexpr std::array uses{"cut ground '{}'", "water ground '{}' density 1000",
                                          "delete range ground '{}' above", "cut ground '{}' shift 0 0 -0.2 region 3"};
         const char* mesh = c.heads(0.2) ? "gen edge 4\n" : "";
         return bricks + fmt::format(fmt::runtime(c.of(uses)), name) + "\n" + mesh + ending;
     }
     const char* mesh = c.heads(0.3) ? "gen edge 0.5\n" : "";
-    return fmt::format("import '{}'\nlist blocks quality\n", name) + mesh + ending;
+    static constexpr std::array ways{
+        "", "", "", " stop", " mend 0.01", " mend 0.3 holes 2", " scale 1e-3 up y", " holes 1 skip"};
+    return fmt::format("import '{}'{}\nlist blocks quality\n", name, c.of(ways)) + mesh + ending;
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "scenes.hpp"
 
+#include "format_files.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -285,28 +287,33 @@ std::string cycles(Chance& c) {
 }
 
 const std::vector<Sample>& samples() {
-    static const std::vector<Sample> all{
-        {"block.stl", stl_text()},
-        {"coded.stl", stl_binary()},
-        {"stone.obj", tetrahedron("o one\n", "v {} {} {}\n", "", "f {} {} {}\n", 1, "")},
-        {"block.ply",
-         tetrahedron(std::string("ply\nformat ascii 1.0\n") + ply_elements, "{} {} {}\n", "", "3 {} {} {}\n", 0, "")},
-        {"step.obj", step},
-        {"coded.ply", ply_binary(false)},
-        {"turned.ply", ply_binary(true)},
-        {"block.wrl", tetrahedron("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [\n",
-                                  "{} {} {},\n", "] } coordIndex [\n", "{}, {}, {}, -1,\n", 0, "] } }\n")},
-        {"block.msh", msh_new},
-        {"old.msh", msh_old},
-        {"block.3dgrid", grid},
-        {"crest.pit", pit},
-        {"ground.xyz", "# rings\n0 0 2\n10 0 3\n10 8 3\n0 8 2\n0 0 2\n\n3 2 1\n7 2 1\n7 6 1\n3 6 1\n3 2 1\n"},
-        {"ground.asc", "ncols 4\nnrows 3\nxllcorner -1\nyllcenter 0\ncellsize 4\nNODATA_value -9999\n"
-                       "2 3 2 1\n1 2 3 2\n2 2 -9999 1\n"},
-        {"waves.tab", "quake\n4 0.01\n1\n2\n-1\n0.5\n"},
-        {"pairs.tab", "pairs\n3 0\n0 1\n1 2\n2 -1\n"},
-        {"slip.lua", lua_model},
-    };
+    static const std::vector<Sample> all = [] {
+        std::vector<Sample> result = format_files();
+        const std::vector<Sample> others{
+            {"block.stl", stl_text()},
+            {"coded.stl", stl_binary()},
+            {"stone.obj", tetrahedron("o one\n", "v {} {} {}\n", "", "f {} {} {}\n", 1, "")},
+            {"block.ply", tetrahedron(std::string("ply\nformat ascii 1.0\n") + ply_elements, "{} {} {}\n", "",
+                                      "3 {} {} {}\n", 0, "")},
+            {"step.obj", step},
+            {"coded.ply", ply_binary(false)},
+            {"turned.ply", ply_binary(true)},
+            {"block.wrl", tetrahedron("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [\n",
+                                      "{} {} {},\n", "] } coordIndex [\n", "{}, {}, {}, -1,\n", 0, "] } }\n")},
+            {"block.msh", msh_new},
+            {"old.msh", msh_old},
+            {"block.3dgrid", grid},
+            {"crest.pit", pit},
+            {"ground.xyz", "# rings\n0 0 2\n10 0 3\n10 8 3\n0 8 2\n0 0 2\n\n3 2 1\n7 2 1\n7 6 1\n3 6 1\n3 2 1\n"},
+            {"ground.asc", "ncols 4\nnrows 3\nxllcorner -1\nyllcenter 0\ncellsize 4\nNODATA_value -9999\n"
+                           "2 3 2 1\n1 2 3 2\n2 2 -9999 1\n"},
+            {"waves.tab", "quake\n4 0.01\n1\n2\n-1\n0.5\n"},
+            {"pairs.tab", "pairs\n3 0\n0 1\n1 2\n2 -1\n"},
+            {"slip.lua", lua_model},
+        };
+        result.insert(result.end(), others.begin(), others.end()); // slip.lua is the last
+        return result;
+    }();
     return all;
 }
 

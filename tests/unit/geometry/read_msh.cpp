@@ -79,13 +79,12 @@ TEST(ReadMsh, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(message_of(""), "a.msh, line 1: the file ends before '$MeshFormat'");
     EXPECT_EQ(message_of("$MeshFormat\n3 0 8\n"), "a.msh, line 2: the version is '3'; 2.2 and 4.1 are read");
     EXPECT_EQ(message_of("$MeshFormat\n4.1 1 8\n"), "a.msh, line 2: the file is binary, and is read as text only");
-    EXPECT_EQ(message_of(old_file(tet, "0\n")), "a.msh, line 14: there is no tetrahedron and no hexahedron in it");
+    EXPECT_EQ(message_of(old_file(tet, "0\n")), "a.msh, line 14: there is no element in it that fills space");
     EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3 9\n")),
               "a.msh, line 13: element 1 has node 9, which is not there");
     EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3\n")), "a.msh, line 13: the number of a node is missing");
     EXPECT_EQ(message_of(old_file(tet, "1\n1 4 2 0 1 1 2 3 3\n")), "a.msh, line 13: tetrahedron 1 has no volume");
-    EXPECT_EQ(message_of(old_file(tet, "1\n1 11 2 0 1 1 2 3 4\n")),
-              "a.msh, line 13: element 1 is a second-order tetrahedron");
+    EXPECT_EQ(message_of(old_file(tet, "1\n1 11 2 0 1 1 2 3 4\n")), "a.msh, line 13: the number of a node is missing");
     EXPECT_EQ(message_of(old_file("1\n1 0 nan 0\n", "0\n")),
               "a.msh, line 6: 'nan' is not a number: expected a coordinate");
     EXPECT_EQ(message_of(old_file("2\n1 0 0 0\n1 0 0 1\n", "0\n")), "a.msh, line 7: node 1 is defined twice");

@@ -307,9 +307,9 @@ TEST(Surface, StarOfManyPointsKeepsItsVolume) {
 TEST(Surface, SeparatesSurfacesThatShareNoEdge) {
     Loops loops = cube();
     for (auto& loop : turned(cube(), Eigen::Quaterniond::Identity(), Vec3(1, 1, 0))) loops.push_back(loop);
-    // The two cubes share an edge in space, but its corners are merged: four faces meet there.
+    // The two cubes share an edge: four faces meet there, two of each.
     const Surface touching = surface_from_loops(loops, 1e-9);
-    EXPECT_EQ(separate(touching).size(), 1u);
+    EXPECT_EQ(separate(touching).size(), 2u);
     loops = cube();
     for (auto& loop : turned(cube(), Eigen::Quaterniond::Identity(), Vec3(2, 0, 0))) loops.push_back(loop);
     const auto both = separate(surface_from_loops(loops, 1e-9));
