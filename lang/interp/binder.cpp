@@ -107,17 +107,27 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     throw d.at(word.place);
 }
 
+/// Whether the words of a command are the first ones of another.
+bool begins_alike(const CommandSpec& spec, const CommandSpec& other) {
+    for (std::size_t i = 0; i < spec.form.size(); ++i)
+        if (other.form[i].front().word != spec.form[i].front().word) return false;
+    return true;
+}
+
 /// The next word is not a keyword: throws with all words that are valid there.
 [[noreturn]] void unknown_keyword(const Language& language, const CommandSpec& spec, const Reader& reader) {
     std::vector<std::string_view> candidates, listed = first_words(spec.keywords);
     for (const auto& argument : spec.otherwise_arguments) listed.push_back(argument.name);
     const bool asked = reader.peek() && reader.peek()->text == "?";
     add_words(candidates, spec.keywords, asked);
-    if (reader.statement().words.size() > 1 && reader.peek() == &reader.statement().words[1])
+    // Words that would make another command of this one: `model list range`.
+    const std::size_t depth = spec.form.size();
+    const auto& words = reader.statement().words;
+    if (words.size() > depth + 1 && reader.peek() == &words[depth + 1])
         for (const auto* other : commands_called(language, spec.words.front().word)) {
-            if (other->form.empty()) continue;
-            if (!asked || other->support != Support::not_yet) add_words(candidates, other->form.front());
-            if (other->support != Support::not_yet) listed.push_back(other->form.front().front().word);
+            if (other->form.size() <= depth || !begins_alike(spec, *other)) continue;
+            if (!asked || other->support != Support::not_yet) add_words(candidates, other->form[depth]);
+            if (other->support != Support::not_yet) listed.push_back(other->form[depth].front().word);
         }
     if (spec.range_elements) {
         candidates.push_back("range");

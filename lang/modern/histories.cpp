@@ -191,8 +191,16 @@ CommandSpec history_export() {
     Leaf<HistoryWrite> leaf("history export");
     leaf.help("writes histories as a table with a line of names on top");
     const ArgumentSpec name = text("name").optional().spec;
-    leaf.keyword({"vs"}, text("name"), &HistoryWrite::versus_name,
-                 "the history that makes the first column, in place of the cycle");
+    const ArgumentSpec versus = text("name").spec;
+    leaf.special(
+        {"vs"}, {versus},
+        [versus](Reader& reader, HistoryWrite& write) {
+            const Word* word = reader.peek();
+            const bool cycle = word != nullptr && word->kind == WordKind::word && word->folded == "step";
+            std::string name = reader.text(versus);
+            if (!cycle) write.versus_name = std::move(name);
+        },
+        "the history that makes the first column; `step`: the cycle, as without the word");
     leaf.keyword({"file", "filename"}, text("file"), &HistoryWrite::file,
                  "name of the file; that of the deck with .csv if not given");
     leaf.no_effect("truncate", "the file is replaced, as always");
@@ -204,6 +212,7 @@ CommandSpec history_export() {
         return true;
     });
     leaf.right("history export '1' '2' vs '3' file 'curves.csv'").right("history export 1 file 'curves'");
+    leaf.right("history export 'crown' vs step file 'crown.csv'");
     leaf.wrong("history export '1' vs", "a word is missing after 'vs'");
     leaf.wrong("history export '1' fiel 'a'", "'fiel' is not a keyword of history export");
     return leaf;

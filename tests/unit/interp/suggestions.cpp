@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <map>
+#include <optional>
+#include <random>
 #include <set>
 
 namespace kaya::lang {
@@ -133,6 +135,75 @@ TEST(Suggestions, OneLetterMisspellingsOfTheModernTree) {
     fmt::print("tree: {} of {} ({:.1f} %)\n", score.right, score.asked, percent(score));
     EXPECT_GT(score.asked, 10000);
     EXPECT_GE(percent(score), 95);
+}
+
+/// The whole words of a line; nothing when it does not bind.
+std::optional<Spelled> words_of_line(const std::string& line) {
+    try {
+        Lexer lexer(source_from_text("test", line));
+        Statement statement;
+        Spelled spelled;
+        if (!next_statement(language(), lexer, statement)) return std::nullopt;
+        bind_statement(language(), statement, nullptr, &spelled);
+        return spelled;
+    } catch (const Diagnostic&) { return std::nullopt; }
+}
+
+/// The proposal of the message about a line; empty when the line binds or has none.
+std::optional<std::string> proposal(const std::string& line) {
+    try {
+        bound(line);
+        return std::nullopt;
+    } catch (const Diagnostic& d) {
+        const auto from = d.hint.find("did you mean '");
+        if (from == d.hint.npos) return "";
+        const auto begin = d.hint.find('\'', from) + 1;
+        return d.hint.substr(begin, d.hint.find('\'', begin) - begin);
+    }
+}
+
+/// Two slips in each word of the table that a line holds. A proposal is right when the line means the same with it as before.
+void measure_line(const std::string& line, std::mt19937_64& random, Score& score) {
+    const auto words = words_of_line(line);
+    if (!words || line.find('\n') != line.npos) return;
+    Lexer lexer(source_from_text("test", line));
+    Statement statement;
+    lexer.next(statement);
+    for (const auto& [at, whole] : *words) {
+        if (whole.size() < 4) continue;
+        const Place& place = statement.words[at].place;
+        const auto with = [&](const std::string& word) {
+            std::string other = line;
+            return other.replace(static_cast<std::size_t>(place.column - 1), static_cast<std::size_t>(place.length),
+                                 word);
+        };
+        const auto slips = one_letter_off(std::string(whole));
+        for (int k = 0; k < 2; ++k) {
+            const auto pick = std::uniform_int_distribution<std::size_t>(0, slips.size() - 1)(random);
+            const std::string& slip = *std::next(slips.begin(), static_cast<std::ptrdiff_t>(pick));
+            const auto proposed = proposal(with(slip));
+            if (!proposed) continue; // a word, or a beginning of one
+            ++score.asked;
+            if (words_of_line(with(*proposed)) == words) ++score.right;
+            else score.missed.push_back(fmt::format("{}: '{}'", with(slip), *proposed));
+        }
+    }
+}
+
+TEST(Suggestions, OneLetterMisspellingsInWholeLinesOfBothDialects) {
+    constexpr std::uint64_t seed = 40;
+    for (const Language* dialect : {&classic(), &modern()}) {
+        std::mt19937_64 random(seed);
+        Score score;
+        for_each_command(*dialect, [&](const CommandSpec& command) {
+            for (const auto& example : command.right) measure_line(std::string(example.text), random, score);
+        });
+        fmt::print("{} lines: {} of {} ({:.1f} %)\n", dialect == &classic() ? "classic" : "modern", score.right,
+                   score.asked, percent(score));
+        for (std::size_t i = 0; i < score.missed.size() && i < 20; ++i) fmt::print("  {}\n", score.missed[i]);
+        EXPECT_GT(score.asked, 800);
+        EXPECT_GE(percent(score), 95);
+    }
 }
 
 TEST(Suggestions, OfShortWordsToo) {
