@@ -175,6 +175,8 @@ struct List {
         quality,
         contacts,
         sub_contacts,
+        interfaces,
+        reactions,
         gridpoints,
         zones,
         faces,

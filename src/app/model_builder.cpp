@@ -228,8 +228,10 @@ fs::path include_folder(const fs::path& program_folder) {
     candidates.push_back(program_folder.parent_path() / "include");
     for (const auto& candidate : candidates)
         if (fs::exists(candidate / "kaya/jmodel.h")) return candidate;
-    throw Diagnostic("the headers of joint and zone models are not there",
-                     "give the folder that holds kaya/jmodel.h in the environment variable KAYA_INCLUDE");
+    throw Diagnostic(
+        "the headers of joint and zone models are not there",
+        "install the package kaya-dev, or give the folder that holds kaya/jmodel.h in the environment variable "
+        "KAYA_INCLUDE");
 }
 
 fs::path build_model(const BuildOrder& order, const fs::path& include) {

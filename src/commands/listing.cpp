@@ -64,6 +64,8 @@ ListText text_of(lang::List::What what) {
     case quality: return list_block_quality;
     case contacts: return list_contacts;
     case sub_contacts: return list_sub_contacts;
+    case interfaces: return list_interfaces;
+    case reactions: return list_reactions;
     case gridpoints: return list_gridpoints;
     case zones: return list_zones;
     case faces: return list_faces;

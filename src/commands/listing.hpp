@@ -22,6 +22,8 @@ std::string list_faces(Session&, const lang::List&);
 std::string list_stresses(Session&, const lang::List&);
 std::string list_contacts(Session&, const lang::List&);
 std::string list_sub_contacts(Session&, const lang::List&);
+std::string list_interfaces(Session&, const lang::List&);
+std::string list_reactions(Session&, const lang::List&);
 
 std::string list_states(Session&, const lang::List&);
 std::string list_joint_sets(Session&, const lang::List&);
