@@ -23,6 +23,8 @@ std::size_t after_bracket(std::string_view text, std::size_t from) {
     return std::string_view::npos;
 }
 
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
 class CommandLineReader {
 public:
     CommandLineReader(const RawLine& raw, Dialect dialect) : raw_(raw), dialect_(dialect) {
@@ -45,7 +47,7 @@ public:
             plain_ += c;
             ++at_;
         }
-        flush();
+        if (!result_.evaluated) flush();
         return std::move(result_);
     }
 
@@ -70,13 +72,21 @@ private:
         const std::size_t end = after_bracket(raw_.text, at_);
         if (end == std::string::npos)
             throw Diagnostic("the bracket is not closed", "put ] after the expression").at(place_of(at_, 1));
+        result_.evaluated =
+            is_blank(std::string_view(raw_.text).substr(0, at_)) && is_blank(std::string_view(raw_.text).substr(end));
+        if (result_.evaluated) plain_.clear();
         flush();
         const std::string inner = raw_.text.substr(at_ + 1, end - at_ - 2);
         ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()), dialect_);
-        if (!tree.assignment.empty())
-            throw Diagnostic("an assignment cannot stand inside of a command").at(place_of(at_ + 1, inner.size()));
         CommandPiece piece;
-        piece.expression.push_back(std::move(tree.value));
+        if (tree.assignment.empty()) {
+            piece.expression.push_back(std::move(tree.value));
+        } else {
+            if (!result_.evaluated)
+                throw Diagnostic("an assignment cannot stand inside of a command").at(place_of(at_ + 1, inner.size()));
+            result_.target.push_back(std::move(tree.assignment.front().target));
+            piece.expression.push_back(std::move(tree.assignment.front().value));
+        }
         result_.pieces.push_back(std::move(piece));
         at_ = end;
     }

@@ -247,6 +247,13 @@ private:
     void commands(const Statement& s) {
         for (const auto& line : s.commands) {
             at_line(line.line);
+            if (line.evaluated) {
+                const Node& value = line.pieces.front().expression.front();
+                text_ += line.target.empty()
+                             ? fmt::format("do local _ = {} end ", expressions_.value(value))
+                             : expressions_.assignment(line.target.front(), expressions_.owned(value)) + "; ";
+                continue;
+            }
             std::string joined;
             for (const auto& piece : line.pieces) {
                 const bool put_in =
@@ -301,10 +308,12 @@ public:
             for (const auto& condition : branch.condition) node(condition);
             statements(branch.body);
         }
-        for (const auto& line : s.commands)
+        for (const auto& line : s.commands) {
+            for (const auto& target : line.target) node(target);
             for (const auto& piece : line.pieces)
                 // A name that the command reads itself is not a variable of this function.
                 if (!piece.expression.empty() && piece.text.empty()) node(piece.expression.front());
+        }
     }
 
     std::set<std::string> names;

@@ -54,8 +54,10 @@ private:
             for (const auto& condition : branch.condition) node(condition);
             statements(branch.body);
         }
-        for (const auto& command : s.commands)
+        for (const auto& command : s.commands) {
+            for (const auto& target : command.target) this->target(target, false);
             for (const auto& piece : command.pieces) this->piece(piece);
+        }
     }
 
     /// `global a` has the name as its target too.

@@ -70,6 +70,8 @@ struct CommandPiece {
 struct CommandLine {
     std::vector<CommandPiece> pieces;
     int line = 0;
+    bool evaluated = false;   ///< `[f(1)]` alone: the only piece is an expression, which is no part of a command
+    std::vector<Node> target; ///< of `[x = 1]` alone: none or one; it gets the value of the piece
 };
 
 struct Statement {

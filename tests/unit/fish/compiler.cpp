@@ -200,6 +200,8 @@ TEST(FishCompiler, AFunctionListsTheNamesItUses) {
     EXPECT_EQ(function.name, "f");
     EXPECT_THAT(function.arguments, ElementsAre("a"));
     EXPECT_THAT(function.mentions, ElementsAre("c", "e", "f", "g", "sin"));
+    const std::string lines = "def f\n command\n [a = b]\n [c(1)]\n endcommand\nend";
+    EXPECT_THAT(read_function(lines, place_of(lines)).mentions, ElementsAre("a", "b", "c"));
 }
 
 TEST(FishCompiler, WhilesteppingIsSeenInBothSpellings) {

@@ -304,6 +304,22 @@ TEST(FishLanguage, CommandsGetLocalValuesAndExpressions) {
     EXPECT_EQ(s.world.commands[4].line, 11);
 }
 
+/// A bracket that is the whole line is evaluated, as it is in a deck; its value is no command.
+TEST(FishLanguage, BracketsAloneOnALineOfCommandsAreEvaluated) {
+    Stage s;
+    s.fish("def note(k)\n calls = calls + k\nend");
+    s.fish("fish define outer(n)\n local last = 0\n command\n  go\n  [note(n)] ; once\n  [last = n + 1]\n"
+           "  [total = calls*2]\n  go [n]\n endcommand\n outer = last\nend");
+    s.value("calls = 0");
+    EXPECT_EQ(whole(s.value("outer(4)")), 5);
+    EXPECT_EQ(whole(s.value("calls")), 4);
+    EXPECT_EQ(whole(s.value("total")), 8);
+    ASSERT_EQ(s.world.commands.size(), 2);
+    EXPECT_EQ(s.world.commands[0].text, "  go");
+    EXPECT_EQ(s.world.commands[1].text, "  go 4");
+    EXPECT_EQ(s.world.commands[1].line, 8);
+}
+
 TEST(FishLanguage, CommandsMayCallFunctions) {
     Stage s;
     s.fish("def inner\n inner = 3\n n = n + 1\nend");
