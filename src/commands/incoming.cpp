@@ -38,6 +38,7 @@ template <class Make> void add_body(IncomingFile& file, const std::string& path,
     try {
         file.blocks.push_back(make());
     } catch (Diagnostic& mistake) {
+        if (mistake.fault != Fault::deck) throw; // a request to stop
         Vec3 centre = Vec3::Zero();
         for (const Vec3& v : corners) centre += v / static_cast<double>(corners.size());
         mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, name, centre.x(), centre.y(),

@@ -54,7 +54,10 @@ bool is_double_wall(Surface shell) {
     try {
         check_faces(shell);
         turn_alike(shell);
-    } catch (const Diagnostic&) { return false; }
+    } catch (const Diagnostic& mistake) {
+        if (mistake.fault != Fault::deck) throw; // a request to stop
+        return false;
+    }
     const double size = size_of(shell.vertices);
     return std::abs(volume_of(triangles_of(shell))) <= 1e-9 * size * size * size;
 }
@@ -64,7 +67,10 @@ bool encloses(Surface outer, const Surface& inner) {
     try {
         check_faces(outer);
         turn_alike(outer);
-    } catch (const Diagnostic&) { return false; }
+    } catch (const Diagnostic& mistake) {
+        if (mistake.fault != Fault::deck) throw; // a request to stop
+        return false;
+    }
     const auto triangles = triangles_of(outer);
     return std::ranges::all_of(inner.vertices, [&](const Vec3& v) { return winding(triangles, v) != 0; });
 }
