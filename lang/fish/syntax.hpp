@@ -70,7 +70,7 @@ struct CommandPiece {
 struct CommandLine {
     std::vector<CommandPiece> pieces;
     int line = 0;
-    bool evaluated = false;   ///< `[f(1)]` alone: the only piece is an expression, which is no part of a command
+    bool evaluated = false;   ///< `[f(1)]` alone: the only piece is an expression, which is not part of a command
     std::vector<Node> target; ///< of `[x = 1]` alone: none or one; it gets the value of the piece
 };
 

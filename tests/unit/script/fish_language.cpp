@@ -304,7 +304,7 @@ TEST(FishLanguage, CommandsGetLocalValuesAndExpressions) {
     EXPECT_EQ(s.world.commands[4].line, 11);
 }
 
-/// A bracket that is the whole line is evaluated, as it is in a deck; its value is no command.
+/// A bracket that is the whole line is evaluated, as it is in a deck; its value is not a command.
 TEST(FishLanguage, BracketsAloneOnALineOfCommandsAreEvaluated) {
     Stage s;
     s.fish("def note(k)\n calls = calls + k\nend");
