@@ -4,6 +4,7 @@
 
 #include "base/counted.hpp"
 #include "model/build.hpp"
+#include "model/measure.hpp"
 #include "model/volume_jumps.hpp"
 
 #include <algorithm>
@@ -64,9 +65,29 @@ void run(Session& session, const lang::Delete& command) {
     delete_blocks(session.model, blocks);
 }
 
+namespace {
+
+/// Throws Diagnostic when the faces of the rigid blocks, divided by that edge, would have more sub-contacts than a model can hold.
+void refuse_too_fine(const Model& model, const std::vector<Row>& picked, double edge, const Place& place) {
+    constexpr double most_places = 1e7;
+    double area = 0;
+    for (const Row block : picked) {
+        if (model.blocks.deformable[block]) continue;
+        const Span faces = model.blocks.faces[block];
+        for (Row face = faces.first; face < faces.end(); ++face) area += face_area_vector(model, face).norm();
+    }
+    if (area > most_places * edge * edge)
+        throw Diagnostic(fmt::format("an edge of {:g} would make more than {:.0e} sub-contacts", edge, most_places),
+                         "give a longer edge, or a range with fewer blocks")
+            .at(place);
+}
+
+} // namespace
+
 void run(Session& session, const lang::FaceTriangulation& command) {
     using Style = lang::FaceTriangulation::Style;
     const auto picked = session.pick(ObjectKind::block, command.range);
+    if (command.style == Style::edge) refuse_too_fine(session.model, picked, command.edge, command.place);
     auto& blocks = session.model.blocks;
     std::size_t rigid = 0;
     for (const Row block : picked) {

@@ -167,8 +167,8 @@ void doubt_dip(Session& session, double dip, const Place& place) {
 
 void doubt_idle_model(Session& session, const Place& place) {
     const Model& model = session.model;
-    if (model.blocks.empty() || model.zones.size() > 0 || model.boundary_histories.size() > 0 ||
-        model.structures.any() || model.settings.water != Water::none)
+    if (model.blocks.empty() || !model.settings.gravity.isZero(0) || model.zones.size() > 0 ||
+        model.boundary_histories.size() > 0 || model.structures.any() || model.settings.water != Water::none)
         return;
     const auto none = [](const auto& column) {
         return std::ranges::all_of(column, [](const Vec3& v) { return v.isZero(0); });

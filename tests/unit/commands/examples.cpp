@@ -107,7 +107,10 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write("hill.xyz", "-100 -100 0.4\n100 -100 0.5\n100 100 0.6\n-100 100 0.5\n");
     write("quake.tab", "quake\n3 0.1\n0\n1\n0\n");
     const std::string tetrahedron = "v 10 0 0\nv 11 0 0\nv 10 1 0\nv 10 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    write("stones.obj", tetrahedron);
+    for (const char* name : {"stones.obj", "dome.obj"}) write(name, tetrahedron);
+    write("scan.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                      "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                      "10 0 0\n11 0 0\n10 1 0\n10 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
     write(
         "rock.msh",
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 10 0 0\n2 11 0 0\n3 10 1 0\n4 10 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n");
@@ -133,6 +136,8 @@ std::string before(std::string_view example) {
     if (example.find("remove watch") != std::string_view::npos) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
+    if (example.find("vs step") != std::string_view::npos)
+        return "block history name 'crown' velocity-z position 0 0 1\n";
     return {};
 }
 
