@@ -24,6 +24,7 @@ bool same_literal(const Node& a, const Node& b) {
 
 class Doubter {
 public:
+    explicit Doubter(Dialect dialect) : dialect_(dialect) {}
     std::vector<Diagnostic> found;
 
     void statements(const std::vector<Statement>& body) {
@@ -40,6 +41,7 @@ private:
 
     void node(const Node& node) {
         if (node.kind == NodeKind::binary && (node.text == "==" || node.text == "~=")) comparison(node);
+        if (node.kind == NodeKind::binary && (node.text == "/" || node.text == "//")) division(node);
         constexpr std::size_t components = 3;
         if (node.kind == NodeKind::name && node.text == "vector" && node.parentheses && !node.children.empty() &&
             node.children.size() < components && !(node.children.size() == 1 && !is_number(node.children.front())))
@@ -47,6 +49,17 @@ private:
                             node.children.size() == 1 ? "" : "s"),
                 "write all three: vector(x,y,z)", node.place);
         for (const auto& child : node.children) this->node(child);
+    }
+
+    /// Classic FISH divides whole numbers without a remainder.
+    void division(const Node& node) {
+        const Node &left = node.children[0], &right = node.children[1];
+        if (dialect_ != Dialect::classic || left.kind != NodeKind::integer || right.kind != NodeKind::integer ||
+            right.integer == 0 || left.integer % right.integer == 0)
+            return;
+        add(fmt::format("{}/{} is {}: whole numbers are divided without a remainder", left.integer, right.integer,
+                        left.integer / right.integer),
+            fmt::format("write {}.0/{}", left.integer, right.integer), node.place);
     }
 
     void comparison(const Node& node) {
@@ -81,12 +94,14 @@ private:
                     fmt::format("the first is in line {}", earlier->place.line), later->condition.front().place);
         }
     }
+
+    Dialect dialect_;
 };
 
 } // namespace
 
 std::vector<Diagnostic> doubts(const Function& function) {
-    Doubter doubter;
+    Doubter doubter(function.tree->dialect);
     doubter.statements(function.tree->body);
     return std::move(doubter.found);
 }

@@ -7,7 +7,7 @@
 
 namespace kaya::fish {
 
-/// Warnings in the order of the lines: a case that occurs twice, a text compared with a number, a vector of two numbers.
+/// Warnings in the order of the lines: a case that occurs twice, a text compared with a number, a vector of two numbers, 1/2 of classic FISH.
 std::vector<Diagnostic> doubts(const Function& function);
 
 } // namespace kaya::fish

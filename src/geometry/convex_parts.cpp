@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya {
 namespace {
@@ -24,6 +25,7 @@ namespace {
 struct Fragment {
     std::vector<Vec3> corners;
     Plane plane;
+    std::size_t face = 0; ///< pieces of one face follow each other
 };
 
 struct Sides {
@@ -63,32 +65,39 @@ Sides sort_sides(const std::vector<Fragment>& fragments, const Plane& plane, dou
         } else if (high <= near) {
             sides.back.push_back(fragment);
         } else {
-            sides.front.push_back({clip(fragment.corners, plane, 1), fragment.plane});
-            sides.back.push_back({clip(fragment.corners, plane, -1), fragment.plane});
+            sides.front.push_back({clip(fragment.corners, plane, 1), fragment.plane, fragment.face});
+            sides.back.push_back({clip(fragment.corners, plane, -1), fragment.plane, fragment.face});
         }
     }
     return sides;
 }
 
-/// The plane that splits the fewest faces; the first of equals.
-Plane best_plane(const std::vector<Fragment>& fragments, double near) {
-    constexpr std::size_t most_tried = 200;
+/// The planes that split the fewest faces, in the order of these; parallel ones once.
+std::vector<Plane> best_planes(const std::vector<Fragment>& fragments, double near) {
+    constexpr std::size_t most_tried = 200, most_kept = 8;
     const std::size_t step = 1 + fragments.size() / most_tried;
-    std::size_t best = 0;
+    std::vector<Plane> best;
     int fewest = static_cast<int>(fragments.size()) + 1;
-    for (std::size_t i = 0; i < fragments.size() && fewest > 0; i += step) {
+    for (std::size_t i = 0; i < fragments.size(); i += step) {
         stop_point();
+        const Plane& plane = fragments[i].plane;
         int split = 0;
+        constexpr auto none = std::numeric_limits<std::size_t>::max();
+        std::size_t counted = none; // a face counts once, however it is divided
         for (const Fragment& other : fragments) {
-            const auto [low, high] = reach(other, fragments[i].plane);
-            split += low < -near && high > near;
+            const auto [low, high] = reach(other, plane);
+            if (!(low < -near && high > near) || other.face == counted) continue;
+            ++split;
+            counted = other.face;
         }
-        if (split < fewest) {
-            fewest = split;
-            best = i;
-        }
+        if (split < fewest) best.clear();
+        fewest = std::min(fewest, split);
+        const auto same = [&](const Plane& other) {
+            return other.normal.cross(plane.normal).norm() < 1e-9 && std::abs(other.distance(plane.origin)) <= near;
+        };
+        if (split == fewest && best.size() < most_kept && std::ranges::none_of(best, same)) best.push_back(plane);
     }
-    return fragments[best].plane;
+    return best;
 }
 
 /// A piece of space with the faces in it, still to be decided.
@@ -130,8 +139,37 @@ Cut cut_cell(const Polyhedron& space, const Plane& plane, double near) {
     return halves;
 }
 
+/// The volume of the whole solid on the side of the plane to which its normal points: by the divergence theorem from a point of the plane, from
+/// which the cut itself adds nothing.
+double volume_in_front(const Triangles& triangles, const Plane& plane) {
+    double six_volumes = 0;
+    for (const auto& t : triangles) {
+        const std::vector<Vec3> part = clip({t[0], t[1], t[2]}, plane, 1);
+        for (std::size_t i = 2; i < part.size(); ++i)
+            six_volumes += (part[0] - plane.origin).dot((part[i - 1] - plane.origin).cross(part[i] - plane.origin));
+    }
+    return six_volumes / 6;
+}
+
+/// Of the planes that split the fewest faces the one that divides the solid most evenly, which leaves no thin pieces at the foot of a slope; the
+/// first of equals.
+Plane best_plane(const std::vector<Fragment>& fragments, double near, const Triangles& triangles, double volume) {
+    const std::vector<Plane> planes = best_planes(fragments, near);
+    if (planes.size() == 1) return planes.front();
+    constexpr double clearly = 1e-6; // of the volume
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const double front = volume_in_front(triangles, planes[i]), smaller = std::min(front, volume - front);
+        if (smaller < clearly * volume) return planes[i]; // of the hull: those that remain at last are of the hollows
+        if (smaller > most + clearly * volume) best = i, most = smaller;
+    }
+    return planes[best];
+}
+
 ConvexSplit split_space(Cell&& whole, double near, const Triangles& triangles) {
     ConvexSplit split;
+    const double volume = volume_of(triangles);
     std::vector<Cell> waiting;
     waiting.push_back(std::move(whole));
     const auto pass_on = [&](Polyhedron&& space, std::vector<Fragment>&& fragments) {
@@ -141,7 +179,7 @@ ConvexSplit split_space(Cell&& whole, double near, const Triangles& triangles) {
     while (!waiting.empty() && !split.crossed_at) {
         Cell cell = std::move(waiting.back());
         waiting.pop_back();
-        const Plane plane = best_plane(cell.fragments, near);
+        const Plane plane = best_plane(cell.fragments, near, triangles, volume);
         Sides sides = sort_sides(cell.fragments, plane, near);
         Cut halves = cut_cell(cell.space, plane, near);
         if (halves.outcome == CutOutcome::cut) {
@@ -161,10 +199,13 @@ ConvexSplit split_space(Cell&& whole, double near, const Triangles& triangles) {
 
 std::vector<Fragment> fragments_of(const Surface& surface) {
     std::vector<Fragment> fragments;
+    std::size_t number = 0;
     for (const auto& face : surface.faces) {
         const Plane plane{mean_normal(surface, face), mean_point(surface, face)};
         for (const auto& t : triangles_of(surface.vertices, face))
-            fragments.push_back({{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane});
+            fragments.push_back(
+                {{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}, plane, number});
+        ++number;
     }
     return fragments;
 }

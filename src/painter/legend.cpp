@@ -127,8 +127,10 @@ private:
             boxes_.add(left_ + 1.4 * font_, y, 0.4 * font_, std::max(1.0, font_ / 14), {0.1, 0.1, 0.1});
             add_words(renderer_, text, left_ + 2.2 * font_, y, {font_, false, Anchor::left, true});
         };
-        mark(bar.greatest, short_number(bar.greatest));
-        mark(bar.least, short_number(bar.least));
+        // A value that is rounding beside the range is 0.
+        const auto end = [&](double value) { return std::abs(value) < 1e-6 * (bar.high - bar.low) ? 0.0 : value; };
+        mark(bar.greatest, short_number(end(bar.greatest)));
+        mark(bar.least, short_number(end(bar.least)));
         const Ticks ticks = round_ticks(bar.low, bar.high, 6);
         for (const double value : ticks.values()) mark(value, ticks.label(value));
         top_ = bottom - 2 * font_;
