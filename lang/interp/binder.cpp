@@ -136,16 +136,7 @@ bool begins_alike(const CommandSpec& spec, const CommandSpec& other) {
     // Suggested when near, not listed: the list of keywords is long enough.
     if (spec.range_without_word) add_words(candidates, *spec.range_elements, asked);
     const std::string name = spec.name();
-    const Word* word = reader.peek();
-    try {
-        reader.unknown(fmt::format("a keyword of {}", name), candidates, ShortList(listed, name, word).words());
-    } catch (Diagnostic& mistake) {
-        const bool variables = std::ranges::any_of(
-            spec.otherwise_arguments, [](const ArgumentSpec& argument) { return argument.name.starts_with('@'); });
-        if (variables && word->kind == WordKind::word && mistake.hint.starts_with("expected: "))
-            mistake.hint += fmt::format("; a variable is written @{}", word->text);
-        throw;
-    }
+    reader.unknown(fmt::format("a keyword of {}", name), candidates, ShortList(listed, name, reader.peek()).words());
 }
 
 /// True when the next word opens the range phrase.
