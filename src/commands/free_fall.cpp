@@ -1,6 +1,7 @@
 #include "commands/free_fall.hpp"
 
 #include "commands/rest_monitor.hpp"
+#include "model/held.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -67,12 +68,6 @@ std::vector<FallingBody> bodies_of(const Model& model, const Vec3& down, double 
         body.held = body.held || is_prescribed(model, b, down);
     }
     return bodies;
-}
-
-Vec3 free_part(Vec3 force, std::uint8_t fixed) {
-    for (int k = 0; k < 3; ++k)
-        if (fixed & (1 << k)) force[k] = 0;
-    return force;
 }
 
 /// Sums of the unbalanced forces of blocks.

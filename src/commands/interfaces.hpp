@@ -1,4 +1,4 @@
-// What two bodies exert on each other through all of their contacts, as one force.
+// The force between two bodies, summed over all of their contacts.
 #pragma once
 
 #include "model/model.hpp"

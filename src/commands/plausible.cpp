@@ -109,24 +109,21 @@ void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
 
 namespace {
 
-/// The value of a property by its own name, and none where the model has no such property.
-std::optional<double> value_of(const JointModel& model, const JointProperties& set, std::string_view name) {
+/// The value of a property by its own name and unit, and none where the model has no such property.
+std::optional<double> value_of(const JointModel& model, const JointProperties& set, std::string_view name,
+                               std::string_view unit) {
     for (std::size_t k = 0; k < model.properties.size() && k < set.values.size(); ++k)
-        if (model.properties[k].name == name) return set.values[k];
+        if (model.properties[k].name == name && model.properties[k].unit == unit) return set.values[k];
     return std::nullopt;
-}
-
-/// The stress of the weight of the highest column in the model.
-double weight_stress(const Model& model) {
-    double density = 0;
-    for (const auto& [number, material] : model.materials) density = std::max(density, material.density);
-    return density * model.settings.gravity.norm() * model_size(model);
 }
 
 } // namespace
 
 void doubt_joints(Session& session) {
-    const double weight = weight_stress(session.model);
+    double density = 0;
+    for (const auto& [number, material] : session.model.materials) density = std::max(density, material.density);
+    const double size = model_size(session.model);
+    const double weight = density * session.model.settings.gravity.norm() * size; // of the highest column: a stress
     for (const Row row : property_sets_in_use(session.model)) {
         const JointProperties& set = session.model.joint_properties[static_cast<std::size_t>(row)];
         const JointModel* joint = session.joints.find(set.model);
@@ -136,16 +133,17 @@ void doubt_joints(Session& session) {
             const std::string text = fmt::format("{} ({})", message, where);
             if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
         };
-        const auto friction = value_of(*joint, set, "friction"), dilation = value_of(*joint, set, "dilation"),
-                   stiffness = value_of(*joint, set, "stiffness-normal"), walls = value_of(*joint, set, "jcso");
-        const bool angles = joint->properties[joint->find_property("dilation").value_or(0)].unit == "angle";
-        if (friction && dilation && angles && *dilation > *friction)
+        const auto friction = value_of(*joint, set, "friction", "angle"),
+                   dilation = value_of(*joint, set, "dilation", "angle"),
+                   stiffness = value_of(*joint, set, "stiffness-normal", "stress/length"),
+                   walls = value_of(*joint, set, "jcso", "stress");
+        if (friction && dilation && *dilation > *friction)
             say(fmt::format("dilation {} is above friction {}: a joint that slips would give energy",
                             number_text(*dilation), number_text(*friction)),
                 "dilation is at most the friction, and mostly a fraction of it");
         // Half of the digits of a place are left for its closure.
         constexpr double least = 1e-12;
-        if (stiffness && weight > 0 && weight / *stiffness < least * model_size(session.model))
+        if (stiffness && weight > 0 && weight / *stiffness < least * size)
             say(fmt::format(
                     "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
                     number_text(*stiffness), weight / *stiffness),

@@ -1,6 +1,7 @@
 #include "commands/reactions.hpp"
 
 #include "mechanics/held_directions.hpp"
+#include "model/held.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
 
@@ -12,9 +13,7 @@ namespace {
 
 /// The components of a force along held directions.
 Vec3 held_part(const Vec3& force, std::uint8_t fixed, const Roller& roller) {
-    Vec3 free = force;
-    for (int k = 0; k < 3; ++k)
-        if (fixed & (1 << k)) free[k] = 0;
+    Vec3 free = free_part(force, fixed);
     if (roller.count != 0) free += roller_change(roller, free, fixed, Vec3::Zero());
     return force - free;
 }

@@ -1,4 +1,4 @@
-// What holds the bodies: the forces of supports.
+// Forces of the supports of bodies.
 #pragma once
 
 #include "model/model.hpp"

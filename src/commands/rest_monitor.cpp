@@ -1,6 +1,7 @@
 #include "commands/rest_monitor.hpp"
 
 #include "commands/text_table.hpp"
+#include "model/held.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -21,14 +22,6 @@ constexpr double quiet_part = 0.1 / 16;
 constexpr double settling_part = 0.02;
 
 } // namespace
-
-bool is_held(const Model& model, Row b) {
-    if (!model.blocks.deformable[b]) return (model.blocks.fixed[b] & 7) == 7;
-    const Span span = model.blocks.gridpoints[b];
-    for (Row g = span.first; g < span.end(); ++g)
-        if ((model.gridpoints.fixed[g] & 7) != 7) return false;
-    return true;
-}
 
 std::vector<double> acting_forces(const Model& model) {
     const auto& blocks = model.blocks;

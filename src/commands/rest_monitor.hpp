@@ -21,9 +21,6 @@ struct MovingBody {
 /// The fastest block that is not held; none when all are at rest. For a deformable one the mean of its gridpoints.
 std::optional<MovingBody> fastest_body(const Model& model);
 
-/// No point of the block can move.
-bool is_held(const Model& model, Row block);
-
 /// Sizes of the forces on each block: of its contacts, its loads and its weight.
 std::vector<double> acting_forces(const Model& model);
 

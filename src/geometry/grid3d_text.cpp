@@ -161,8 +161,7 @@ Grid3d read_grid3d(std::string_view text, const std::string& file) {
             words.fail(fmt::format("a line cannot begin with '{}'", word.substr(0, 30)),
                        "lines begin with TOL, G, F, Z, B, JS or BGROUP");
         (reader.*kind->read)();
-        if (const std::string_view rest = words.next_in_line(); !rest.empty())
-            words.fail(fmt::format("'{}' is one word too many", rest.substr(0, 30)));
+        words.end_line();
     }
     if (reader.grid.blocks.empty()) throw Diagnostic(fmt::format("{} holds no blocks", file));
     return std::move(reader.grid);

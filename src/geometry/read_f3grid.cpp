@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 
 namespace kaya {
 namespace {
@@ -42,23 +41,13 @@ public:
     }
 
 private:
-    int identity(std::string_view what) {
-        const long long number = words_.integer_in_line(what);
-        if (number < 1 || number > std::numeric_limits<int>::max())
-            words_.fail(fmt::format("{} is {}, and must be above 0", what, number));
-        return static_cast<int>(number);
-    }
-
-    void end_of_line() {
-        if (const std::string_view rest = words_.next_in_line(); !rest.empty())
-            words_.fail(fmt::format("'{}' is one word too many", rest.substr(0, 30)));
-    }
+    int identity(std::string_view what) { return words_.identity(words_.integer_in_line(what), what); }
 
     void gridpoint() {
         const int number = identity("the number of a gridpoint");
         Vec3 place;
         for (int k = 0; k < 3; ++k) place[k] = words_.number_in_line("a coordinate");
-        end_of_line();
+        words_.end_line();
         if (!grid_.gridpoints.emplace(number, place).second)
             words_.fail(fmt::format("gridpoint {} is defined twice", number));
     }
@@ -78,7 +67,7 @@ private:
                 words_.fail(
                     fmt::format("zone {} has gridpoint {}, which has not been defined above", number, given.back()));
         }
-        end_of_line();
+        words_.end_line();
         std::vector<int> corners;
         for (std::size_t k = 0; k < given.size(); ++k) corners.push_back(given[shape->order[k]]);
         ZoneSet one;

@@ -93,12 +93,6 @@ private:
         words_.next();
     }
 
-    long long count(std::string_view what) {
-        const long long number = words_.integer(what);
-        if (number < 0) words_.fail(fmt::format("{} is {}", what, number));
-        return number;
-    }
-
     int tag(std::string_view what) {
         const long long number = words_.integer(what);
         if (number < 1 || number > std::numeric_limits<int>::max())
@@ -108,7 +102,7 @@ private:
     }
 
     void physical_names() {
-        for (long long left = count("the number of physical names"); left > 0; --left) {
+        for (long long left = words_.count("the number of physical names"); left > 0; --left) {
             const long long dimension = words_.integer("a dimension");
             const int number = tag("the number of a physical group");
             const std::string_view name = words_.next_in_line();
@@ -119,20 +113,20 @@ private:
 
     void entities() {
         std::array<long long, 4> counts{};
-        for (auto& number : counts) number = count("the number of entities");
+        for (auto& number : counts) number = words_.count("the number of entities");
         for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
             for (long long left = counts[dimension]; left > 0; --left) {
                 const long long entity = words_.integer("the number of an entity");
                 const int coordinates = dimension == 0 ? 3 : 6;
                 for (int k = 0; k < coordinates; ++k) words_.number("a coordinate");
                 long long first = 0;
-                for (long long groups = count("the number of physical groups"), k = 0; k < groups; ++k) {
+                for (long long groups = words_.count("the number of physical groups"), k = 0; k < groups; ++k) {
                     const long long group = std::llabs(words_.integer("the number of a physical group"));
                     if (k == 0) first = group;
                 }
                 if (dimension == solid) physical_of_[entity] = first;
                 if (dimension == 0) continue;
-                for (long long bounds = count("the number of boundaries"); bounds > 0; --bounds)
+                for (long long bounds = words_.count("the number of boundaries"); bounds > 0; --bounds)
                     words_.integer("a boundary");
             }
     }
@@ -143,20 +137,20 @@ private:
     }
 
     void old_nodes() {
-        for (long long left = count("the number of nodes"); left > 0; --left) {
+        for (long long left = words_.count("the number of nodes"); left > 0; --left) {
             const int number = tag("the number of a node");
             add_node(number, words_.point("a coordinate"));
         }
     }
 
     void new_nodes() {
-        const long long blocks = count("the number of entities with nodes");
+        const long long blocks = words_.count("the number of entities with nodes");
         for (int k = 0; k < 3; ++k) words_.integer("a number of nodes");
         for (long long block = 0; block < blocks; ++block) {
             const long long dimension = words_.integer("a dimension");
             words_.integer("the number of an entity");
             const bool parametric = words_.integer("parametric or not") != 0;
-            const long long here = count("the number of nodes");
+            const long long here = words_.count("the number of nodes");
             std::vector<int> numbers;
             for (long long k = 0; k < here; ++k) numbers.push_back(tag("the number of a node"));
             for (const int number : numbers) {
@@ -167,7 +161,7 @@ private:
     }
 
     void old_elements() {
-        for (long long left = count("the number of elements"); left > 0; --left) {
+        for (long long left = words_.count("the number of elements"); left > 0; --left) {
             const long long number = words_.integer("the number of an element"),
                             type = words_.integer_in_line("the type of an element");
             const long long tags = words_.integer_in_line("the number of tags");
@@ -182,7 +176,7 @@ private:
     }
 
     void new_elements() {
-        const long long blocks = count("the number of entities with elements");
+        const long long blocks = words_.count("the number of entities with elements");
         for (int k = 0; k < 3; ++k) words_.integer("a number of elements");
         for (long long block = 0; block < blocks; ++block) {
             const long long dimension = words_.integer("a dimension"),
@@ -190,7 +184,7 @@ private:
             const long long type = words_.integer("the type of elements");
             const auto group = physical_of_.find(entity);
             const Volume volume{entity, dimension == solid && group != physical_of_.end() ? group->second : 0};
-            for (long long left = count("the number of elements"); left > 0; --left)
+            for (long long left = words_.count("the number of elements"); left > 0; --left)
                 element(words_.integer("the number of an element"), type, volume);
         }
     }

@@ -35,21 +35,10 @@ private:
             words_.fail(fmt::format("the tessellation has {} dimensions", dimension), "only those of 3 are read");
     }
 
-    long long count(std::string_view what) {
-        const long long number = words_.integer(what);
-        if (number < 0) words_.fail(fmt::format("{} is {}", what, number));
-        return number;
-    }
-
-    int identity(std::string_view what) {
-        const long long number = words_.integer(what);
-        if (number < 1 || number > std::numeric_limits<int>::max())
-            words_.fail(fmt::format("{} is {}, and must be above 0", what, number));
-        return static_cast<int>(number);
-    }
+    int identity(std::string_view what) { return words_.identity(words_.integer(what), what); }
 
     void vertices() {
-        for (long long left = count("the number of vertices"); left > 0; --left) {
+        for (long long left = words_.count("the number of vertices"); left > 0; --left) {
             const int number = identity("the number of a vertex");
             const Vec3 place = words_.point("a coordinate");
             words_.skip_line(); // its state
@@ -59,9 +48,9 @@ private:
     }
 
     void faces() {
-        for (long long left = count("the number of faces"); left > 0; --left) {
+        for (long long left = words_.count("the number of faces"); left > 0; --left) {
             const int number = identity("the number of a face");
-            const long long corners = count("the number of vertices of a face");
+            const long long corners = words_.count("the number of vertices of a face");
             if (corners < 3) words_.fail(fmt::format("face {} has {} vertices", number, corners), "at least 3");
             std::vector<int> loop;
             for (long long k = 0; k < corners; ++k) {
@@ -69,7 +58,7 @@ private:
                 if (!grid_.gridpoints.contains(loop.back()))
                     words_.fail(fmt::format("face {} has vertex {}, which is not there", number, loop.back()));
             }
-            for (long long edges = count("the number of edges of a face"); edges > 0; --edges)
+            for (long long edges = words_.count("the number of edges of a face"); edges > 0; --edges)
                 words_.integer("the number of an edge");
             for (int k = 0; k < 4; ++k) words_.number("a coefficient of the plane");
             words_.integer("the state of a face");
@@ -81,10 +70,10 @@ private:
     }
 
     void polyhedra() {
-        for (long long left = count("the number of polyhedra"); left > 0; --left) {
+        for (long long left = words_.count("the number of polyhedra"); left > 0; --left) {
             Grid3d::Block block;
             block.number = identity("the number of a polyhedron");
-            for (long long faces = count("the number of faces of a polyhedron"); faces > 0; --faces) {
+            for (long long faces = words_.count("the number of faces of a polyhedron"); faces > 0; --faces) {
                 const long long face = std::llabs(words_.integer("the number of a face")); // the sign is its direction
                 if (face > std::numeric_limits<int>::max() || !grid_.faces.contains(static_cast<int>(face)))
                     words_.fail(fmt::format("polyhedron {} has face {}, which is not there", block.number, face));

@@ -49,8 +49,8 @@ bool holds(const Box& outer, const Box& inner) {
     return (outer.low.array() < inner.low.array()).all() && (outer.high.array() > inner.high.array()).all();
 }
 
-/// Two walls that lie on each other: a closed surface without volume.
-bool is_double_wall(Surface shell) {
+/// Turns the faces alike; false for a surface that is not closed.
+bool turned_alike(Surface& shell) {
     try {
         check_faces(shell);
         turn_alike(shell);
@@ -58,19 +58,19 @@ bool is_double_wall(Surface shell) {
         if (mistake.fault != Fault::deck) throw; // a request to stop
         return false;
     }
+    return true;
+}
+
+/// Two walls that lie on each other: a closed surface without volume.
+bool is_double_wall(Surface shell) {
+    if (!turned_alike(shell)) return false;
     const double size = size_of(shell.vertices);
     return std::abs(volume_of(triangles_of(shell))) <= 1e-9 * size * size * size;
 }
 
 /// Whether a closed surface winds around all corners of another one; false for one that is not closed.
 bool encloses(Surface outer, const Surface& inner) {
-    try {
-        check_faces(outer);
-        turn_alike(outer);
-    } catch (const Diagnostic& mistake) {
-        if (mistake.fault != Fault::deck) throw; // a request to stop
-        return false;
-    }
+    if (!turned_alike(outer)) return false;
     const auto triangles = triangles_of(outer);
     return std::ranges::all_of(inner.vertices, [&](const Vec3& v) { return winding(triangles, v) != 0; });
 }

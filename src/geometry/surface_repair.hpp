@@ -5,7 +5,7 @@
 
 namespace kaya {
 
-/// What may be repaired beyond the digits of the file.
+/// Tolerances of the repair, beyond the digits of the file.
 struct Repair {
     double near = 0; ///< corners, and corners and edges, nearer than this are joined; a length, 0: none
     double hole = 0; ///< holes no wider than this are closed; a length, 0: none

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya {
 namespace {
@@ -117,6 +118,23 @@ long long Words::integer_in_line(std::string_view what) { return to_integer(next
 Vec3 Words::point(std::string_view what) {
     const double x = number(what), y = number(what);
     return {x, y, number(what)};
+}
+
+long long Words::count(std::string_view what) {
+    const long long number = integer(what);
+    if (number < 0) fail(fmt::format("{} is {}", what, number));
+    return number;
+}
+
+int Words::identity(long long number, std::string_view what) const {
+    if (number < 1 || number > std::numeric_limits<int>::max())
+        fail(fmt::format("{} is {}, and must be above 0", what, number));
+    return static_cast<int>(number);
+}
+
+void Words::end_line() {
+    if (const std::string_view rest = next_in_line(); !rest.empty())
+        fail(fmt::format("'{}' is one word too many", rest.substr(0, 30)));
 }
 
 void Words::expect(std::string_view word) {

@@ -31,6 +31,10 @@ public:
     double number_in_line(std::string_view what); ///< the same, and it must be in this line
     long long integer_in_line(std::string_view what);
     Vec3 point(std::string_view what);
+    long long count(std::string_view what); ///< a whole number that is not below 0
+    /// `number` as what objects of a file are called by: above 0.
+    int identity(long long number, std::string_view what) const;
+    void end_line();                    ///< refuses a word that is left in this line
     void expect(std::string_view word); ///< refuses any other word; case does not matter
 
     int line() const { return line_; }

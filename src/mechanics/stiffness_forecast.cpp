@@ -5,6 +5,7 @@
 #include "mechanics/overlap_gap.hpp"
 #include "base/parallel.hpp"
 #include "laws/lone_row.hpp"
+#include "model/held.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -103,12 +104,6 @@ ClosureOffset offset_of_contact(const Contacts& contacts, Row c) {
     ClosureOffset offset = offset_of(contacts, c);
     if (offset.along.isZero(0)) offset.along = contacts.normal[c];
     return offset;
-}
-
-Vec3 free_part(Vec3 change, unsigned fixed) {
-    for (int k = 0; k < 3; ++k)
-        if (fixed & (1u << k)) change[k] = 0;
-    return change;
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// What stands beside the model on a picture: title, note, legends of colours, scale bar.
+// Texts of a picture, beside the model: title, note, legends of colours, scale bar.
 #pragma once
 
 #include "scene/framing.hpp"

@@ -1,4 +1,5 @@
 // add_blocks: surfaces, the faces that a cut makes, and edges.
+#include "model/held.hpp"
 #include "pictures/colouring.hpp"
 #include "pictures/half_space.hpp"
 
@@ -11,17 +12,12 @@ namespace kaya {
 namespace {
 
 /// Whether nothing can move a block, and nothing has.
-bool is_held(const Model& model, Row block) {
-    constexpr std::uint8_t all = fix_x | fix_y | fix_z;
-    const bool rigid = model.blocks.deformable[block] == 0;
-    if (rigid && (model.blocks.fixed[block] & all) != all) return false;
+bool stands_held(const Model& model, Row block) {
     const auto& g = model.gridpoints;
     const Span points = model.blocks.gridpoints[block];
     for (Row point = points.first; point < points.end(); ++point)
-        if ((!rigid && (g.fixed[point] & all) != all) || !g.displacement[point].isZero(0) ||
-            !g.velocity[point].isZero(0))
-            return false;
-    return true;
+        if (!g.displacement[point].isZero(0) || !g.velocity[point].isZero(0)) return false;
+    return is_held(model, block);
 }
 
 class BlockPainter {
@@ -33,7 +29,7 @@ public:
         block_ = block;
         block_value_ =
             colouring_ != nullptr && colouring_->table() == ObjectKind::block ? colouring_->value(model_, block) : 0;
-        held_ = colouring_ != nullptr && colouring_->of_motion() && is_held(model_, block);
+        held_ = colouring_ != nullptr && colouring_->of_motion() && stands_held(model_, block);
         zone_of_face_.clear();
         if (colouring_ != nullptr && colouring_->table() == ObjectKind::zone) find_zones();
         rim_.clear();
