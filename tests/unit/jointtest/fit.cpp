@@ -2,7 +2,6 @@
 #include "base/diagnostic.hpp"
 #include "jointtest/bench.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -125,16 +124,12 @@ TEST_F(JointFit, ANoisyFirstReadingOfTheOpeningMovesNothing) {
     EXPECT_NEAR(found.columns[0].noise / found.columns[0].largest, 0.01, 0.004);
 }
 
-TEST_F(JointFit, AHundredRowsTakeHalfASecond) {
+TEST_F(JointFit, AHundredRowsTakeFewSteps) {
     Noise noise(5);
     LoadPath path = shear_path(100, 6e-3, 2, 5);
     measure("barton-bandis", rough, path, 0.02, noise);
-    const auto begin = std::chrono::steady_clock::now();
     const auto found = fit("barton-bandis", rough_guess, {"resfric", "jrco"}, path);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     EXPECT_LE(found.steps, 100u);
-    EXPECT_LT(taken.count(), 5); // 0.5 s on an idle machine
-    RecordProperty("milliseconds", static_cast<int>(1000 * taken.count()));
 }
 
 TEST_F(JointFit, WhatTheModelCannotFollowIsDoubtful) {
