@@ -143,7 +143,7 @@ int write(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array file_functions{
     BuiltInFunction{"open", 3, 3, guarded<open>},
     BuiltInFunction{"close", 0, 0, guarded<close>},
     BuiltInFunction{"read", 2, 2, guarded<read>},
@@ -173,6 +173,6 @@ int open_file(lua_State* L) {
     return 1;
 }
 
-void add_files(Machine& machine) { add_built_ins(machine, functions); }
+void add_files(Machine& machine) { add_built_ins(machine, file_functions); }
 
 } // namespace kaya::script

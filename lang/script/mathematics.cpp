@@ -263,7 +263,7 @@ int clock(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array mathematical_functions{
     BuiltInFunction{"abs", 1, 1, guarded<absolute>},
     BuiltInFunction{"acos", 1, 1, guarded<arc_cosine>},
     BuiltInFunction{"asin", 1, 1, guarded<arc_sine>},
@@ -306,6 +306,6 @@ constexpr std::array functions{
 
 } // namespace
 
-void add_mathematics(Machine& machine) { add_built_ins(machine, functions); }
+void add_mathematics(Machine& machine) { add_built_ins(machine, mathematical_functions); }
 
 } // namespace kaya::script

@@ -41,7 +41,7 @@ int inbox(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array range_functions{
     BuiltInFunction{"find_range", 1, 1, guarded<find_range>},
     BuiltInFunction{"in_range", 2, 2, guarded<in_range>},
     BuiltInFunction{"inbox", 3, 3, guarded<inbox>},
@@ -49,6 +49,6 @@ constexpr std::array functions{
 
 } // namespace
 
-void add_ranges(Machine& machine) { add_built_ins(machine, functions); }
+void add_ranges(Machine& machine) { add_built_ins(machine, range_functions); }
 
 } // namespace kaya::script

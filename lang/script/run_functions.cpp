@@ -86,7 +86,7 @@ int command_output(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array run_functions{
     BuiltInFunction{"history_size", 1, 1, guarded<size>},
     BuiltInFunction{"history_value", 2, 2, guarded<value>},
     BuiltInFunction{"history_time", 2, 2, guarded<time>},
@@ -99,6 +99,6 @@ constexpr std::array functions{
 
 } // namespace
 
-void add_run_functions(Machine& machine) { add_built_ins(machine, functions); }
+void add_run_functions(Machine& machine) { add_built_ins(machine, run_functions); }
 
 } // namespace kaya::script

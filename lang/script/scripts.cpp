@@ -33,13 +33,13 @@ public:
 namespace {
 
 /// The hook stays until the outermost call has ended, so that a pcall of a script cannot stop it.
-int stop(lua_State* L) {
+int end_script(lua_State* L) {
     machine_of(L).stopping = true;
     throw Diagnostic("the script was stopped", {}, Fault::run);
 }
 
 /// Runs before the next instruction of Lua.
-void stop_hook(lua_State* L, lua_Debug*) { guarded<stop>(L); }
+void stop_hook(lua_State* L, lua_Debug*) { guarded<end_script>(L); }
 
 /// Restores the height of the stack on every exit.
 class StackLevel {

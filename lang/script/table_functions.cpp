@@ -160,7 +160,7 @@ int remove(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array table_functions{
     BuiltInFunction{"table", 2, 2, guarded<read_table>, guarded<write_table>},
     BuiltInFunction{"xtable", 2, 2, guarded<read_x>, guarded<write_x>},
     BuiltInFunction{"ytable", 2, 2, guarded<read_y>, guarded<write_y>},
@@ -175,6 +175,6 @@ constexpr std::array functions{
 
 } // namespace
 
-void add_tables(Machine& machine) { add_built_ins(machine, functions); }
+void add_tables(Machine& machine) { add_built_ins(machine, table_functions); }
 
 } // namespace kaya::script

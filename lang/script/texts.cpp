@@ -271,7 +271,7 @@ int array_size(lua_State* L) {
     return 1;
 }
 
-constexpr std::array functions{
+constexpr std::array text_functions{
     BuiltInFunction{"string", 1, 4, guarded<string>},
     BuiltInFunction{"int", 1, 1, guarded<to_integer>},
     BuiltInFunction{"float", 1, 1, guarded<to_real>},
@@ -297,6 +297,6 @@ constexpr std::array functions{
 
 } // namespace
 
-void add_texts(Machine& machine) { add_built_ins(machine, functions); }
+void add_texts(Machine& machine) { add_built_ins(machine, text_functions); }
 
 } // namespace kaya::script
