@@ -1,5 +1,5 @@
-# Packages of Debian by `cpack`: kaya (the program, its laws, manual, completion), kaya-pictures (the painter, if it was built) and
-# kaya-dev (headers and the CMake package for joint and zone models). scripts/package builds them for any processor since 2009.
+# Packages of Debian by `cpack`: kaya (the program, its laws, manual, completion), kaya-pictures (the painter, if it was built), python3-kaya
+# (if pybind11 is there) and kaya-dev (headers and the CMake package for joint and zone models). scripts/package builds them for any processor since 2009.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is installed is the target `program`
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The kaya authors")
@@ -11,6 +11,11 @@ set(CPACK_COMPONENTS_ALL program development)
 if(KAYA_PAINTER_BUILT)
   list(APPEND CPACK_COMPONENTS_ALL pictures)
 endif()
+add_custom_target(packaged DEPENDS program) # all that the packages hold
+if(TARGET kaya_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  add_dependencies(packaged kaya_python)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the libraries that the files need, found by dpkg-shlibdeps
@@ -20,6 +25,12 @@ set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME kaya-pictures)
 set(CPACK_DEBIAN_PICTURES_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), xvfb, fonts-dejavu-core")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME kaya-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), g++")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kaya)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "models of kaya in Python
+Commands, FISH and results of the distinct element program kaya in Python,
+columns as arrays of numpy.")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "distinct element program for jointed rock and masonry
 kaya runs command files in the style of 3DEC: polyhedral blocks, rigid or
 divided into zones, cut by joints, move in time by the distinct element

@@ -62,9 +62,15 @@ void Engine::make_cycle() {
     cycle = std::make_unique<Cycle>(model, joints);
     const auto hook = [this](script::Moment moment) {
         return [this, moment] {
-            if (!scripts->has_hooks(moment)) return;
-            world.forget_ranges(); // shapes and places are others than in the cycle before
-            scripts->run_hooks(moment, model.clock.cycle);
+            if (scripts->has_hooks(moment)) {
+                world.forget_ranges(); // shapes and places are others than in the cycle before
+                scripts->run_hooks(moment, model.clock.cycle);
+            }
+            for (std::size_t k = 0; k < callbacks.size(); ++k) // one may add others
+                if (callbacks[k].moment == moment && model.clock.cycle % callbacks[k].interval == 0) {
+                    const auto call = callbacks[k].call; // or remove itself
+                    call();
+                }
         };
     };
     cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));

@@ -11,6 +11,7 @@
 #include "lang/script/scripts.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -30,6 +31,15 @@ public:
 
     /// Creates the cycle of the present model; call it again when the model was replaced.
     void make_cycle();
+
+    /// A function of the program around the run, called inside cycles as hooks of scripts are.
+    struct Callback {
+        int number;
+        script::Moment moment;
+        std::int64_t interval; ///< of cycles
+        std::function<void()> call;
+    };
+    std::vector<Callback> callbacks; ///< in the order of their calls
 
     Model model;
     JointRegistry joints;

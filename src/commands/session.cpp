@@ -166,10 +166,11 @@ bool Session::scripts_act_in_cycles() const {
     using enum script::Moment;
     for (const auto moment : {before_cycle, after_forces, after_cycle})
         if (scripts->has_hooks(moment)) return true;
-    return std::ranges::any_of(model.time_functions,
-                               [](const TimeFunction& f) { return f.kind == TimeFunction::Kind::script; }) ||
-           std::ranges::any_of(model.histories.all,
-                               [](const History& h) { return h.source.kind == HistorySource::Kind::function; });
+    return !callbacks.empty() || std::ranges::any_of(model.time_functions, [](const TimeFunction& f) {
+        return f.kind == TimeFunction::Kind::script;
+    }) || std::ranges::any_of(model.histories.all, [](const History& h) {
+        return h.source.kind == HistorySource::Kind::function;
+    });
 }
 
 void Session::warn(Diagnostic warning) { show_warning(warning.at(interpreter.current_place())); }

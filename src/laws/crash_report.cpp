@@ -15,7 +15,8 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-extern "C" const char __executable_start, etext; // linker symbols: the range of the program's code
+// Symbols of the linker: the range of the code of the file, program or library, that contains this.
+extern "C" __attribute__((visibility("hidden"))) const char __ehdr_start, etext;
 
 namespace kaya {
 
@@ -187,7 +188,7 @@ void begin_forked() {
 
 } // namespace
 
-bool is_own_code(const void* place) { return place >= &__executable_start && place < &etext; }
+bool is_own_code(const void* place) { return place >= &__ehdr_start && place < &etext; }
 
 bool add_models_at_work(Sentence& sentence) {
     const RunRecord& record = run_record();

@@ -14,6 +14,8 @@
 
 namespace kaya {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 /// A terminal would obey a control character.
@@ -68,16 +70,21 @@ void copy_text(char (&to)[RunRecord::longest_text], std::string_view text) {
     to[length] = '\0';
 }
 
-/// Whether a library lies where the program's own do, next to it or where it is installed.
+/// Folders that hold `joints` and `zones` of the program: next to it or where it is installed, and those that were added. Outlives all exits.
+std::vector<fs::path>& own_folders() {
+    static auto* const folders = [] {
+        std::error_code ignored;
+        const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+        return new std::vector{program, program.parent_path() / "lib/kaya"};
+    }();
+    return *folders;
+}
+
 bool ships(std::string_view file) {
-    namespace fs = std::filesystem;
     std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path(),
-                   folder = fs::weakly_canonical(file, ignored).parent_path();
-    for (const fs::path& own : {program, program.parent_path() / "lib/kaya"})
-        for (const char* kind : {"joints", "zones"})
-            if (folder == own / kind) return true;
-    return false;
+    const fs::path folder = fs::weakly_canonical(file, ignored).parent_path();
+    return (folder.filename() == "joints" || folder.filename() == "zones") &&
+           std::ranges::find(own_folders(), folder.parent_path()) != own_folders().end();
 }
 
 } // namespace
@@ -88,6 +95,12 @@ void begin_run_record() {
     const std::lock_guard guard(laws_lock);
     room() = new_room();
     laws().clear();
+}
+
+void add_own_folders(const std::vector<fs::path>& joints) {
+    const std::lock_guard guard(laws_lock);
+    std::error_code ignored;
+    for (const auto& folder : joints) own_folders().push_back(fs::weakly_canonical(folder, ignored).parent_path());
 }
 
 const Called* called(std::string_view name, std::string_view file, const char* noun) {

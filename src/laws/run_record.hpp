@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kaya {
 
@@ -51,6 +53,10 @@ RunRecord& run_record();
 
 /// Begins a new one, for a forked process with separate work.
 void begin_run_record();
+
+/// Adds folders of joint models that ship with the program, besides those next to it: for a library in a separate folder. Zone models lie
+/// in `zones` beside `joints`.
+void add_own_folders(const std::vector<std::filesystem::path>& joints);
 
 /// The same one for the same three texts. Not for signal handlers.
 const Called* called(std::string_view name, std::string_view file, const char* noun);

@@ -1,0 +1,164 @@
+#include "python/running.hpp"
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <unistd.h>
+
+namespace kaya::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::atomic<Session*> listening = nullptr;
+std::atomic<bool> asked = false;
+
+/// Python's own action of Ctrl-C waits for the interpreter, which waits for the session: so the session is notified at once.
+class OnInterrupt {
+public:
+    explicit OnInterrupt(Session& session) : main_(::getpid() == ::gettid() && listening == nullptr) {
+        if (!main_) return; // signals belong to the main thread
+        asked = false;
+        listening = &session;
+        struct sigaction action {};
+        action.sa_handler = [](int) {
+            asked = true;
+            if (Session* heard = listening; heard != nullptr) heard->interrupt();
+        };
+        ::sigaction(SIGINT, &action, &before_);
+    }
+    ~OnInterrupt() {
+        if (!main_) return;
+        ::sigaction(SIGINT, &before_, nullptr);
+        listening = nullptr;
+    }
+    OnInterrupt(const OnInterrupt&) = delete;
+    OnInterrupt& operator=(const OnInterrupt&) = delete;
+
+    bool was_asked() const { return main_ && asked.exchange(false); }
+
+private:
+    bool main_;
+    struct sigaction before_ {};
+};
+
+script::Moment moment_of(const std::string& name) {
+    using enum script::Moment;
+    if (name == "before_cycle") return before_cycle;
+    if (name == "after_forces") return after_forces;
+    if (name == "after_cycle") return after_cycle;
+    throw py::value_error("'" + name + "' is not before_cycle, after_forces or after_cycle");
+}
+
+} // namespace
+
+PythonSession::PythonSession(const py::function& out, const py::function& messages, const Options& options)
+    : out_(stream_to(out)), messages_(stream_to(messages)) {
+    const py::gil_scoped_release others;
+    session_ = std::make_unique<Session>(options, out_.get(), messages_.get());
+    session_->deck = "python";
+    session_->autosave.set_interval(std::nullopt); // the caller keeps the model
+}
+
+PythonSession::~PythonSession() {
+    session_->callbacks.clear(); // they hold objects of Python
+    const py::gil_scoped_release others;
+    session_.reset();
+}
+
+Session& PythonSession::session() {
+    if (running_ && !inside_call_) throw std::runtime_error("the model runs in another thread");
+    return *session_;
+}
+
+void PythonSession::refuse_borrowed() const {
+    if (*borrowed_ > 0)
+        throw py::buffer_error(
+            "arrays that look into the model are alive: delete them (and their slices) before it changes, or copy them");
+}
+
+void PythonSession::run(const std::function<void(Session&)>& work) {
+    Session& session = this->session();
+    refuse_borrowed();
+    if (inside_call_) { // of a function inside a cycle: the run around it has the signals
+        const py::gil_scoped_release others;
+        return work(session);
+    }
+    const OnInterrupt signals(session);
+    std::exception_ptr failed;
+    running_ = true;
+    {
+        const py::gil_scoped_release others;
+        try {
+            try {
+                session.stop_if_interrupted();
+            } catch (const Diagnostic&) { asked = false; } // a wish for the command before
+            work(session);
+            session.output.flush();
+        } catch (...) { failed = std::current_exception(); }
+    }
+    running_ = false;
+    if (raised_) {
+        const py::error_already_set raised = *std::exchange(raised_, std::nullopt);
+        throw raised;
+    }
+    if (signals.was_asked()) {
+        PyErr_SetNone(PyExc_KeyboardInterrupt);
+        throw py::error_already_set();
+    }
+    if (failed) std::rethrow_exception(failed);
+}
+
+std::string PythonSession::text(const std::string& commands, const std::string& name, bool caught) {
+    std::string printed;
+    run([&](Session& session) {
+        if (session.inside_cycle) {
+            printed = session.world.command(commands, name, 1, caught);
+            return;
+        }
+        std::optional<Output::Caught> catching;
+        if (caught) catching.emplace(session.output);
+        session.interpreter.run_text(commands, name);
+        if (catching) printed = catching->take();
+    });
+    return printed;
+}
+
+void PythonSession::deck(const std::string& file) {
+    run([&](Session& session) { session.run_deck(file); });
+}
+
+void PythonSession::call(const py::function& function) {
+    if (raised_) return; // the run is about to stop
+    const py::gil_scoped_acquire hold;
+    inside_call_ = true;
+    try {
+        function();
+        if (*borrowed_ > 0) refuse_borrowed();
+    } catch (py::error_already_set& problem) { raised_ = problem; } catch (const std::exception& problem) {
+        PyErr_SetString(PyExc_BufferError, problem.what());
+        raised_.emplace();
+    }
+    inside_call_ = false;
+    if (raised_) session_->interrupt();
+}
+
+int PythonSession::call_in_cycles(const py::function& function, const std::string& moment, std::int64_t interval) {
+    if (interval < 1) throw py::value_error("the interval is at least 1 cycle");
+    auto& callbacks = session().callbacks;
+    const int number = callbacks.empty() ? 1 : callbacks.back().number + 1;
+    // Copied and deleted by threads that do not hold the interpreter.
+    const std::shared_ptr<const py::function> kept(new py::function(function), [](const py::function* last) {
+        const py::gil_scoped_acquire hold;
+        delete last;
+    });
+    callbacks.push_back({number, moment_of(moment), interval, [this, kept] { call(*kept); }});
+    return number;
+}
+
+void PythonSession::leave_out(int number) {
+    std::erase_if(session().callbacks, [number](const Engine::Callback& one) { return one.number == number; });
+}
+
+} // namespace kaya::python

@@ -1,0 +1,16 @@
+"""kaya: distinct elements for jointed rock and masonry, from Python.
+
+    import kaya
+    m = kaya.Model()
+    m.command("poly brick 0 1 0 1 0 1")
+    print(m.blocks["volume"])          # an array of numpy, one row for each block
+    m = kaya.open("run.kaya.h5")       # a saved model
+
+Words, units and files are those of decks; nothing is converted.
+"""
+
+from ._kaya import Error, __version__
+from .model import Model, open, run
+from .table import Table, View
+
+__all__ = ["Error", "Model", "Table", "View", "open", "run", "__version__"]

@@ -1,0 +1,133 @@
+"""The names that drivers written for other programs use: `import kaya.itasca as it`.
+
+    it.command("block create brick 0 1 0 1 0 1")
+    it.fish.set("x", 3); it.fish.get("x")
+    for b in it.block.list(): b.pos_x(), b.vel(), b.set_vel((0, 0, 0))
+    it.blockarray.pos()                # an array of numpy
+
+Objects have one method for each name of newer FISH (docs/fields.md): block.subcontact.force.norm is force_norm() of what
+it.block.subcontact.list() gives, and set_force_norm(value) where FISH can set it. There is one model; use() takes another.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Iterator
+
+import numpy as np
+
+from .model import Model
+
+_model: Model | None = None
+
+
+def model() -> Model:
+    """The model of this module, made when it is first needed."""
+    global _model
+    if _model is None:
+        _model = Model()
+    return _model
+
+
+def use(other: Model) -> None:
+    """All functions work on that model from now on."""
+    global _model
+    _model = other
+
+
+def command(text: str) -> None:
+    """Runs one or several lines. Raises kaya.Error."""
+    model().command(text)
+
+
+def cycle() -> int:
+    """Cycles done so far."""
+    return model().cycle_number
+
+
+class _Fish:
+    def get(self, name: str):
+        return model().get(name)
+
+    def set(self, name: str, value) -> None:
+        model().set(name, value)
+
+    def call_function(self, name: str, arguments=()):
+        shown = ", ".join(f"'{a}'" if isinstance(a, str) else repr(a) for a in arguments)
+        return model().get(f"{name}({shown})" if arguments else name)
+
+
+def _methods(kind: str) -> dict[str, str]:
+    """{name of the method: field}: the name of newer FISH without that of its kind."""
+    fields = model().__getattr__(kind + "s").fields()
+    beginning = _kinds[kind]
+    return {info["modern"][len(beginning):].replace(".", "_"): name
+            for name, info in fields.items() if info["modern"].startswith(beginning)}
+
+
+class Object:
+    """An object of the model by its row; `id()` is its number. Valid until rows change."""
+
+    def __init__(self, kind: str, row: int):
+        self._kind, self._row = kind, row
+
+    def __getattr__(self, name: str):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        methods = _methods(self._kind)
+        if name in methods:
+            return lambda: model().__getattr__(self._kind + "s")[methods[name]][self._row]
+        if name.startswith("set_") and name[4:] in methods:
+            return lambda value: model().__getattr__(self._kind + "s").set(methods[name[4:]], value, [self._row])
+        raise AttributeError(f"a {self._kind} has no method '{name}': {', '.join(methods)}")
+
+    def __repr__(self) -> str:
+        return f"<{self._kind} {self.id()}>"
+
+
+class _Kind:
+    def __init__(self, kind: str, **inner: "_Kind"):
+        self._kind = kind
+        self.__dict__.update(inner)
+
+    def count(self) -> int:
+        return len(model().__getattr__(self._kind + "s"))
+
+    def list(self) -> Iterator[Object]:
+        return (Object(self._kind, row) for row in range(self.count()))
+
+    def find(self, number: int) -> Object | None:
+        """The object with that number; None where there is none."""
+        rows = np.flatnonzero(model().__getattr__(self._kind + "s")["id"] == number)
+        return Object(self._kind, int(rows[0])) if len(rows) else None
+
+    def near(self, place) -> Object | None:
+        """The object that is nearest to a place."""
+        places = model().__getattr__(self._kind + "s")["position"]
+        return Object(self._kind, int(np.argmin(((places - np.asarray(place)) ** 2).sum(axis=1)))) if len(places) else None
+
+
+class _Array:
+    """One function for each name of newer FISH: an array of all objects."""
+
+    def __init__(self, kind: str):
+        self._kind = kind
+
+    def __getattr__(self, name: str):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        methods = _methods(self._kind)
+        if name in methods:
+            return lambda: model().__getattr__(self._kind + "s")[methods[name]]
+        if name.startswith("set_") and name[4:] in methods:
+            return lambda values: model().__getattr__(self._kind + "s").set(methods[name[4:]], values)
+        raise AttributeError(f"there is no array '{name}': {', '.join(methods)}")
+
+
+_kinds = {"block": "block.", "gridpoint": "block.gp.", "zone": "block.zone.", "contact": "block.contact.",
+          "sub_contact": "block.subcontact.", "face": "block.face."}
+
+fish: Any = _Fish()
+block: Any = _Kind("block", gridpoint=_Kind("gridpoint"), zone=_Kind("zone"), contact=_Kind("contact"),
+                   subcontact=_Kind("sub_contact"), face=_Kind("face"))
+blockarray, gridpointarray, zonearray = _Array("block"), _Array("gridpoint"), _Array("zone")
+contactarray, subcontactarray = _Array("contact"), _Array("sub_contact")
