@@ -148,6 +148,15 @@ ReadDeck read_deck(const Language& language, const std::string& name, const std:
     return deck;
 }
 
+ReadDeck read_deck(const Language& language, Source source, const fs::path& path, const std::vector<fs::path>& folders,
+                   const Checks* checks) {
+    ReadDeck deck;
+    DeckReader reader(language, folders, checks, deck.names, std::numeric_limits<std::size_t>::max());
+    deck.file = reader.text(source, path);
+    deck.problems = reader.take_problems();
+    return deck;
+}
+
 SharedFile bind_text(const Language& language, Source source, const std::vector<fs::path>& folders,
                      const Checks* checks, BareNames* names) {
     BareNames own;

@@ -65,6 +65,10 @@ struct ReadDeck {
 ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<std::filesystem::path>& folders,
                    const Checks* checks = nullptr);
 
+/// The same for the text of a file that an editor has not saved; `path` is that of the file.
+ReadDeck read_deck(const Language& language, Source source, const std::filesystem::path& path,
+                   const std::vector<std::filesystem::path>& folders, const Checks* checks = nullptr);
+
 /// True when the text is incomplete: a line to be continued, def without end. The prompt then reads another line.
 bool needs_more(const Language& language, std::string_view text);
 

@@ -39,6 +39,7 @@ const std::array table{
     Scope{"study show", "the folder of the study", "nothing", "nothing", {"folder"}, {}, {}},
     Scope{"study rerun", "the folder of the study, its deck", "a deck and a folder of one run", "kaya-painter", {"folder"}, {}, {}, installed},
     Scope{"study work", "the folder of the study, its deck", "folders of runs", "kaya-painter", {"folder", "--from"}, {}, {}, installed},
+    Scope{"lsp", "decks that the editor opens, the files that they call", "nothing", "nothing", {}, {}, {}},
     Scope{"allow", "folders and libraries that are named", "the list of what is allowed", "nothing", {"path"}, {}, {}, none, true},
     Scope{"explain", "nothing", "nothing", "nothing", {}, {}, {}},
     Scope{"help", "nothing", "nothing", "nothing", {}, {}, {}},

@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "app/explanations.hpp"
+#include "app/language_server.hpp"
 #include "app/manual.hpp"
 #include "app/permissions.hpp"
 #include "app/run.hpp"
@@ -15,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <unistd.h>
 
 namespace kaya {
 
@@ -88,6 +90,11 @@ void add_explain(CLI::App& app, std::function<int()>& chosen) {
         return 0;
     });
     tool.command->add_option("code", tool.words->name, "as shown in brackets after a message on a terminal");
+}
+
+void add_lsp(CLI::App& app, std::function<int()>& chosen) {
+    const Tool tool(app, chosen, "lsp", "serve an editor: mistakes, words, help and names while a deck is typed",
+                    [](const Words&) { return serve_editor(STDIN_FILENO, STDOUT_FILENO); });
 }
 
 void add_info(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
@@ -205,6 +212,7 @@ void add_tool_commands(CLI::App& app, const RunOrder& order, const std::filesyst
                        std::function<int()>& chosen) {
     add_format(app, chosen);
     add_explain(app, chosen);
+    add_lsp(app, chosen);
     add_info(app, order, program, chosen);
     add_report(app, order, program, chosen);
     add_export(app, chosen);

@@ -134,13 +134,11 @@ std::string DeckReport::json_lines() const {
     return text;
 }
 
-DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,
-                      const std::vector<std::filesystem::path>& own_joints) {
-    const lang::Checks checks = deck_checks();
-    const lang::ReadDeck read = lang::read_deck(lang::language(), deck, folders, &checks);
+namespace {
+
+DeckReport report_on(const lang::ReadDeck& read, const std::vector<std::filesystem::path>& places,
+                     const std::vector<std::filesystem::path>& own_joints) {
     const Session session{Options{}}; // knows built-in names
-    std::vector<std::filesystem::path> places{std::filesystem::path(deck).parent_path()};
-    places.insert(places.end(), folders.begin(), folders.end());
     Reporter reporter;
     DeckReview review(read.names, *session.scripts, places, own_joints);
     review.on_file = [&](const lang::BoundFile& file) { reporter.begin_file(file.source->name); };
@@ -154,6 +152,24 @@ DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem
     reporter.findings(review);
     reporter.sort();
     return reporter.report;
+}
+
+} // namespace
+
+DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,
+                      const std::vector<std::filesystem::path>& own_joints) {
+    const lang::Checks checks = deck_checks();
+    std::vector<std::filesystem::path> places{std::filesystem::path(deck).parent_path()};
+    places.insert(places.end(), folders.begin(), folders.end());
+    return report_on(lang::read_deck(lang::language(), deck, folders, &checks), places, own_joints);
+}
+
+DeckReport check_text(const std::string& file, const std::string& text,
+                      const std::vector<std::filesystem::path>& own_joints) {
+    const lang::Checks checks = deck_checks();
+    const std::vector<std::filesystem::path> places{std::filesystem::path(file).parent_path(), "."};
+    return report_on(lang::read_deck(lang::language(), lang::source_from_text(file, text), file, places, &checks),
+                     places, own_joints);
 }
 
 } // namespace kaya

@@ -39,6 +39,10 @@ struct DeckReport {
     std::string json_lines() const;
 };
 
+/// Reads the text of a deck that an editor has not saved, as check_deck does; `file` is its file.
+DeckReport check_text(const std::string& file, const std::string& text,
+                      const std::vector<std::filesystem::path>& own_joints = {});
+
 /// Reads a deck, the files that it calls, and the bodies of its FISH functions. Throws Diagnostic when the deck
 /// itself cannot be read. `own_joints` are folders of models that may be loaded.
 DeckReport check_deck(const std::string& deck, const std::vector<std::filesystem::path>& folders,

@@ -48,17 +48,31 @@ private:
         return edge;
     }
 
+    /// Of the edge: the distance that makes no difference.
+    static constexpr double narrow = 0.01;
+
     void visit(const Vec3& centre, const Vec3& half, const std::vector<FinePlace>& finer) {
+        stops_.pass();
         const double edge = edge_at(centre, finer), reach = half.norm();
         std::vector<FinePlace> near; // that can be the finest somewhere in this box
         for (const FinePlace& f : finer)
             if (f.edge + Spacing::growth * ((centre - f.place).norm() - reach) <= edge + steepness_ * reach)
                 near.push_back(f);
         const double least = edge - steepness_ * reach;
-        if (least < 0.5 * edge && reach > 0.01 * edge) {
-            for (int i = 0; i < (flat_ ? 4 : 8); ++i) {
-                const Vec3 side(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, flat_ ? 0 : i & 4 ? 0.5 : -0.5);
-                visit(centre + side.cwiseProduct(half), 0.5 * half, near);
+        if (least < 0.5 * edge && reach > narrow * edge) {
+            // A box that is narrow in a direction is not halved in it: a splinter of 20 km by 1 mm would be cut into 10^10 boxes.
+            Vec3 part = half, side = Vec3::Zero();
+            for (int k = 0; k < 3; ++k)
+                if (half[k] > narrow * edge) part[k] = side[k] = 0.5 * half[k];
+            for (int i = 0; i < 8; ++i) {
+                Vec3 there = centre;
+                bool twice = false; // the same box as before
+                for (int k = 0; k < 3; ++k) {
+                    const bool upper = (i >> k & 1) != 0;
+                    twice = twice || (upper && side[k] == 0);
+                    there[k] += upper ? side[k] : -side[k];
+                }
+                if (!twice) visit(there, part, near);
             }
             return;
         }

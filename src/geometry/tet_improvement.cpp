@@ -4,6 +4,8 @@
 
 #include "geometry/tet_shape.hpp"
 
+#include "base/stop_point.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -254,11 +256,14 @@ void climb(ChangeableTets& mesh, double wanted, bool new_points, const ProgressC
     // Exchanged tetrahedra are checked again in the same round, and neighbourhoods can alternate in being the better one.
     const std::size_t most_tried = most_tries * (mesh.tets.size() + 1);
     std::size_t tried = 0;
+    constexpr int between_stops = 16; // tries
+    StopPoints stops(between_stops);
     for (int round = 0; round < most_rounds; ++round) {
         bool changed = false;
         for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
             if (!mesh.alive[t] || mesh.block[t] != 0 || !mesh.fresh(t) || mesh.quality(mesh.tets[t]) >= wanted)
                 continue;
+            stops.pass();
             if (progress && tried % tries_between == 0) progress(0);
             if (++tried > most_tried) break;
             if (exchange_around(mesh, t)) {

@@ -190,6 +190,27 @@ Row add_block_row(Model& model) {
     return b;
 }
 
+namespace {
+
+/// Throws Diagnostic for a block whose thickness under its widest face is lost in the rounding of its size: nothing of it can be computed.
+void refuse_flat(const Polyhedron& shape, double volume) {
+    constexpr double least = 1e-12; // of the size; rounding is 1e-16
+    double widest = 0, size = 0;
+    for (const auto& face : shape.faces) {
+        const Vec3 first = shape.vertices[face.vertices.front()];
+        Vec3 twice = Vec3::Zero();
+        for (std::size_t k = 1; k + 1 < face.vertices.size(); ++k)
+            twice += (shape.vertices[face.vertices[k]] - first).cross(shape.vertices[face.vertices[k + 1]] - first);
+        widest = std::max(widest, 0.5 * twice.norm());
+    }
+    for (const Vec3& vertex : shape.vertices) size = std::max(size, (vertex - shape.vertices.front()).norm());
+    if (volume >= least * size * widest) return;
+    throw Diagnostic(fmt::format("the block is flat: {:.2g} thick and {:.2g} wide", volume / widest, size),
+                     "look at its coordinates and their exponents");
+}
+
+} // namespace
+
 Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& options) {
     const MassProperties mass = mass_properties(polyhedron);
     const bool bounded = std::ranges::all_of(polyhedron.vertices, [](const Vec3& x) { return is_bounded(x); });
@@ -199,6 +220,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     if (!(mass.volume > 0))
         throw Diagnostic(fmt::format("the block has no volume ({})", mass.volume),
                          "look at the order and the place of its vertices");
+    refuse_flat(polyhedron, mass.volume);
     auto& blocks = model.blocks;
     const Row b = add_block_row(model);
     blocks.material[b] = options.material;

@@ -1,4 +1,5 @@
 // Meshes with variable edges: fields, coarse blocks adjacent to fine ones, rows of growing cells.
+#include "geometry/graded_points.hpp"
 #include "geometry/mesh_plan.hpp"
 
 #include "geometry/shapes.hpp"
@@ -45,6 +46,21 @@ const std::array<Mat3, 3>& turns() {
     static const std::array<Mat3, 3> all{Mat3::Identity(), Vec3(1, -1, 1).asDiagonal().toDenseMatrix(),
                                          Eigen::AngleAxisd(0.9, Vec3(3, 1, -2).normalized()).toRotationMatrix()};
     return all;
+}
+
+/// A box is not halved in a direction in which it is narrow; in all three, this took 4^17 boxes.
+TEST(GradedMesh, PointsOfASplinterOfTwentyKilometres) {
+    Spacing spacing;
+    spacing.field = [](const Vec3& x) {
+        return std::min(2.0, 0.2 + 0.36 * std::max((x - Vec3(0, 100, 0)).norm() - 1, 0.0));
+    };
+    spacing.change = 0.36;
+    for (const double width : {1e-3, 1e-9}) {
+        const auto points =
+            graded_points({0, 0, 0}, {width, 20000, 0}, spacing, [](const Vec3&, double) { return true; });
+        EXPECT_GT(points.size(), 5000u) << width;
+        EXPECT_LT(points.size(), 40000u) << width;
+    }
 }
 
 } // namespace

@@ -1,0 +1,262 @@
+#include "app/editor_answers.hpp"
+
+#include "app/completion.hpp"
+#include "app/tools.hpp"
+#include "lang/interp/binder.hpp"
+#include "lang/interp/help.hpp"
+#include "lang/modern/language.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
+#include <set>
+
+namespace kaya {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string path_of(const std::string& uri) {
+    constexpr std::string_view scheme = "file://";
+    if (!uri.starts_with(scheme)) return uri;
+    std::string path;
+    for (std::size_t i = scheme.size(); i < uri.size(); ++i) {
+        unsigned code = 0;
+        const char* const digits = uri.data() + i + 1;
+        if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+            path += static_cast<char>(code);
+            i += 2;
+        } else path += uri[i];
+    }
+    return path;
+}
+
+std::string uri_of(const fs::path& path) {
+    constexpr std::string_view plain = "/-_.~";
+    std::string uri = "file://";
+    for (const char c : fs::absolute(path).lexically_normal().string())
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != plain.npos) uri += c;
+        else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    return uri;
+}
+
+namespace {
+
+Json at_start() {
+    const Json start{{"line", 0}, {"character", 0}};
+    return {{"start", start}, {"end", start}};
+}
+
+/// The file of a line `call NAME`; none for other lines, and where the name is known at run time only.
+std::optional<fs::path> called_file(const OpenDeck::Stretch& stretch, const std::string& path) {
+    try {
+        const auto found = lang::find_command(lang::language(), stretch.statement);
+        if (found.spec->flow != lang::Flow::call) return std::nullopt;
+        const auto bound = lang::bind_statement(lang::language(), stretch.statement);
+        if (bound.late) return std::nullopt;
+        return lang::find_deck(found.spec->called_file(bound.command), {fs::path(path).parent_path(), "."});
+    } catch (const Diagnostic&) { return std::nullopt; } // check reports it
+}
+
+/// In the deck, then in the files that it calls.
+Json definition_in(const OpenDeck& deck, const fs::path& path, const std::string& uri, const std::string& folded,
+                   std::set<fs::path>& seen) {
+    if (const auto* function = deck.function(folded))
+        return {{"uri", uri}, {"range", EditorAnswers::range_of(deck, function->piece)}};
+    seen.insert(fs::absolute(path).lexically_normal());
+    for (const auto& stretch : deck.stretches()) {
+        const auto called = called_file(stretch, path.string());
+        if (!called || seen.contains(fs::absolute(*called).lexically_normal())) continue;
+        try {
+            const auto source = lang::read_source(*called, called->string());
+            std::string text;
+            for (const auto& line : source->lines) text += line + "\n";
+            Json found = definition_in(OpenDeck(text), *called, uri_of(*called), folded, seen);
+            if (!found.is_null()) return found;
+        } catch (const Diagnostic&) { continue; } // check reports it
+    }
+    return {};
+}
+
+/// Whether a place is in the words that name a command, and the command; null when it is not.
+const lang::CommandSpec* command_at(const OpenDeck::Stretch& stretch, const OpenDeck::Piece& piece) {
+    try {
+        const auto found = lang::find_command(lang::language(), stretch.statement);
+        const std::size_t naming = std::max(found.spec->words.size(), found.form_at + 1);
+        const auto column = static_cast<int>(piece.begin) + 1;
+        const auto& words = stretch.statement.words;
+        for (std::size_t k = 0; k < std::min(naming, words.size()); ++k) {
+            const Place& place = words[k].place;
+            if (place.line - 1 == piece.line && place.column <= column && column < place.column + place.length)
+                return found.spec;
+        }
+    } catch (const Diagnostic&) {} // a line that is being typed
+    return nullptr;
+}
+
+/// The page on a command, a word or a name of FISH, or the head of a function of the deck; empty when there is none.
+std::string help_at(const OpenDeck& deck, const Spot& spot, const OpenDeck::Piece& piece) {
+    const std::string word = deck.text_of(piece);
+    const bool fish = deck.in_fish(spot);
+    if (const auto* function = deck.function(lang::fold(word)); function != nullptr && fish) return function->head;
+    try {
+        const auto* stretch = deck.stretch_at(spot.line);
+        const auto* command = stretch == nullptr || fish ? nullptr : command_at(*stretch, piece);
+        if (command == nullptr) return help_text(word);
+        std::string words;
+        for (const auto& spelled : command->words) words += (words.empty() ? "" : " ") + std::string(spelled.word);
+        return lang::help_on(lang::language(), words);
+    } catch (const Diagnostic&) { return {}; }
+}
+
+bool is_name(const std::string& text) {
+    const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
+           std::ranges::all_of(text, fits);
+}
+
+[[noreturn]] void refuse(std::string why) { throw Refusal{Refusal::Code::refused, std::move(why)}; }
+
+} // namespace
+
+Json EditorAnswers::range_of(const OpenDeck& deck, const OpenDeck::Piece& piece) {
+    const std::string& line = deck.lines()[static_cast<std::size_t>(piece.line)];
+    const auto position = [&](std::size_t byte) {
+        return Json{{"line", piece.line}, {"character", utf16_of(line, byte)}};
+    };
+    return {{"start", position(piece.begin)}, {"end", position(piece.end)}};
+}
+
+Json EditorAnswers::completions(const Asked& asked) const {
+    const auto typed = asked.deck.typed_at(asked.spot);
+    const Proposals found = proposals(*session_, typed.before, typed.line);
+    std::set<std::string> words(found.words.begin(), found.words.end());
+    const std::string begun =
+        lang::fold(typed.line.substr(typed.line.size() - std::min(found.typed, typed.line.size())));
+    const std::string mark = begun.starts_with("@") ? "@" : "", name = begun.substr(mark.size());
+    if (!mark.empty() || asked.deck.in_fish(asked.spot))
+        for (const auto& own : asked.deck.names())
+            if (lang::fold(own).starts_with(name) && lang::fold(own) != name) words.insert(mark + own);
+    Json items = Json::array();
+    const Spot& spot = asked.spot;
+    const OpenDeck::Piece piece{spot.line, spot.byte - std::min(found.typed, spot.byte), spot.byte};
+    for (const auto& word : words) {
+        Json item{{"label", word}};
+        if (spot.line >= 0) item["textEdit"] = {{"range", range_of(asked.deck, piece)}, {"newText", word}};
+        items.push_back(std::move(item));
+    }
+    return {{"isIncomplete", false}, {"items", std::move(items)}};
+}
+
+Json EditorAnswers::hover(const Asked& asked) const {
+    const auto piece = asked.deck.word_at(asked.spot);
+    if (!piece) return {};
+    const std::string text = help_at(asked.deck, asked.spot, *piece);
+    if (text.empty()) return {};
+    const std::string shown = "```text\n" + text + (text.ends_with("\n") ? "" : "\n") + "```";
+    return {{"contents", {{"kind", "markdown"}, {"value", shown}}}, {"range", range_of(asked.deck, *piece)}};
+}
+
+Json EditorAnswers::definition(const Asked& asked) const {
+    const auto* stretch = asked.deck.stretch_at(asked.spot.line);
+    if (stretch != nullptr && asked.spot.line < stretch->body)
+        if (const auto called = called_file(*stretch, path_of(asked.uri)))
+            return {{"uri", uri_of(*called)}, {"range", at_start()}};
+    const auto piece = asked.deck.word_at(asked.spot);
+    if (!piece) return {};
+    std::set<fs::path> seen;
+    return definition_in(asked.deck, path_of(asked.uri), asked.uri, lang::fold(asked.deck.text_of(*piece)), seen);
+}
+
+Json EditorAnswers::uses(const Asked& asked) const {
+    Json uses = Json::array();
+    if (const auto piece = asked.deck.word_at(asked.spot))
+        for (const auto& use : asked.deck.uses_of(lang::fold(asked.deck.text_of(*piece))))
+            uses.push_back({{"uri", asked.uri}, {"range", range_of(asked.deck, use)}});
+    return uses;
+}
+
+bool EditorAnswers::is_built_in(const std::string& folded) const {
+    const auto names = session_->scripts->built_in_names();
+    return std::ranges::any_of(names, [&](const auto& name) { return name.first == folded; });
+}
+
+EditorAnswers::Named EditorAnswers::own_name(const Asked& asked) const {
+    const auto piece = asked.deck.word_at(asked.spot);
+    if (!piece) refuse("there is no name here");
+    const std::string text = asked.deck.text_of(*piece), folded = lang::fold(text);
+    if (is_built_in(folded)) refuse("'" + text + "' is a name of FISH itself");
+    if (asked.deck.uses_of(folded).empty()) refuse("'" + text + "' is a word of a command, not a name of FISH");
+    return {*piece, folded};
+}
+
+Json EditorAnswers::name_to_change(const Asked& asked) const {
+    const Named name = own_name(asked);
+    return {{"range", range_of(asked.deck, name.piece)}, {"placeholder", asked.deck.text_of(name.piece)}};
+}
+
+Json EditorAnswers::other_name(const Asked& asked, const std::string& given) const {
+    const Named name = own_name(asked);
+    const std::string folded = lang::fold(given);
+    if (!is_name(given)) refuse("'" + given + "' is not a name: letters, digits and _");
+    if (is_built_in(folded)) refuse("'" + given + "' is a name of FISH itself");
+    if (folded != name.folded && !asked.deck.uses_of(folded).empty())
+        refuse("'" + given + "' is used already: two names would become one");
+    Json edits = Json::array();
+    for (const auto& use : asked.deck.uses_of(name.folded))
+        edits.push_back({{"range", range_of(asked.deck, use)}, {"newText", given}});
+    return {{"changes", {{asked.uri, std::move(edits)}}}};
+}
+
+Json EditorAnswers::functions(const OpenDeck& deck) {
+    constexpr int function_kind = 12;
+    Json symbols = Json::array();
+    for (const auto& function : deck.functions()) {
+        const auto* stretch = deck.stretch_at(function.piece.line);
+        const int last = stretch == nullptr ? function.piece.line : stretch->last;
+        const std::size_t length = deck.lines()[static_cast<std::size_t>(last)].size();
+        const Json from = range_of(deck, {function.piece.line, 0, 0}), to = range_of(deck, {last, length, length});
+        symbols.push_back({{"name", function.name},
+                           {"kind", function_kind},
+                           {"range", {{"start", from["start"]}, {"end", to["end"]}}},
+                           {"selectionRange", range_of(deck, function.piece)}});
+    }
+    return symbols;
+}
+
+Json EditorAnswers::diagnostic(const OpenDeck& deck, const std::string& path, const ReportLine& line) {
+    const bool here = line.file == path && line.line >= 1 && static_cast<std::size_t>(line.line) <= deck.lines().size();
+    Json range = at_start();
+    if (here) {
+        const std::string& text = deck.lines()[static_cast<std::size_t>(line.line) - 1];
+        const std::size_t begin = std::min(static_cast<std::size_t>(std::max(line.column - 1, 0)), text.size());
+        range = range_of(deck, {line.line - 1, begin, std::min(text.find_first_of(" \t,", begin), text.size())});
+    }
+    const int severity = line.outlook == Outlook::ignored ? 3 : line.outlook == Outlook::doubtful ? 2 : 1;
+    std::string message = here ? line.text : fmt::format("{}:{}: {}", line.file, line.line, line.text);
+    if (!line.hint.empty()) message += "\n" + line.hint;
+    Json diagnostic{{"range", range}, {"severity", severity}, {"source", "kaya"}, {"message", message}};
+    if (!line.code.empty()) diagnostic["code"] = line.code;
+    return diagnostic;
+}
+
+Json EditorAnswers::proposed_edits(const std::string& uri, const Json& diagnostics) {
+    Json actions = Json::array();
+    for (const auto& diagnostic : diagnostics) {
+        constexpr std::string_view begin = "did you mean '";
+        const std::string message = diagnostic.at("message");
+        const auto from = message.find(begin), to = message.find("'?", from);
+        if (from == message.npos || to == message.npos) continue;
+        const std::string word = message.substr(from + begin.size(), to - from - begin.size());
+        const Json edit{{"range", diagnostic.at("range")}, {"newText", word}};
+        actions.push_back({{"title", "write " + word},
+                           {"kind", "quickfix"},
+                           {"diagnostics", Json::array({diagnostic})},
+                           {"edit", {{"changes", {{uri, Json::array({edit})}}}}}});
+    }
+    return actions;
+}
+
+} // namespace kaya
