@@ -1,7 +1,7 @@
 #include "lang/interp/binder.hpp"
 
 #include "lang/interp/command_words.hpp"
-#include "lang/interp/odd_letters.hpp"
+#include "lang/interp/word_slips.hpp"
 #include "lang/interp/short_list.hpp"
 
 #include <algorithm>
@@ -82,9 +82,7 @@ std::string two_words(const Language& language, const Word& word) {
 std::string hint_for_unknown(const Language& language, const Statement& statement,
                              const std::vector<std::string_view>& candidates) {
     const Word& word = statement.words.front();
-    if (auto odd = odd_letter_hint(word.text); !odd.empty()) return odd;
-    if (word.text.starts_with("//") || word.text.starts_with("#") || word.text.starts_with("--"))
-        return "a comment begins with ;";
+    if (auto slip = slip_hint(statement, 0); !slip.empty()) return slip;
     if (const auto ordered = in_other_order(language, statement); !ordered.empty())
         return fmt::format("did you mean '{}'?", ordered);
     if (const auto apart = two_words(language, word); !apart.empty()) return fmt::format("did you mean '{}'?", apart);

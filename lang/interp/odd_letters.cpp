@@ -35,6 +35,18 @@ constexpr std::array<OddLetter, 18> odd_letters{{
     {"\u00d7", 0x00d7, "*"},
 }};
 
+/// For Greek and Cyrillic letters, two bytes of UTF-8 each: many look like Latin ones.
+std::string other_alphabet(std::string_view text) {
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        const auto high = static_cast<unsigned char>(text[i]), low = static_cast<unsigned char>(text[i + 1]);
+        if (high < 0xcd || high > 0xd3 || (low & 0xc0U) != 0x80) continue;
+        const unsigned code = (high & 0x1fU) << 6U | (low & 0x3fU);
+        return fmt::format("there is the letter U+{:04X} in it, which is {}: words of commands are Latin", code,
+                           code < 0x400 ? "Greek" : "Cyrillic");
+    }
+    return {};
+}
+
 } // namespace
 
 std::string odd_letter_hint(std::string_view text) {
@@ -45,7 +57,7 @@ std::string odd_letter_hint(std::string_view text) {
             first = at;
             found = &letter;
         }
-    if (found == nullptr) return {};
+    if (found == nullptr) return other_alphabet(text);
     const bool named = found->instead.size() > 1;
     return fmt::format("there is the letter U+{:04X} in it: write {}{}{}", found->code, named ? "" : "the plain ",
                        found->instead, named ? " instead" : "");

@@ -20,6 +20,8 @@ constexpr const char* rock_hint =
 constexpr Neighbour neighbours[] = {
     {R"((import\s+\S+\s+as\s+\w+|import\s+(itasca|numpy|math|os|sys)|from\s+[\w.]+\s+import\s.*|(def|class)\s+\w+\s*(\(.*\))?:.*|print\s*\(.*\)|for\s+\w+\s+in\s+.*:|if\s+__name__.*))",
      "this is a line of Python", script_hint},
+    {R"(((local\s+)?function\s+[\w.:]+\s*(\(.*)?))", "this is a line of Lua",
+     "Lua stands between lua and endlua; a function of FISH is def ... end"},
     {R"((clear|close|clc|format)\s+(all|long|short)|clc|function\s+.*=.*\(.*\)|(figure|disp|fprintf|plot)\s*\(.*\);?)",
      "this is a line of MATLAB", script_hint},
     {R"((zone\s+(create2?d?|cmodel|face|gridpoint|initialize(-stresses)?|history|fill|apply|results|water|relax|geometry-\S+)|structure\s+\S+\s+create|extrude)\s+.*)",

@@ -2,6 +2,7 @@
 
 #include "lang/interp/number_hints.hpp"
 #include "lang/interp/odd_letters.hpp"
+#include "lang/interp/word_slips.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -101,6 +102,11 @@ void Reader::missing(const ArgumentSpec& argument) const {
     place.column += place.length;
     place.length = 1;
     const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
+    // The name of a property may be any word: `bulk 1 gpa`.
+    if (auto slip = slip_hint(statement(), static_cast<std::size_t>(&previous() - statement().words.data()));
+        !slip.empty())
+        throw wrong("missing-value", previous().place, fmt::format("'{}' is not the name of a value", after),
+                    std::move(slip));
     throw wrong("missing-value", place, fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
                 expected(argument));
 }
@@ -127,18 +133,22 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     if (is_question(word))
         throw Choices(candidates.empty() ? "nothing more is allowed here" : fmt::format("{} may be: {}", what, list),
                       {candidates.begin(), candidates.end()}, word.place);
-    if (candidates.empty())
+    auto slip = slip_hint(statement(), static_cast<std::size_t>(&word - statement().words.data()));
+    if (candidates.empty()) {
+        if (slip.empty())
+            slip = follows_comma(word) ? "a comma separates values: numbers have a point"
+                                       : "nothing more is expected here";
         throw wrong("left-over", word.place, fmt::format("unexpected {} after the end of the command", word.shown()),
-                    follows_comma(word) ? "a comma separates values: numbers have a point"
-                                        : "nothing more is expected here");
+                    std::move(slip));
+    }
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("expected {}, found {}", what, word.shown()),
                     "expected: " + list);
     if (word.text == "&" || word.text == "...")
         throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
-    if (auto odd = odd_letter_hint(word.text); !odd.empty())
-        throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what), std::move(odd));
+    if (!slip.empty())
+        throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what), std::move(slip));
     const auto near = did_you_mean(word.folded, candidates);
     throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what),
                 near.empty() ? "expected: " + list : fmt::format("did you mean '{}'?", near));
