@@ -33,8 +33,9 @@
 extern "C" {
 #endif
 
-/* A library made for another interface version is refused, with both numbers. */
-#define KAYA_ZMODEL_INTERFACE 1
+/* Libraries made for interface 1 are loaded too: version 2 added `spin` at the end of the batch. A library made for any other version is
+ * refused, with both numbers. */
+#define KAYA_ZMODEL_INTERFACE 2
 
 /* What a strength reduction with the factor F makes of a property. */
 typedef enum kaya_zreduction {
@@ -72,6 +73,10 @@ typedef struct kaya_zbatch {
     const kaya_jtables* tables;        /* in: may be NULL, when there is no deck */
     size_t row;                        /* out: a model that works row by row writes here where it is */
     char message[KAYA_JMODEL_MESSAGE]; /* out: why a row failed */
+
+    /* Since interface 2. In: axial vector w of the spin W of this step, radians; NULL where nothing turns, as in small strain. The
+     * engine has turned the stress by (1 - W/2)^-1 (1 + W/2); a model with directions turns them in the same way. */
+    const double* spin[3];
 } kaya_zbatch;
 
 /* `name`, `run` and `moduli` must not be NULL; neither must a table whose count is not 0. */

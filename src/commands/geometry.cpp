@@ -104,9 +104,10 @@ void run(Session& session, const lang::FaceTriangulation& command) {
     }
     if (rigid > 0) ModelEdit(session.model, Change::surfaces);
     else if (!picked.empty())
-        session.warn(Diagnostic(fmt::format("all {} blocks that this acts on have zones", picked.size()),
-                                "their faces are cut by their zones; the command has no effect")
-                         .at(command.place));
+        throw Diagnostic(picked.size() == 1 ? std::string("the block that this acts on has zones")
+                                            : fmt::format("all {} blocks that this acts on have zones", picked.size()),
+                         "zones divide the faces of their blocks: give the edge of zones (generate edge ...)")
+            .at(command.place);
 }
 
 void run(Session& session, const lang::GenerateEdge& command) {

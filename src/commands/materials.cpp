@@ -149,8 +149,27 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
     }
 }
 
-/// A zone model that was given to blocks without zones.
+/// Throws Diagnostic where `zone model` was given and no block that has one has zones.
+void refuse_rigid_models(const Model& model) {
+    const auto& blocks = model.blocks;
+    Row first = no_row;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.zone_properties[b] == 0) continue;
+        if (blocks.deformable[b]) return;
+        if (first == no_row) first = static_cast<Row>(b);
+    }
+    if (first == no_row) return;
+    const auto& given = model.zone_properties[static_cast<std::size_t>(blocks.zone_properties[first])];
+    Diagnostic mistake(
+        fmt::format("block {} is rigid: its zone model {} has no effect", blocks.number[first], given.model),
+        "give it zones before the run (generate edge ...), or leave out `zone model`");
+    if (!given.place.empty()) mistake.add("its zone model was given at " + given.place);
+    throw mistake;
+}
+
+/// A zone model that was given to blocks without zones, beside others with zones or by its number.
 void warn_of_rigid_models(Session& session) {
+    refuse_rigid_models(session.model);
     const auto& blocks = session.model.blocks;
     std::size_t rigid = 0;
     Row first = no_row;

@@ -14,7 +14,7 @@ constexpr std::array modes{"rigid", "zones", "small", "large", "static", "dynami
 
 struct ModeRow {
     std::string_view what;
-    /// One letter for each mode: works, is an error, has no effect and warns, or has no meaning (-).
+    /// One letter for each mode: works (y), is an error (e), or has no meaning (-).
     std::string_view cells = "yyyyyy";
 };
 
@@ -68,16 +68,17 @@ constexpr ModeRow rows[] = {
     {"jmodel barton-bandis"},
     {"jmodel continuously-yielding"},
     {"jmodel velocity-weakening"},
-    {"zone model elastic", "wyyyyy"},
-    {"zone model mohr-coulomb", "wyyyyy"},
-    {"zone model strain-softening", "wyyyyy"},
-    {"zone model drucker-prager", "wyyyyy"},
-    {"zone model hoek-brown", "wyyyyy"},
-    {"zone model ubiquitous-joint", "wyyyyy"},
-    {"zone model anisotropic-elastic", "wyyyyy"},
+    {"zone model elastic", "eyyyyy"},
+    {"zone model mohr-coulomb", "eyyyyy"},
+    {"zone model strain-softening", "eyyyyy"},
+    {"zone model drucker-prager", "eyyyyy"},
+    {"zone model hoek-brown", "eyyyyy"},
+    {"zone model ubiquitous-joint", "eyyyyy"},
+    {"zone model anisotropic-elastic", "eyyyyy"},
     {"zone nmd", "-yyyyy"},
     {"join"},
-    {"facetri", "ywyyyy"},
+    {"join, unlike meshes", "-yyyyy"},
+    {"facetri", "yeyyyy"},
     {"structure cable"},
     {"structure cable, sbond"},
     {"structure cable, fbond", "eyyyyy"},
@@ -85,15 +86,18 @@ constexpr ModeRow rows[] = {
     {"structure beam anchor"},
     {"structure beam clamp", "yeyyyy"},
     {"structure beam, kn ks"},
+    {"structure beam, cohesion"},
     {"structure liner"},
     {"structure liner anchor"},
     {"structure liner clamp", "yeyyyy"},
     {"structure liner, kn ks"},
+    {"structure liner, cohesion"},
     {"excavate, fill"},
     {"solve elastic"},
     {"solve fos joints"},
     {"solve fos zones", "eyyyyy"},
     {"list stability"},
+    {"limit equilibrium"},
 };
 // clang-format on
 
@@ -101,7 +105,6 @@ std::string_view word_of(char cell) {
     switch (cell) {
     case 'y': return "yes";
     case 'e': return "error";
-    case 'w': return "warning";
     default: return "-";
     }
 }

@@ -17,8 +17,7 @@ namespace kaya {
 
 const LawKind joint_law{"joint model", "kaya_joint_model",    "kaya/jmodel.h",
                         "joint-model", KAYA_JMODEL_INTERFACE, KAYA_JMODEL_OLDEST};
-const LawKind zone_law{"zone model", "kaya_zone_model",     "kaya/zmodel.h",
-                       "zone-model", KAYA_ZMODEL_INTERFACE, KAYA_ZMODEL_INTERFACE};
+const LawKind zone_law{"zone model", "kaya_zone_model", "kaya/zmodel.h", "zone-model", KAYA_ZMODEL_INTERFACE, 1};
 
 namespace {
 

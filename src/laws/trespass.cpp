@@ -119,6 +119,8 @@ void add_columns(FencedColumns& fences, kaya_zbatch& b) {
     for (auto*& column : b.stress) add("stress", column);
     add("dissipation", b.dissipation);
     add("state", b.state);
+    for (auto*& column : b.spin)
+        if (column != nullptr) add("spin", column);
 }
 
 namespace {
@@ -139,7 +141,8 @@ bool is_other_batch(const kaya_jbatch& before, const kaya_jbatch& after) {
 }
 
 bool is_other_batch(const kaya_zbatch& before, const kaya_zbatch& after) {
-    return !same_between(before, after, 0, offsetof(kaya_zbatch, row));
+    return !same_between(before, after, 0, offsetof(kaya_zbatch, row)) ||
+           !same_between(before, after, offsetof(kaya_zbatch, spin), sizeof(kaya_zbatch));
 }
 
 } // namespace kaya

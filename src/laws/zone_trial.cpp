@@ -11,8 +11,9 @@ namespace kaya {
 
 namespace {
 
-/// A zone at rest, without stress.
+/// A zone at rest, without stress, that turns a little in each step.
 struct LoneZone {
+    std::array<double, 3> spin{1e-3, -2e-3, 5e-4};
     std::array<double, 6> strain{}, stress{};
     std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
     std::array<double*, KAYA_JMODEL_MAX_HISTORY> columns{};
@@ -34,6 +35,7 @@ struct LoneZone {
             b.strain_inc[k] = &strain[k];
             b.stress[k] = &stress[k];
         }
+        for (int k = 0; k < 3; ++k) b.spin[k] = &spin[k];
         return b;
     }
 };

@@ -182,7 +182,10 @@ private:
         if (kept) g.before = kept_.of(group);
         else if (g.apart) g.before = mean_stress(model_.zones, zone, cells);
         else g.before = load_six(stresses(zone), to_next_cell, cells);
-        if (large_) g.before = turned(g.before, g.half_spin);
+        if (large_) {
+            g.before = turned(g.before, g.half_spin);
+            store_spin(batch_, i, g.half_spin);
+        }
         for (std::size_t k = 0; k < 6; ++k) {
             store(batch_.strain[k] + i, motion.strain[k]);
             store(batch_.stress[k] + i, k < 3 ? g.before[k] + pressure : g.before[k]);

@@ -75,7 +75,9 @@ private:
             whole += d.volume;
             strains[z] = d.strain;
             g.before[z] = load_six(stresses(at.zone + z), to_next_cell, at.cells);
-            if (large_) g.before[z] = turned(g.before[z], d.half_spin);
+            if (!large_) continue;
+            g.before[z] = turned(g.before[z], d.half_spin);
+            store_spin(batch_, at.row(z), d.half_spin);
         }
         g.mean_strain = grown / whole;
         for (Row z = 0; z < zones_of_cell; ++z) {

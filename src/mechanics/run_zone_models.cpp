@@ -69,7 +69,10 @@ private:
                 store(columns.volume_strain + i, d.volume_strain);
             }
             SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
-            if (large) stress = turned(stress, d.half_spin);
+            if (large) {
+                stress = turned(stress, d.half_spin);
+                store_spin(columns, i, d.half_spin);
+            }
             for (std::size_t k = 0; k < 6; ++k) {
                 store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
                 store(columns.before[k] + i, stress[k]);

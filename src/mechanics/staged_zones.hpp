@@ -12,14 +12,15 @@ namespace kaya {
 template <Row most> struct StagedZones {
     static constexpr std::size_t length = most + 8; ///< powers of two would map all columns to the same cache lines
 
-    alignas(64) double strain[6][length], stress[6][length], volume[length], pressure[length], dissipation[length];
+    alignas(64) double strain[6][length], spin[3][length], stress[6][length], volume[length], pressure[length],
+        dissipation[length];
     double history[KAYA_JMODEL_MAX_HISTORY][length];
     double* histories[KAYA_JMODEL_MAX_HISTORY];
     std::uint32_t state[length] = {};
     std::int32_t number[length]; ///< of the zone, or the first of the cell, that users see
 
     StagedZones(const Model& model, const ZoneLaw& law) : law_(law) {
-        point_to(batch_, law, model.clock.time_step, *this);
+        point_to(batch_, law, model, *this);
         batch_.state = state;
         for (std::size_t k = 0; k < KAYA_JMODEL_MAX_HISTORY; ++k) histories[k] = history[k];
         batch_.history = histories;

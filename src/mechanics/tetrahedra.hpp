@@ -113,6 +113,13 @@ struct Deformation {
     return {t[0].dot(q[0]), t[1].dot(q[1]), t[2].dot(q[2]), t[0].dot(q[1]), t[0].dot(q[2]), t[1].dot(q[2])};
 }
 
+/// The spin of a step, in the columns of a batch from row `i` on.
+template <class Columns> void store_spin(Columns& columns, Row i, const Eight3& half_spin) {
+    store(columns.spin[0] + i, 2.0 * half_spin.x);
+    store(columns.spin[1] + i, 2.0 * half_spin.y);
+    store(columns.spin[2] + i, 2.0 * half_spin.z);
+}
+
 /// Forces of a stress on the corners of tetrahedra, in the configuration of `edges`.
 [[gnu::always_inline]] inline std::array<Eight3, 4> forces_of(const Edges& edges, const SixEights& stress) {
     const FaceAreas faces(edges);

@@ -14,15 +14,15 @@ constexpr std::size_t zone_column_length =
 
 /// Columns of a batch for a zone model, and additional ones for the work after it.
 struct ZoneColumns {
-    alignas(64) double strain[6][zone_column_length], before[6][zone_column_length], stress[6][zone_column_length],
-        edge[9][zone_column_length];
+    alignas(64) double strain[6][zone_column_length], spin[3][zone_column_length], before[6][zone_column_length],
+        stress[6][zone_column_length], edge[9][zone_column_length];
     alignas(64) double volume[zone_column_length], volume_strain[zone_column_length], pressure[zone_column_length],
         dissipation[zone_column_length];
     double* history[KAYA_JMODEL_MAX_HISTORY];
     kaya_zbatch batch;
 
     ZoneColumns(Model& model, Row first, Row count, const ZoneLaw& law) {
-        point_to(batch, law, model.clock.time_step, *this);
+        point_to(batch, law, model, *this);
         batch.n = static_cast<std::size_t>(count);
         batch.state = model.zones.state.data() + first;
         for (std::size_t k = 0; k < law.model->history.size(); ++k) history[k] = model.zones.history[k].data() + first;

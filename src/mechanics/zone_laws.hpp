@@ -62,10 +62,10 @@ std::vector<double> zone_model_values(const Model& model, Row block, const ZoneM
 double value_for_material(const LawTable::Property& property, const Material& material);
 
 /// Points a batch at columns of the same names; rows, history and state are the caller's.
-template <class Columns> void point_to(kaya_zbatch& batch, const ZoneLaw& law, double time_step, Columns& columns) {
+template <class Columns> void point_to(kaya_zbatch& batch, const ZoneLaw& law, const Model& model, Columns& columns) {
     batch = {};
     batch.properties = law.values.data();
-    batch.time_step = time_step;
+    batch.time_step = model.clock.time_step;
     batch.volume = columns.volume;
     batch.pore_pressure = columns.pressure;
     batch.dissipation = columns.dissipation;
@@ -73,6 +73,8 @@ template <class Columns> void point_to(kaya_zbatch& batch, const ZoneLaw& law, d
         batch.strain_inc[k] = columns.strain[k];
         batch.stress[k] = columns.stress[k];
     }
+    if (!model.settings.large_strain) return;
+    for (int k = 0; k < 3; ++k) batch.spin[k] = columns.spin[k];
 }
 
 /// The message about a zone whose model failed.

@@ -1,6 +1,6 @@
 // Zone model `anisotropic-elastic`: linear elasticity that is the same in all directions of a plane.
 // docs/zone-models/anisotropic-elastic.md has the equations, (n) below are their numbers.
-#include "stdlib/zones/zone.hpp"
+#include "stdlib/zones/turning.hpp"
 
 #include <algorithm>
 
@@ -32,7 +32,15 @@ constexpr std::array properties{
     kaya_zproperty{"dip-direction", "dd", "angle", "dip direction of the planes, clockwise from y", 0, 0, 360, 0,
                    KAYA_ZREDUCE_NONE},
 };
-constexpr std::array<kaya_jhistory, 0> history{};
+enum History : std::size_t { plastic_shear, plastic_tension, turn };
+constexpr std::array<kaya_jhistory, 6> history{{
+    {"plastic-shear", "-", "always 0: fields of plastic strain read the first two variables of any model"},
+    {"plastic-tension", "-", "always 0"},
+    turn_history[0],
+    turn_history[1],
+    turn_history[2],
+    turn_history[3],
+}};
 
 /// The factor of the plane's modulus that both of Poisson's ratios leave; above 0 where deformation always takes work.
 double rest_of(const double* p) {
@@ -58,12 +66,13 @@ struct Stiffness {
 ptrdiff_t run(kaya_zbatch* batch) {
     const double* p = batch->properties;
     const Stiffness c(p);
-    const auto n = plane_normal(p[dip], p[dip_direction]);
+    const auto normal = plane_normal(p[dip], p[dip_direction]);
     const double couple = c.c13 - c.c12, shear = 2 * (c.across - c.along);
     const double straight = c.c33 - c.c12 - 2 * c.along - 2 * couple - 2 * shear;
     constexpr int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     for (std::size_t i = 0; i < batch->n; ++i) {
         const Tensor e = strain_of(*batch, i);
+        const auto n = turned(*batch, turn, i, normal);
         const double v[3] = {e[0] * n[0] + e[3] * n[1] + e[4] * n[2], e[3] * n[0] + e[1] * n[1] + e[5] * n[2],
                              e[4] * n[0] + e[5] * n[1] + e[2] * n[2]};
         const double volume = e[0] + e[1] + e[2], opens = v[0] * n[0] + v[1] * n[1] + v[2] * n[2];

@@ -2,6 +2,7 @@
 // docs/zone-models/ubiquitous-joint.md has the equations, (n) below are their numbers.
 #include "stdlib/zones/mohr_coulomb.hpp"
 #include "stdlib/zones/principal.hpp"
+#include "stdlib/zones/turning.hpp"
 
 namespace {
 
@@ -41,11 +42,15 @@ constexpr std::array properties{
                    KAYA_ZREDUCE_NONE},
 };
 
-enum History : std::size_t { plastic_shear, plastic_tension, joint_shear };
-constexpr std::array<kaya_jhistory, 3> history{{
+enum History : std::size_t { plastic_shear, plastic_tension, joint_shear, turn };
+constexpr std::array<kaya_jhistory, 7> history{{
     {"plastic-shear", "-", "plastic shear strain of the rock so far"},
     {"plastic-tension", "-", "plastic strain by the tension cut-off of the rock so far"},
     {"joint-shear", "-", "plastic shear strain along the weak planes so far"},
+    turn_history[0],
+    turn_history[1],
+    turn_history[2],
+    turn_history[3],
 }};
 
 constexpr const char* states =
@@ -110,7 +115,7 @@ ptrdiff_t run(kaya_zbatch* batch) {
     const double* p = batch->properties;
     const Moduli moduli{p[0], p[1]};
     const Strength strength = Strength::of(p[cohesion], p[friction], std::min(p[dilation], p[friction]), p[tension]);
-    const Weakness weak(p);
+    Weakness weak(p);
     add_elastic(*batch, moduli);
     // Marks the flow of the step before as past, in the rock and on the planes.
     for (std::size_t i = 0; i < batch->n; ++i)
@@ -126,8 +131,10 @@ ptrdiff_t run(kaya_zbatch* batch) {
         batch->history[plastic_tension][i] += flow.along_tension;
         batch->state[i] |= bits_of(flow);
     });
+    const Vector3 normal = weak.normal;
     for (std::size_t i = 0; i < batch->n; ++i) {
         Tensor stress = stress_of(*batch, i);
+        weak.normal = turned(*batch, turn, i, normal);
         const std::uint32_t on_planes =
             yield_on(weak, moduli, stress, batch->history[joint_shear][i], batch->dissipation[i]);
         if (on_planes == 0) continue;
