@@ -94,6 +94,8 @@ public:
     /// A keyword of another table, whose target is the same struct.
     Keywords& add(KeywordSpec keyword) { return list_.push_back(std::move(keyword)), *this; }
 
+    /// The words added last are a spelling of these classic ones.
+    Keywords& said(std::string_view classic) { return list_.back().classic = classic, *this; }
     /// The words added last are read without effect.
     Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
 

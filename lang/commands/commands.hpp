@@ -28,6 +28,9 @@ struct Solve {
     std::optional<double> ratio, maximum_ratio, local_ratio; ///< ratio: the average one
     std::optional<double> force, time, clock;                ///< clock in minutes
     std::optional<std::int64_t> cycles;
+    std::optional<std::int64_t> total_cycles; ///< of the model, not of this run
+    std::optional<double> total_time;
+    bool all = false; ///< `and`: the run ends when all limits are reached, not at the first
     bool elastic = false;
     bool factor_of_safety = false;
     bool still = false; ///< accept a ratio or a force only when no body gains displacement any more
@@ -120,12 +123,12 @@ struct FishDefinition {
     std::string text;
     Place place;
 };
-/// fish callback add NAME [place in the cycle] [interval n], fish callback remove NAME; set fishcall n NAME.
+/// fish callback add NAME [place in the cycle | event e] [interval n], fish callback remove NAME; set fishcall n NAME.
 struct FishCallback {
-    enum class When { before_cycle, after_forces, after_cycle };
+    enum class When { before_cycle, after_forces, after_cycle, solve_start, solve_complete };
     std::string function;
     bool remove = false;
-    When when = When::after_forces;
+    std::optional<When> when; ///< none: after_forces; to be removed: wherever it runs
     std::int64_t interval = 1;
     Place place;
 };
@@ -142,10 +145,13 @@ struct Parameter {
     Value value;
     Place place;
 };
+/// a line @f(1) or [f(1)]: without @ and brackets
 struct FishCall {
     std::string expression;
     Place place;
-}; ///< a line @f(1) or [f(1)]: without @ and brackets
+    std::vector<std::pair<std::string, Place>>
+        further; ///< of a bracket over several lines, or after the first on the line
+};
 struct LuaChunk {
     std::string text;
     Place place;
@@ -163,7 +169,7 @@ using OwnCommands = CommandList<CallFile, Return, Quit, NotSupportedYet>;
 
 // Grouped by the file of src/commands that runs them. A command that is missing in all lists does not compile in the file of its words. A
 // command that is listed without a handler does not compile in the file of the handlers.
-using ControlCommands = CommandList<New, Config, Title, Pause, Set, NameRange>;
+using ControlCommands = CommandList<New, Config, Title, Pause, ReadDialect, Set, NameRange>;
 using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
 using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
 using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, Densify, Join, JoinContact>;
@@ -173,7 +179,7 @@ using GeometryCommands = CommandList<Hide, Seek, Delete, FaceTriangulation, Gene
 using MaterialCommands = CommandList<Property, Change, JointModelCommand, JointModelTest>;
 using ZoneModelCommands = CommandList<ZoneModelCommand, ZoneAveraging>;
 using DensityCommands = CommandList<BlockDensity>;
-using NewContactCommands = CommandList<NewContacts, FindContacts>;
+using NewContactCommands = CommandList<NewContacts, JointRuleCommand, FindContacts>;
 using BoundaryCommands = CommandList<Fix, Free, Gravity, Boundary, Apply, Reset>;
 using InitialStateCommands = CommandList<Initialize, InSitu>;
 using TableCommands = CommandList<TableCommand>;
@@ -199,9 +205,9 @@ template <class Command> inline constexpr std::size_t index_of = index_in<Comman
 
 /// Commands that a script may give inside a cycle: those that read, those that write values that may change at any time, and those that
 /// would cycle or replace the running model (they are refused). All others change the structure and wait for the end of the cycle.
-using RunInCycle = CommandList<Title, Pause, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize, TableCommand,
-                               HistoryLabel, HistoryWrite, List, Plot, Movie, Ignored, FishDefinition, FishCall,
-                               FishCallback, FishSetting, LuaChunk, LuaFile>;
+using RunInCycle = CommandList<Title, Pause, ReadDialect, NameRange, Mark, Hide, Seek, Group, Gravity, Initialize,
+                               TableCommand, HistoryLabel, HistoryWrite, List, Plot, Movie, Ignored, FishDefinition,
+                               FishCall, FishCallback, FishSetting, LuaChunk, LuaFile>;
 using RefusedInCycle = CommandList<New, Restore, LimitEquilibrium, CycleCommand, Solve>;
 
 } // namespace kaya::lang

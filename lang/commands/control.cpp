@@ -208,6 +208,23 @@ Family control() {
                 .right("exit")
                 .wrong("quit now", "unexpected 'now' after the end of the command"),
             title(),
+            Entry<ReadDialect>({Spelling{"dialect", 7}})
+                .help("reads lines of one dialect only from here to the end of the file, or of both again")
+                .action(
+                    {Spelling{"both", 4}}, [](ReadDialect&) {},
+                    "the first words of a line decide, as without the command")
+                .action(
+                    {Spelling{"classic", 7}}, [](ReadDialect&) {}, "lines as in 3DEC 5: poly brick")
+                .action(
+                    {Spelling{"modern", 6}}, [](ReadDialect&) {}, "lines as in 3DEC 6, 7 and 9: block create brick")
+                .finish([](const Reader& reader, ReadDialect&) {
+                    if (reader.statement().words.size() != 2)
+                        incomplete_line(reader, "dialect takes one word", "write: dialect modern");
+                })
+                .right("dialect modern")
+                .right("dialect both")
+                .wrong("dialect", "dialect takes one word")
+                .wrong("dialect modrn", "'modrn' is not a keyword of dialect"),
             Entry<Pause>({"pause"})
                 .help("waits for a key if the input is a terminal")
                 .right("pause")

@@ -35,6 +35,8 @@ struct Restore {
     std::string file;
 };
 struct Pause {};
+/// dialect both|classic|modern: the binder follows the line; nothing runs
+struct ReadDialect {};
 
 /// One `set` line may hold several settings; settings that are not given are unchanged.
 struct Set {
@@ -213,7 +215,8 @@ struct Copy {
 };
 struct Group {
     ObjectKind kind = ObjectKind::block; ///< contact: joints
-    std::string name;
+    std::string name;                    ///< or `slot=name`
+    bool remove = false;                 ///< takes the objects out of the group
     RangePhrase range;
 };
 struct NameRange {
@@ -300,6 +303,16 @@ struct NewContacts {
     std::string model; ///< "": unchanged
     Place model_place;
     std::vector<Property::Item> items;
+    Place place;
+};
+/// block contact material-table add|modify|remove|list|apply: joint models of new contacts by range. The first entry that fits counts.
+struct JointRuleCommand {
+    enum class Action { add, modify, remove, list, apply } action = Action::add;
+    std::optional<std::int64_t> number; ///< of the entry, from 1; none: all
+    std::string model;                  ///< "": unchanged
+    Place model_place;
+    std::vector<Property::Item> items;
+    RangePhrase range;
     Place place;
 };
 /// block contact generate-subcontacts: contacts are found now, not at the first command that needs them.

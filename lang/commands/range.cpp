@@ -1,5 +1,6 @@
 // The range phrase as a table: each element reads its parts and adds one RangeElement.
 #include "lang/commands/range_parts.hpp"
+#include "lang/commands/slots.hpp"
 
 #include "lang/interp/short_list.hpp"
 
@@ -134,13 +135,8 @@ void group(Keywords<RangePhrase>& table) {
             .ignored();
         list.special(
             {Spelling{"slot", 3}}, {name},
-            [name](Reader& reader, RangeElement&) {
-                const Place place = reader.peek() ? reader.peek()->place : Place{};
-                const std::string slot = fold(reader.text(name));
-                if (slot != "any" && slot != "default" && slot != "1")
-                    lang::not_supported_yet("slot " + slot, "several groups of one block", place);
-            },
-            "any or default: there is one slot");
+            [](Reader& reader, RangeElement& e) { slot_words().front().read(reader, &e.name); },
+            "the slot of the group, or `any`; the default one if it has the group, else any");
         return std::move(list).list();
     }();
     table.special(

@@ -3,6 +3,7 @@
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -23,36 +24,77 @@ CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
     return entry;
 }
 
+/// Events at which a function may run; the others of 3DEC are known by name.
+FishCallback::When read_event(Reader& reader, const ArgumentSpec& name) {
+    using enum FishCallback::When;
+    static constexpr std::array run{std::pair{"solve_start", solve_start}, std::pair{"solve_complete", solve_complete}};
+    static constexpr std::array known{
+        "block_create",   "block_delete",   "subcontact_create", "subcontact_delete", "subcontact_state_change",
+        "contact_create", "contact_delete", "slip_change",       "solve_ending",      "fos_start",
+        "fos_complete",   "zone_stress",    "zone_eom",          "zone_update",       "struct_eom"};
+    std::string event = fold(reader.text(name));
+    std::ranges::replace(event, '-', '_');
+    for (const auto& [word, when] : run)
+        if (event == word) return when;
+    const Place place = reader.previous().place;
+    if (std::ranges::find(known, event) != known.end())
+        not_supported_yet("event " + event, "other events than solve_start and solve_complete", place);
+    std::vector<std::string_view> words(known.begin(), known.end());
+    for (const auto& [word, when] : run) words.push_back(word);
+    const auto near = did_you_mean(event, words);
+    Diagnostic d(fmt::format("there is no event '{}'", event),
+                 near.empty() ? "solve_start or solve_complete" : fmt::format("did you mean '{}'?", near));
+    d.code = "unknown-word";
+    throw d.at(place);
+}
+
 CommandSpec callback() {
     const auto name = text("name").help("name of a function without arguments").spec;
     const auto location = real("location").optional().spec;
+    const auto event = text("name").spec;
     Entry<FishCallback> entry({"fish"}, {"callback"});
-    entry.help("runs a FISH function in every cycle, or in every n-th");
+    entry.help("runs a FISH function in every cycle, in every n-th, or at an event");
+    const auto read = [=](Reader& reader, FishCallback& callback) {
+        callback.function = reader.text(name);
+        callback.place = reader.previous().place;
+        if (!reader.at_number()) return;
+        // Later versions number the parts of a cycle.
+        constexpr double forces_are_known = 40;
+        callback.when = reader.real(location) < forces_are_known ? FishCallback::When::before_cycle
+                                                                 : FishCallback::When::after_forces;
+    };
+    entry.special({"add"}, {name, location}, read,
+                  "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
     entry.special(
-        {"add"}, {name, location},
-        [=](Reader& reader, FishCallback& callback) {
-            callback.function = reader.text(name);
-            callback.place = reader.previous().place;
-            // Later versions number the parts of a cycle.
-            constexpr double forces_are_known = 40;
-            if (reader.at_number() && reader.real(location) < forces_are_known)
-                callback.when = FishCallback::When::before_cycle;
-        },
-        "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
-    entry.special(
-        {"remove"}, {name},
-        [=](Reader& reader, FishCallback& callback) {
+        {"remove"}, {name, location},
+        [read](Reader& reader, FishCallback& callback) {
             callback.remove = true;
-            callback.function = reader.text(name);
-            callback.place = reader.previous().place;
+            read(reader, callback);
         },
-        "stops running the function");
+        "stops running the function, at that place if one is given");
+    entry.special(
+        {"event"}, {event},
+        [event](Reader& reader, FishCallback& callback) { callback.when = read_event(reader, event); },
+        "in place of a location: solve_start or solve_complete, before and after each `solve`");
     entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
+    entry.action(
+        {"process"}, [](FishCallback&) {}, "accepted, with `mechanical` or `dynamic`");
+    entry.action(
+        {"mechanical"}, [](FishCallback&) {}, "the only process");
+    entry.action(
+        {"dynamic"}, [](FishCallback&) {}, "the only process");
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
             incomplete_line(reader, "fish callback does not say what to do", "write: fish callback add NAME");
+        if (callback.when >= FishCallback::When::solve_start && callback.interval > 1)
+            incomplete_line(reader, "an event has no interval", "remove 'interval'");
     });
-    entry.right("fish callback add watch 1 interval 50").right("fish callback remove watch");
+    entry.right("fish callback add watch 1 interval 50").right("fish callback add watch event solve_complete");
+    entry.right("fish callback remove watch event solve_complete").right("fish callback remove watch");
+    entry.wrong("fish callback add watch event solve_strat", "there is no event 'solve_strat'");
+    entry.wrong("fish callback add watch event block_create",
+                "'event block_create' is known, but kaya does not support it yet");
+    entry.wrong("fish callback add watch event solve_start interval 2", "an event has no interval");
     entry.wrong("fish callback", "fish callback does not say what to do");
     entry.wrong("fish callback add watch interval 0", "interval must be at least 1, not 0");
     return entry;
@@ -91,6 +133,7 @@ CommandSpec fishcall() {
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
             incomplete_line(reader, "set fishcall needs the name of a function", "write: set fishcall 2 NAME");
+        if (callback.remove) callback.when.reset(); // it is removed wherever it runs
     });
     entry.right("set fishcall 2 watch").right("set fishcall 0 remove watch");
     entry.wrong("set fishcall", "a number is missing after 'fishcall'");
@@ -168,6 +211,30 @@ CommandSpec fish_list() {
     return entry;
 }
 
+/// @f(1), or expressions in brackets.
+void read_call(const Statement& statement, FishCall& call) {
+    const Word& first = statement.words.front();
+    call.place = first.place;
+    if (first.kind == WordKind::symbol) {
+        const std::string text = statement.raw(0);
+        call.expression = text.substr(text.find('@') + 1);
+        return;
+    }
+    // The lines of a bracket over several lines have no brackets.
+    const auto expression_of = [&](const Word& word) {
+        return statement.body.empty() ? word.text : fmt::format("[{}]", word.text);
+    };
+    call.expression = expression_of(first);
+    for (std::size_t i = 1; i < statement.words.size(); ++i) {
+        const Word& word = statement.words[i];
+        if (word.kind != WordKind::expression)
+            throw Diagnostic(fmt::format("unexpected {} after the bracket", word.shown()),
+                             "a bracket is a line by itself, or a value in a command")
+                .at(word.place);
+        call.further.emplace_back(expression_of(word), word.place);
+    }
+}
+
 CommandSpec parameter() {
     Entry<Parameter> entry({Spelling{"parameter", 5}});
     entry.help("sets a FISH variable, or a property of the deck, unless `kaya --set` or an earlier line has set it");
@@ -218,13 +285,8 @@ Family script() {
                 parameter(),
                 Entry<FishCall>({"@"})
                     .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
-                    .raw(&FishCall::expression)
-                    .start([](const Statement& statement, FishCall& call) {
-                        const Word& word = statement.words.front();
-                        const std::string text = statement.raw(0);
-                        call.expression = word.kind == WordKind::symbol ? text.substr(text.find('@') + 1) : word.text;
-                        call.place = word.place;
-                    })
+                    .raw()
+                    .start(read_call)
                     .right("@build_wall")
                     .right("@place(1, 2)")
                     .right("[stiffness * 2]"),

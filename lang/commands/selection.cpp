@@ -2,6 +2,7 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/slots.hpp"
 
 namespace kaya::lang {
 
@@ -10,7 +11,12 @@ namespace {
 Entry<Group> group(std::vector<Spelling> form, ObjectKind kind) {
     Entry<Group> entry({"group"}, std::move(form));
     entry.start([kind](const Statement&, Group& command) { command.kind = kind; });
-    entry.argument(text("name").help("name of the group"), &Group::name);
+    entry.argument(text("name").help("name of the group; `slot=name` names its slot as well"), &Group::name);
+    add_slot(
+        entry, [](Group & command) -> auto& { return command.name; });
+    entry.action(
+        {Spelling{"remove", 3}}, [](Group& command) { command.remove = true; },
+        "takes the objects out of the group; without a slot out of all groups of this name");
     entry.range(&Group::range);
     return entry;
 }
@@ -103,8 +109,11 @@ std::vector<CommandSpec> selection_commands() {
             .help("gives blocks a name by which a range finds them")
             .right("group block wall range z 0 3")
             .right("group block 'left wall' range x -1 0 y 0 1")
+            .right("group block thin slot shape range edge-length 0 0.1")
+            .right("group block thin slot shape remove")
             .wrong("group", "a word is missing after 'group'")
             .wrong("group wall", "'wall' is not a kind of group")
+            .wrong("group block wall slot", "a word is missing after 'slot'")
             .wrong("group block", "a word is missing after 'block'"),
         group({"face"}, ObjectKind::face)
             .help("gives faces a name by which a range finds them")
@@ -115,6 +124,11 @@ std::vector<CommandSpec> selection_commands() {
             .right("group joint bed range plane dip 0 dd 0 org 0 0 1 distance 0.01")
             .right("group joint sides range jset 2")
             .wrong("group joint", "a word is missing after 'joint'"),
+        group({"subcontact", "sub-contact"}, ObjectKind::sub_contact)
+            .help(
+                "gives sub-contacts a name by which range jgroup finds them; those without one have that of their contact")
+            .right("group subcontact edge range x 1")
+            .wrong("group subcontact", "a word is missing after 'subcontact'"),
         group({"zone"}, ObjectKind::zone)
             .help("gives zones a name by which a range finds them")
             .right("group zone core range cyl end1 0 0 0 end2 0 0 9 radius 1")

@@ -144,6 +144,12 @@ CommandSpec solve() {
         .keyword({"cycles", "steps"}, integer("n").at_least(1), &Solve::cycles, "number of cycles")
         .keyword({"time"}, real("t").unit("time").above(0), &Solve::time, "time to be covered")
         .keyword({"clock"}, real("m").unit("minutes").above(0), &Solve::clock, "minutes on the clock")
+        .keyword({"cycles-total"}, integer("n").at_least(0), &Solve::total_cycles, "number of cycles of the model")
+        .keyword({"time-total"}, real("t").unit("time").at_least(0), &Solve::total_time, "time of the model")
+        .action(
+            {"and"}, [](Solve& s) { s.all = true; }, "the run ends when all limits are reached, not at the first")
+        .action(
+            {"or"}, [](Solve&) {}, "the run ends at the first limit, as always")
         .action(
             {"still"}, [](Solve& s) { s.still = true; },
             "a ratio or a force is accepted only when no body gains displacement any more; always on with fos")
@@ -173,7 +179,8 @@ CommandSpec solve() {
                 (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
                 incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos",
                                 "write for example: solve fos bracket 1 2");
-            if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio))
+            if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio ||
+                                       s.total_cycles || s.total_time || s.all))
                 incomplete_line(
                     reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
                     "give other limits to a separate `solve` before");
@@ -187,6 +194,8 @@ CommandSpec solve() {
         .right("solve elastic force 1e3")
         .right("solve ratio 1e-5 still")
         .right("solve ratio-local 1e-4 time 2 clock 10")
+        .right("solve ratio 1e-4 and cycles 100")
+        .right("solve cycles-total 2000 or time-total 1.5")
         .right("solve fos")
         .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")
         .right("solve fos exclude zones keep")
@@ -197,6 +206,7 @@ CommandSpec solve() {
         .wrong("solve fos force 1",
                "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
+        .wrong("solve cycles 10 adn time 1", "'adn' is not a keyword of solve")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")
         .wrong("solve 100", "expected a keyword of solve, found '100'");

@@ -23,7 +23,11 @@ std::size_t after_bracket(std::string_view text, std::size_t from) {
     return std::string_view::npos;
 }
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+/// Nothing but blanks and a comment.
+bool is_blank(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first == std::string_view::npos || text[first] == ';';
+}
 
 class CommandLineReader {
 public:

@@ -27,8 +27,9 @@ struct Meaning {
     NameKind kind = NameKind::variable;
     int least = 0; ///< number of arguments
     int most = 0;
-    bool writable = false; ///< a built-in that may stand left of `=`
-    bool exists = false;   ///< a variable that has a value
+    bool writable = false;  ///< a built-in that may stand left of `=`
+    bool exists = false;    ///< a variable that has a value
+    std::string whole = {}; ///< of a built-in that the name shortens: block.gp.disp for block.gp.di
 };
 
 /// Throws Diagnostic when a function, or a built-in name, is called with a wrong number of arguments.

@@ -195,7 +195,8 @@ std::string ExpressionGenerator::owned(const Node& node) const {
     if (node.kind == NodeKind::name && !makes_value(node)) {
         const bool local = scope_.is_local(node.text) && node.text != scope_.function;
         const Meaning meaning = local ? Meaning{} : dictionary_(node.text);
-        shared = !is_constant(node.text) && (meaning.kind == NameKind::variable || node.text.ends_with(".extra"));
+        const std::string& whole = meaning.whole.empty() ? node.text : meaning.whole;
+        shared = !is_constant(node.text) && (meaning.kind == NameKind::variable || whole.ends_with(".extra"));
     }
     return shared ? fmt::format("R.own({})", text) : text;
 }
@@ -249,7 +250,8 @@ std::string ExpressionGenerator::name(const Node& node) const {
     }
     if (meaning.kind == NameKind::built_in) {
         check_arguments(node, meaning);
-        return fmt::format("{}({})", built_in('A', node.text), list(node.children));
+        return fmt::format("{}({})", built_in('A', meaning.whole.empty() ? node.text : meaning.whole),
+                           list(node.children));
     }
     if (!node.parentheses)
         for (const auto& constant : constants)
@@ -282,14 +284,15 @@ std::string ExpressionGenerator::assignment(const Node& target, const std::strin
                 .at(target.place);
         check_arguments(target, meaning);
         constexpr std::array<std::string_view, 6> components{"xcomp", "ycomp", "zcomp", "comp.x", "comp.y", "comp.z"};
-        const bool component = std::ranges::find(components, target.text) != components.end();
+        const std::string& name = meaning.whole.empty() ? target.text : meaning.whole;
+        const bool component = std::ranges::find(components, name) != components.end();
         if (component) { // vectors are values: a new one replaces the old one
             const std::string whole =
-                fmt::format("{}({}, {})", built_in('W', target.text), this->value(target.children[0]), value);
+                fmt::format("{}({}, {})", built_in('W', name), this->value(target.children[0]), value);
             return assignment(target.children[0], whole);
         }
         const std::string arguments = list(target.children);
-        return fmt::format("{}({}{}{})", built_in('W', target.text), arguments, arguments.empty() ? "" : ", ", value);
+        return fmt::format("{}({}{}{})", built_in('W', name), arguments, arguments.empty() ? "" : ", ", value);
     }
     if (target.parentheses && target.text == scope_.function)
         throw Diagnostic(fmt::format("'{}' is this function: a call of it cannot be assigned", target.text))

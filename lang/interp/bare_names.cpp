@@ -83,7 +83,9 @@ void BareNames::learn(const CommandSpec& spec, const Statement& statement) {
     for (const auto& word : statement.words)
         if (word.kind == WordKind::symbol) learn_words(word.text);
     const auto& words = statement.words;
-    if (!spec.form.empty() && words.size() > 2 && spec.words.front().word == "range") ranges_.insert(words[2].folded);
+    const std::string command = spec.name();
+    if (command == "range name" && words.size() > 2) ranges_.insert(words[2].folded);
+    if (command == "model range create" && words.size() > 3) ranges_.insert(words[3].folded);
     const bool function = !spec.body_end.empty() && !spec.body_needs_bare_line;
     if (!function || statement.body.empty()) return;
     const std::size_t name = 1 + spec.form.size();

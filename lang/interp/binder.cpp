@@ -91,7 +91,22 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     return near.empty() ? "'kaya help' lists the commands" : fmt::format("did you mean '{}'?", near);
 }
 
+/// Throws when the line is of the dialect that is not read here.
+void refuse_other_dialect(const Language& language, const Statement& statement) {
+    if (statement.dialects == Dialects::both || language.modern == nullptr) return;
+    const bool modern = statement.dialects == Dialects::modern;
+    const Language& other = modern ? language : *language.modern;
+    const Word& word = statement.words.front();
+    if (word.kind != WordKind::word || commands_called(other, word.folded).empty()) return;
+    Diagnostic d(fmt::format("{} is a command of the {} dialect", word.shown(), modern ? "classic" : "modern"),
+                 fmt::format("lines of the {} dialect only are read here: write `dialect both` before it",
+                             modern ? "modern" : "classic"));
+    d.code = "unknown-command";
+    throw d.at(word.place);
+}
+
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
+    refuse_other_dialect(language, statement);
     std::vector<std::string_view> candidates;
     for (const Language* dialect : {&language, language.modern})
         if (dialect != nullptr)
@@ -165,9 +180,11 @@ void read_rest(const Language& language, const CommandSpec& spec, Reader& reader
     while (const Word* word = reader.peek()) {
         const KeywordSpec* keyword = word->kind == WordKind::word ? find_keyword(spec.keywords, word->folded) : nullptr;
         if (keyword) {
-            if (keyword->support == Support::not_yet)
-                not_supported_yet(fmt::format("{} {}", spec.name(), keyword->words.front().word), keyword->help,
-                                  word->place);
+            if (keyword->support == Support::not_yet) {
+                const auto typed =
+                    std::ranges::find_if(keyword->words, [&](const Spelling& s) { return s.matches(word->folded); });
+                not_supported_yet(fmt::format("{} {}", spec.name(), typed->word), keyword->help, word->place);
+            }
             if (keyword->support == Support::ignored) ignored.push_back(keyword->words.front().word);
             reader.take();
             reader.spell(keyword->words.front().word);
@@ -278,6 +295,8 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     BoundCommand bound;
     bound.spec = &spec;
     bound.language = &language;
+    bound.modern = &dialect == language.modern;
+    bound.dialects = statement.dialects;
     bound.place = statement.words.front().place;
     bound.last_line = statement.last_line;
     bound.command = spec.make();
@@ -365,6 +384,8 @@ bool next_statement(const Language& language, Lexer& lexer, Statement& statement
     if (!lexer.next(statement)) return false;
     const Word& first = statement.words.front();
     if (first.kind != WordKind::word) return true;
+    if (first.folded == "dialect" && statement.words.size() == 2)
+        lexer.read_only(dialects_of(statement.words[1].folded));
     take_text_below(language, lexer, statement);
     const CommandSpec* opens = nullptr;
     for (const auto* spec : commands_called(dialect_of(language, statement), first.folded))
@@ -421,6 +442,7 @@ std::string BoundCommand::text() const {
     Lexer lexer(place.source, place.line);
     Statement statement;
     if (!lexer.next(statement)) return {};
+    if (!statement.body.empty()) return statement.body.substr(0, statement.body.size() - 1);
     std::string text = statement.raw(0);
     for (int line = lexer.line(); line <= last_line; ++line)
         text += "\n" + place.source->lines[static_cast<std::size_t>(line - 1)];

@@ -17,6 +17,8 @@ struct BareName {
 struct BoundCommand {
     const CommandSpec* spec = nullptr;
     const Language* language = nullptr; ///< by which it was bound
+    bool modern = false;                ///< its line is of the modern dialect
+    Dialects dialects = Dialects::both; ///< that were read there
     Place place;                        ///< of its first word
     int last_line = 0;
     std::any command;                      ///< the struct of lang/commands/commands.hpp

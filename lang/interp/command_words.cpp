@@ -31,9 +31,11 @@ std::vector<const CommandSpec*> find_commands(const Language& language, std::str
     return commands;
 }
 
-/// The option that begins at this word, or null.
-const KeywordSpec* option_at(const CommandSpec& spec, const Word& word) {
-    return word.kind == WordKind::word ? find_keyword(spec.keywords, word.folded) : nullptr;
+/// The option that begins at this word, or null. It may be one of the words that belong to the option before it.
+const KeywordSpec* option_at(const CommandSpec& spec, const Word& word, const KeywordSpec* before = nullptr) {
+    if (word.kind != WordKind::word) return nullptr;
+    const KeywordSpec* own = before != nullptr ? find_keyword(before->keywords, word.folded) : nullptr;
+    return own != nullptr ? own : find_keyword(spec.keywords, word.folded);
 }
 
 /// How many words at least belong to an option, itself included.
@@ -76,9 +78,10 @@ std::size_t find_form(const CommandSpec& spec, const Statement& statement) {
 
 std::size_t past_options(const CommandSpec& spec, const Statement& statement, std::size_t at) {
     const auto& words = statement.words;
+    const KeywordSpec* option = nullptr;
     while (at < words.size()) {
         if (!spec.form.empty() && is_one_of(spec.form.back(), words[at])) break;
-        const KeywordSpec* option = option_at(spec, words[at]);
+        option = option_at(spec, words[at], option);
         if (option == nullptr) break;
         at += length_of(*option);
         while (at < words.size() && words[at].kind != WordKind::word) ++at; // further values
@@ -88,11 +91,19 @@ std::size_t past_options(const CommandSpec& spec, const Statement& statement, st
 
 namespace {
 
+/// A whole command before a number that it does not take: `structure liner property 2` is a liner and its property.
+bool refuses_number(const CommandSpec& spec, const Statement& statement, std::size_t depth) {
+    return depth > 0 && depth == spec.form.size() && depth + 1 < statement.words.size() &&
+           statement.words[depth + 1].kind == WordKind::number && spec.arguments.empty() && !spec.otherwise &&
+           !spec.raw;
+}
+
 /// How many of the words after the first one a dialect knows.
 std::size_t words_known(const std::vector<const CommandSpec*>& commands, const Statement& statement) {
     std::size_t most = 0;
     for (const CommandSpec* spec : commands) {
-        most = std::max(most, form_depth(*spec, statement));
+        const std::size_t depth = form_depth(*spec, statement);
+        if (!refuses_number(*spec, statement, depth)) most = std::max(most, depth);
         if (!spec->form.empty() || statement.words.size() < 2) continue;
         const Word& second = statement.words[1];
         const bool number_first =
@@ -113,9 +124,15 @@ bool has_whole_word(const std::vector<const CommandSpec*>& commands, std::string
 
 } // namespace
 
+Dialects dialects_of(std::string_view word) {
+    return word == "modern" ? Dialects::modern : word == "classic" ? Dialects::classic : Dialects::both;
+}
+
 const Language& dialect_of(const Language& language, const Statement& statement) {
     const Word& first = statement.words.front();
-    if (language.modern == nullptr || first.kind != WordKind::word) return language;
+    if (language.modern == nullptr || first.kind != WordKind::word || first.folded == "dialect") return language;
+    if (statement.dialects != Dialects::both)
+        return statement.dialects == Dialects::modern ? *language.modern : language;
     const auto& modern = commands_called(*language.modern, first.folded);
     const auto& classic = commands_called(language, first.folded);
     if (modern.empty()) return language;

@@ -25,4 +25,7 @@ std::size_t past_options(const CommandSpec& spec, const Statement& statement, st
 /// The dialect of a line: the one that knows more of its first words; classic when both know as many.
 const Language& dialect_of(const Language& language, const Statement& statement);
 
+/// The dialects that `dialect WORD` reads; both for another word.
+Dialects dialects_of(std::string_view word);
+
 } // namespace kaya::lang

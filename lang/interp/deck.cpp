@@ -166,13 +166,25 @@ SharedFile bind_text(const Language& language, Source source, const std::vector<
     return bound;
 }
 
+namespace {
+
+/// A line with a bracket alone, which is not closed below.
+bool is_open_bracket(const Statement& statement) {
+    const Word& word = statement.words.front();
+    if (word.kind != WordKind::open || word.text.front() != '[') return false;
+    const auto rest = word.text.find_first_not_of(" \t", 1);
+    return rest == std::string::npos || word.text[rest] == ';';
+}
+
+} // namespace
+
 bool needs_more(const Language& language, std::string_view text) {
     try {
         Lexer lexer(source_from_text("", text));
         Statement statement;
         const int count = static_cast<int>(lexer.source()->lines.size());
         while (next_statement(language, lexer, statement))
-            if (lexer.line() > count && lexer.continued(count)) return true;
+            if ((lexer.line() > count && lexer.continued(count)) || is_open_bracket(statement)) return true;
     } catch (const Diagnostic& problem) { return problem.code == "never-ended"; }
     return false;
 }

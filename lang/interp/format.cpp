@@ -53,7 +53,9 @@ private:
         Spelled spelled;
         const BoundCommand bound = bind_with_names(language_, statement, names_, &spelled);
         names_.learn(*bound.spec, statement);
-        if (!bound.bare.empty()) return bound.spec->flow; // names that look like words: the line is unchanged
+        const bool bracket = statement.words.front().late() && !statement.body.empty();
+        // Names that look like words, and brackets over several lines: the lines are unchanged.
+        if (!bound.bare.empty() || bracket) return bound.spec->flow;
         copy_up_to(statement.first_line - 1);
         // The lines of a body follow the line of the last word.
         const int last = statement.body.empty() ? statement.last_line : statement.words.back().place.line;

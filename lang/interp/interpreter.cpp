@@ -54,6 +54,7 @@ Ended Interpreter::run_step(const BoundFile::Step& step) {
     if (command->late) {
         Lexer lexer(command->place.source, command->place.line);
         Statement statement;
+        lexer.read_only(command->dialects);
         next_statement(*command->language, lexer, statement);
         for (const BareName& name : command->bare) read_as_name(statement, name);
         const ValueSource values = [this](const std::string& expression, const Place& place) {

@@ -43,6 +43,12 @@ void read_number(Word& word) {
     word.whole = whole.ec == std::errc{} && whole.ptr == text.data() + text.size();
 }
 
+/// Nothing but blanks and a comment, from there to the end of the line.
+bool ends_at(std::string_view line, std::size_t from) {
+    const auto rest = line.find_first_not_of(" \t", from);
+    return rest == std::string_view::npos || line[rest] == ';';
+}
+
 } // namespace
 
 std::string fold(std::string_view text) {
@@ -68,10 +74,7 @@ bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
         words.push_back(std::move(word));
     };
     /// After a continuation mark only blanks and a comment may follow; otherwise it is not a mark.
-    const auto ends_after = [&](std::size_t from) {
-        const auto rest = line.find_first_not_of(" \t", from);
-        return rest == std::string_view::npos || line[rest] == ';';
-    };
+    const auto ends_after = [&](std::size_t from) { return ends_at(line, from); };
 
     while (i < size) {
         const char c = line[i];
@@ -132,11 +135,68 @@ bool Lexer::read_line(int line_number, std::vector<Word>& words) const {
     return continued;
 }
 
+namespace {
+
+/// Whether a mark at the end of the text, before a comment, says that the line below belongs to it.
+bool is_continued(std::string_view text) {
+    for (const std::string_view mark : {"&", "..."})
+        if (const auto at = text.rfind(mark); at != text.npos && ends_at(text, at + mark.size())) return true;
+    return false;
+}
+
+} // namespace
+
+/// A bracket that is closed on a later line: each line in it is an expression or an assignment of FISH, and one word. Without such lines it
+/// there is no statement.
+bool Lexer::read_bracket(Statement& statement) {
+    const auto& lines = source_->lines;
+    const auto text_of = [&](int number) -> const std::string& { return lines[static_cast<std::size_t>(number - 1)]; };
+    const std::size_t open = text_of(line_).find_first_not_of(" \t");
+    if (open == std::string::npos || text_of(line_)[open] != '[') return false;
+    int depth = 0, last = line_;
+    std::size_t end = past_last_closing(text_of(last), open, depth);
+    if (end != std::string::npos) return false;
+    while (end == std::string::npos && ++last <= static_cast<int>(lines.size()))
+        end = past_last_closing(text_of(last), 0, depth);
+    if (end == std::string::npos || !ends_at(text_of(last), end)) return false;
+
+    bool goes_on = false;
+    for (int number = line_; number <= last; ++number) {
+        const std::string& line = text_of(number);
+        statement.body += line + "\n";
+        const std::string_view inner = std::string_view(line).substr(0, number == last ? end - 1 : line.size());
+        const std::size_t from = inner.find_first_not_of(" \t", number == line_ ? open + 1 : 0);
+        if (from == std::string_view::npos || inner[from] == ';') continue;
+        if (goes_on) {
+            statement.words.back().text.append("\n").append(inner);
+        } else {
+            Word word;
+            word.kind = WordKind::expression;
+            word.text = inner.substr(from);
+            word.place = {source_, number, static_cast<int>(from) + 1, static_cast<int>(word.text.size())};
+            statement.words.push_back(std::move(word));
+        }
+        goes_on = is_continued(inner);
+    }
+    for (Word& word : statement.words) word.folded = fold(word.text);
+    statement.last_line = last;
+    line_ = last + 1;
+    return true;
+}
+
 bool Lexer::next(Statement& statement) {
     const int count = static_cast<int>(source_->lines.size());
     statement = {};
+    statement.dialects = dialects_;
     while (line_ <= count) {
-        if (statement.words.empty()) statement.first_line = line_;
+        if (statement.words.empty()) {
+            statement.first_line = line_;
+            if (read_bracket(statement)) {
+                if (!statement.words.empty()) return true;
+                statement.body.clear();
+                continue;
+            }
+        }
         const std::string& line = source_->lines[static_cast<std::size_t>(line_ - 1)];
         const bool continued = read_line(line_++, statement.words);
         statement.last_line = line_ - 1;

@@ -35,10 +35,14 @@ struct Word {
     std::string shown() const;
 };
 
+/// Which lines are read: those of both dialects, or of one only (`dialect modern`).
+enum class Dialects { both, classic, modern };
+
 struct Statement {
     std::vector<Word> words; ///< never empty
+    Dialects dialects = Dialects::both;
     int first_line = 0, last_line = 0;
-    std::string body; ///< lines that belong to it (def ... end, lua ... endlua), see Body
+    std::string body; ///< lines that belong to it (def ... end, lua ... endlua, a bracket over several lines), see Body
     Place body_place; ///< of the first line of `body`
 
     /// The text as typed from word `first` on, comments and continuation marks left out.
@@ -62,14 +66,17 @@ public:
 
     int line() const { return line_; } ///< the next line to be read
     void go_to(int line) { line_ = line; }
+    void read_only(Dialects dialects) { dialects_ = dialects; } ///< of the statements from now on
     const Source& source() const { return source_; }
 
 private:
+    bool read_bracket(Statement& statement);
     /// Appends the words of one line; true when the line is continued on the next.
     bool read_line(int line, std::vector<Word>& words) const;
 
     Source source_;
     int line_ = 1;
+    Dialects dialects_ = Dialects::both;
 };
 
 /// ASCII letters in lower case; other bytes are unchanged.

@@ -24,7 +24,7 @@ constexpr Neighbour neighbours[] = {
      "Lua stands between lua and endlua; a function of FISH is def ... end"},
     {R"((clear|close|clc|format)\s+(all|long|short)|clc|function\s+.*=.*\(.*\)|(figure|disp|fprintf|plot)\s*\(.*\);?)",
      "this is a line of MATLAB", script_hint},
-    {R"((zone\s+(create2?d?|cmodel|face|gridpoint|initialize(-stresses)?|history|fill|apply|results|water|relax|geometry-\S+)|structure\s+\S+\s+create|extrude)\s+.*)",
+    {R"((zone\s+(create2?d?|cmodel|face|gridpoint|initialize(-stresses)?|history|fill|apply|results|water|relax|geometry-\S+)|extrude)\s+.*)",
      "this is a command of FLAC3D", rock_hint},
     {R"((ball|wall|clump|rblock|cmat|domain|brick|fragment)\s+(create|generate|default|extent|distribute|attribute|property|make|assemble|activate|template)\b.*)",
      "this is a command of PFC", rock_hint},

@@ -5,18 +5,6 @@
 
 namespace kaya::lang {
 
-bool fits_part_by_part(std::string_view word, std::string_view typed) {
-    if (typed.find('-') == std::string_view::npos) return false;
-    for (;;) {
-        const auto end = word.find('-'), typed_end = typed.find('-');
-        const std::string_view part = typed.substr(0, typed_end);
-        if (part.empty() || !word.substr(0, end).starts_with(part)) return false;
-        if (end == std::string_view::npos || typed_end == std::string_view::npos) return end == typed_end;
-        word.remove_prefix(end + 1);
-        typed.remove_prefix(typed_end + 1);
-    }
-}
-
 std::string CommandSpec::name() const {
     std::string text(words.front().word);
     for (const auto& spellings : form) text.append(" ").append(spellings.front().word);

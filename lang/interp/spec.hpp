@@ -2,6 +2,7 @@
 // dictionary are made from these tables.
 #pragma once
 
+#include "base/abbreviation.hpp"
 #include "lang/interp/lexer.hpp"
 
 #include <any>
@@ -44,9 +45,6 @@ struct ArgumentSpec {
     std::string_view help = {};
 };
 
-/// A word with hyphens may be abbreviated in each of its parts: pos-x for position-x. Every hyphen must be typed.
-bool fits_part_by_part(std::string_view word, std::string_view typed);
-
 /// A word that may be typed, and how much of it is enough.
 struct Spelling {
     std::string_view word;
@@ -55,9 +53,10 @@ struct Spelling {
     Spelling(const char* text) : word(text) {}
     Spelling(std::string_view text, std::size_t letters) : word(text), shortest(letters) {}
 
-    /// `typed` is folded.
+    /// `typed` is folded. A word with hyphens may be abbreviated in each of its parts: pos-x for position-x. Every hyphen must be typed.
     bool matches(std::string_view typed) const {
-        return typed == word || (typed.size() >= shortest && word.starts_with(typed)) || fits_part_by_part(word, typed);
+        return typed == word || (typed.size() >= shortest && word.starts_with(typed)) ||
+               shortens_each_part(typed, word, '-');
     }
 };
 
@@ -76,6 +75,9 @@ struct KeywordSpec {
     std::function<void(Reader&, void* target)> read;
     std::vector<KeywordSpec> keywords; ///< that belong to this one: sphere center .. radius ..
     Support support = Support::runs;
+    /// Of a modern keyword: the classic word of the same meaning, "" when there is none. Several words: each takes one of the values. A
+    /// blank: the values alone say it.
+    std::string classic = {};
 };
 
 /// The arguments before the keywords, in order.
@@ -110,6 +112,8 @@ struct CommandSpec {
     std::vector<Example> right, wrong;
 
     Support support = Support::runs;
+    /// Of a modern command: the classic one that may say the same, with the words that follow its name: "set dt"; "" when there is none.
+    std::string_view classic = {};
     bool options_before_form = false; ///< poly region 1 brick ...
     Flow flow = Flow::next;
     std::string_view body_end;         ///< "end": the lines up to this word belong to the command

@@ -1,6 +1,5 @@
 // block ...: selecting blocks, holding and moving them.
 #include "lang/modern/components.hpp"
-#include "lang/modern/groups.hpp"
 #include "lang/modern/language.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@ namespace {
 
 CommandSpec hide_blocks() {
     Leaf<Hide> leaf("block hide");
+    leaf.means("hide");
     leaf.help("hides blocks; new blocks are visible");
     leaf.ranged(&Hide::range);
     leaf.action(
@@ -24,6 +24,7 @@ CommandSpec hide_blocks() {
 
 CommandSpec show_blocks() {
     Leaf<Seek> leaf("block hide off|false|no");
+    leaf.means("seek");
     leaf.help("makes hidden blocks visible again");
     leaf.ranged(&Seek::range);
     leaf.right("block hide off", "seek").right("block hide off range region 1", "seek range region 1");
@@ -33,6 +34,7 @@ CommandSpec show_blocks() {
 
 CommandSpec show_word() {
     Leaf<Seek> leaf("block show");
+    leaf.means("seek");
     leaf.help("makes hidden blocks visible again");
     leaf.ranged(&Seek::range);
     leaf.right("block show range region 1", "seek range region 1");
@@ -190,17 +192,15 @@ CommandSpec block_initialize() {
 CommandSpec block_group() {
     Leaf<Group> leaf("block group", "group block");
     leaf.arguments_of_meaning();
-    leaf.special(
-        {"slot"}, slot_word().arguments,
-        [read = slot_word().read](Reader& reader, Group&) {
-            char nothing = 0;
-            read(reader, &nothing);
-        },
-        slot_word().help);
-    leaf.not_yet({"remove"}, "groups that are taken away: give the objects another group");
+    leaf.word("slot", "slot").word("remove", "remove");
     leaf.ranged(&Group::range);
     leaf.right("block group 'left wall' range position-x -1 0.9", "group block 'left wall' range x -1 0.9");
     leaf.right("block group 'all'", "group block all");
+    leaf.right("block group 'thin' slot '1' range edge-length 0 0.1",
+               "group block thin slot 1 range edge-length 0 0.1");
+    leaf.right("block group 'thin' slot '1' remove", "group block thin slot 1 remove");
+    leaf.right("block group '1=thin'", "group block '1=thin'");
+    leaf.wrong("block group 'a' solt '1'", "'solt' is not a keyword of block group");
     leaf.wrong("block group", "a word is missing after 'group'");
     leaf.wrong("block group 'a' rnage id 1", "'rnage' is not a keyword of block group");
     return leaf;

@@ -28,6 +28,9 @@ template <class Command, class Member> void vector_words(Leaf<Command>& leaf, co
             for (std::size_t k = 0; k < 3; ++k) member(command, k) = value[static_cast<Eigen::Index>(k)];
         },
         help);
+    std::string all;
+    for (const auto& component : components) all += (all.empty() ? "" : " ") + std::string(component.classic);
+    leaf.said(all);
     for (const auto& component : components) leaf.word(component.words, component.classic);
 }
 

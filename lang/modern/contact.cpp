@@ -1,7 +1,6 @@
 // block contact ...: joints.
 #include "lang/commands/property_items.hpp"
 #include "lang/modern/components.hpp"
-#include "lang/modern/groups.hpp"
 #include "lang/modern/language.hpp"
 
 namespace kaya::lang {
@@ -16,7 +15,7 @@ template <class Command> void property_values(Leaf<Command>& leaf) {
 
 CommandSpec contact_assign(std::string_view words, std::string_view example) {
     Leaf<JointModelCommand> leaf(words);
-    leaf.help("assigns a joint model to contacts");
+    leaf.means("jmodel model").help("assigns a joint model to contacts");
     leaf.argument(text("name").help("name of the joint model"), [](JointModelCommand& command, std::string name) {
         command.action = JointModelCommand::Action::assign;
         command.model = std::move(name);
@@ -55,6 +54,7 @@ CommandSpec contact_load() {
 
 CommandSpec contact_property() {
     Leaf<JointModelCommand> leaf("block contact property");
+    leaf.means("jmodel");
     leaf.help("sets properties of the joint model that contacts have; a later line overrides an earlier one");
     property_values(leaf);
     leaf.ranged(&JointModelCommand::range);
@@ -99,6 +99,94 @@ CommandSpec contact_defaults() {
     return leaf;
 }
 
+/// The joint model and the properties of an entry of the material table.
+void entry_words(Leaf<JointRuleCommand>& leaf) {
+    const ArgumentSpec name = text("name").spec;
+    leaf.special(
+        {"jmodel"}, {name},
+        [name](Reader& reader, JointRuleCommand& command) {
+            command.model_place = reader.peek() ? reader.peek()->place : Place{};
+            command.model = reader.text(name);
+        },
+        "the joint model; with it, values that are not given are those of the model, else those of the default");
+    leaf.action(
+        {"property"}, [](JointRuleCommand&) {}, "names of properties and their values follow");
+    property_values(leaf);
+}
+
+template <JointRuleCommand::Action action> Leaf<JointRuleCommand> entry_leaf(std::string_view words) {
+    Leaf<JointRuleCommand> leaf(words);
+    leaf.start([](const Statement& statement, JointRuleCommand& command) {
+        command.action = action;
+        command.place = command.model_place = statement.words.front().place;
+    });
+    return leaf;
+}
+
+Argument<std::int64_t> entry_number() { return integer("i").at_least(1).help("number of the entry"); }
+
+CommandSpec table_add() {
+    auto leaf = entry_leaf<JointRuleCommand::Action::add>("block contact material-table add");
+    leaf.help("joint model and properties of new contacts in a range; the first entry that picks a contact counts");
+    entry_words(leaf);
+    leaf.ranged(&JointRuleCommand::range);
+    leaf.finish([](const Reader& reader, JointRuleCommand& command) {
+        if (command.items.empty() && command.model.empty())
+            incomplete_line(reader, "no property is given",
+                            "write: block contact material-table add property friction 30 range ...");
+        needs_range(reader, command);
+    });
+    leaf.right("block contact material-table add jmodel mohr property stiffness-normal 1e9 stiffness-shear 1e9 "
+               "friction 30 range group-intersection 'wall' 'vault'");
+    leaf.right("block contact mat-tab add prop friction 30 range group 'wall'");
+    leaf.wrong("block contact material-table add property friction 30", "a range must be given");
+    leaf.wrong("block contact material-table add range group 'a'", "no property is given");
+    return leaf;
+}
+
+CommandSpec table_modify() {
+    auto leaf = entry_leaf<JointRuleCommand::Action::modify>("block contact material-table modify");
+    leaf.help("changes an entry of the material table");
+    leaf.argument(entry_number(), &JointRuleCommand::number);
+    entry_words(leaf);
+    leaf.right("block contact material-table modify 1 property friction 20");
+    leaf.wrong("block contact material-table modify", "a number is missing after 'modify'");
+    leaf.wrong("block contact material-table modify 0 property friction 20", "modify must be at least 1, not 0");
+    return leaf;
+}
+
+CommandSpec table_remove() {
+    auto leaf = entry_leaf<JointRuleCommand::Action::remove>("block contact material-table remove");
+    leaf.help("removes one entry of the material table, or all of them");
+    leaf.action(
+        {"all"}, [](JointRuleCommand& command) { command.number.reset(); }, "all entries, as without a number");
+    const ArgumentSpec number = entry_number().spec;
+    leaf.otherwise({number}, [number](Reader& reader, JointRuleCommand& command) {
+        if (!reader.at_number() || command.number) return false;
+        command.number = reader.integer(number);
+        return true;
+    });
+    leaf.right("block contact material-table remove").right("block contact material-table remove all");
+    leaf.right("block contact material-table remove 1");
+    leaf.wrong("block contact material-table remove al1",
+               "'al1' is not a keyword of block contact material-table remove");
+    return leaf;
+}
+
+CommandSpec table_list() {
+    auto leaf = entry_leaf<JointRuleCommand::Action::list>("block contact material-table list");
+    leaf.help("shows the entries of the material table");
+    leaf.right("block contact material-table list");
+    return leaf;
+}
+
+CommandSpec table_apply() {
+    auto leaf = entry_leaf<JointRuleCommand::Action::apply>("block contact material-table apply");
+    leaf.help("gives the entries of the material table to the contacts that are there");
+    leaf.right("block contact material-table apply");
+    return leaf;
+}
+
 CommandSpec generate_subcontacts() {
     Leaf<FindContacts> leaf("block contact generate-subcontacts");
     leaf.help("finds the contacts now, with the joint model and properties that new contacts have");
@@ -110,17 +198,18 @@ CommandSpec generate_subcontacts() {
 CommandSpec contact_group() {
     Leaf<Group> leaf("block contact group", "group joint");
     leaf.arguments_of_meaning().ranged(&Group::range);
-    leaf.special(
-        {"slot"}, slot_word().arguments,
-        [read = slot_word().read](Reader& reader, Group&) {
-            char nothing = 0;
-            read(reader, &nothing);
-        },
-        slot_word().help);
-    leaf.not_yet({"remove"}, "groups that are taken away: give the objects another group");
+    leaf.word("slot", "slot").word("remove", "remove");
     leaf.right("block contact group 'bed' range position-z 1", "group joint bed range z 1");
     leaf.right("block contact group 'all'", "group joint all");
     leaf.wrong("block contact group", "a word is missing after 'group'");
+    return leaf;
+}
+
+CommandSpec subcontact_group() {
+    Leaf<Group> leaf("block contact group-subcontact", "group subcontact");
+    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
+    leaf.right("block contact group-subcontact 'edge' range position-x 1", "group subcontact edge range x 1");
+    leaf.wrong("block contact group-subcontact", "a word is missing after 'group-subcontact'");
     return leaf;
 }
 
@@ -160,19 +249,33 @@ Family contact_family() {
                 contact_load(),
                 contact_property(),
                 contact_defaults(),
+                table_add(),
+                table_modify(),
+                table_remove(),
+                table_list(),
+                table_apply(),
                 generate_subcontacts(),
                 contact_group(),
+                subcontact_group(),
                 contact_join(),
                 contact_reset(),
                 list_line("block contact list", List::What::contacts, "contacts: blocks, normal, area",
-                          "block contact list range position-z 0 1", "list contacts range z 0 1"),
-                list_line("block contact list subcontacts", List::What::sub_contacts,
-                          "sub-contacts: displacements, forces, state", "block contact list subcontacts",
-                          "list subcontacts"),
+                          "block contact list range position-z 0 1", "list contacts range z 0 1",
+                          {"summary", "total", "type", "position", "orientation", "joint-set", "model", "group",
+                           "common-plane", "face", "face-face", "edges"},
+                          {"block contact list sumary", "'sumary' is not a keyword of block contact list"}),
+                list_line(
+                    "block contact list subcontacts|force|stress|displacement-normal|pressure|pore-pressure",
+                    List::What::sub_contacts, "sub-contacts: displacements, forces, state",
+                    "block contact list subcontacts", "list subcontacts",
+                    {"subcontacts", "force", "stress", "displacement-normal"},
+                    {"block contact list force strses", "'strses' is not a keyword of block contact list subcontacts"}),
                 list_line("block contact list state", List::What::states, "joints by joint model and state",
                           "block contact list state", "list state"),
                 ignored_line("block contact tolerance", "lengths of the search for contacts", own,
                              "block contact tolerance 1e-4"),
+                ignored_line("block contact delete-open", "open sub-contacts in the first cycle",
+                             "an open sub-contact has no force", "block contact delete-open on"),
                 ignored_line("block contact local-stiffness", "stiffness for the time step",
                              "the time step of kaya always uses it", "block contact local-stiffness on"),
                 ignored_line("block contact record-shear", "the largest shear displacement", own,

@@ -1,9 +1,13 @@
 // block create, block cut, block densify, block generate: making blocks.
-#include "lang/modern/groups.hpp"
+#include "lang/commands/slots.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/modern/leaf.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace kaya::lang {
 
@@ -12,12 +16,9 @@ namespace {
 /// The group of the new block, before or after its shape.
 template <class Poly> void group_option(Leaf<Poly>& leaf) {
     const ArgumentSpec name = text("name").spec;
-    leaf.special({"group"}, {name},
-                 [name](Reader& reader, Poly& poly) {
-                     poly.options.group = reader.text(name);
-                     read_slot(reader);
-                 },
-                 "group of the new blocks", {slot_word()});
+    leaf.special(
+        {"group"}, {name}, [name](Reader& reader, Poly& poly) { poly.options.group = read_group_name(reader, name); },
+        "group of the new blocks", slot_words());
     leaf.options_before_form();
 }
 
@@ -124,18 +125,43 @@ CommandSpec tunnel_blocks() {
     return leaf;
 }
 
+/// Dip, dip direction and origin of a plane.
+void through_points(JointSetCommand& jset, const Vec3& one, const Vec3& two, const Vec3& three, const Place& place) {
+    Vec3 normal = (two - one).cross(three - one);
+    const double size = normal.norm(), longest = std::max((two - one).norm(), (three - one).norm());
+    if (!(size > 1e-9 * longest * longest))
+        throw Diagnostic("the three points lie on a line", "give three points that span a plane").at(place);
+    normal *= (normal.z() < 0 ? -1 : 1) / size;
+    constexpr double degree = std::numbers::pi / 180;
+    const double across = std::hypot(normal.x(), normal.y());
+    const double direction = across > 1e-12 ? std::atan2(normal.x(), normal.y()) / degree : 0;
+    jset.dip[0] = std::atan2(across, normal.z()) / degree;
+    jset.dip_direction[0] = direction < 0 ? direction + 360 : direction;
+    jset.origin = one;
+}
+
 CommandSpec cut_joint_set() {
     Leaf<JointSetCommand> leaf("block cut joint-set", "jset");
     for (const char* word : {"dip", "dip-direction", "spacing", "number", "origin", "persistence", "join"})
         leaf.word(word, word);
     leaf.word("jointset-id", "id").checks_of_meaning();
-    leaf.not_yet({"three-points"}, "a joint through three points: give dip, dip-direction and origin");
+    const ArgumentSpec point = vector("x y z").unit("length").spec;
+    leaf.special(
+        {"three-points"}, {point, point, point},
+        [point](Reader& reader, JointSetCommand& jset) {
+            const Vec3 one = reader.vector(point), two = reader.vector(point), three = reader.vector(point);
+            through_points(jset, one, two, three, reader.previous().place);
+        },
+        "three points of the first joint, in place of dip, dip-direction and origin");
     leaf.ranged(&JointSetCommand::range);
     leaf.right("block cut joint-set dip 90 dip-direction 90 origin 0.5 0 0", "jset dip 90 dd 90 origin 0.5 0 0");
     leaf.right("block cut joint-set dip 30 5 dip-direction 120 spacing 0.4 0.1 number 3 persistence 0.5 "
                "range position-z 0 1",
                "jset dip 30 5 dd 120 spacing 0.4 0.1 number 3 persistence 0.5 range z 0 1");
     leaf.right("block cut joint-set", "jset");
+    leaf.right("block cut joint-set three-points (0.5,0,0) (0.5,1,0) (0.5,0,1)", "jset dip 90 dd 90 origin 0.5 0 0");
+    leaf.right("block cut joint-set three-points 0 0 0.5 1 0 0.5 0 1 0.5 jointset-id 7", "jset origin 0 0 0.5 id 7");
+    leaf.wrong("block cut joint-set three-points 0 0 0 1 1 1 2 2 2", "the three points lie on a line");
     leaf.wrong("block cut joint-set dip", "a number is missing after 'dip'");
     leaf.wrong("block cut joint-set sapcing 1", "'sapcing' is not a keyword of block cut joint-set");
     leaf.wrong("block cut", "a word is missing after 'cut'");
@@ -156,6 +182,7 @@ CommandSpec cut_tunnel() {
 
 CommandSpec densify_blocks() {
     Leaf<Densify> leaf("block densify");
+    leaf.means("densify");
     leaf.help("cuts each block into equal parts along x, y and z");
     const ArgumentSpec part = integer("n").at_least(1).at_most(1000).spec;
     leaf.special(

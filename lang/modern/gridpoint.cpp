@@ -115,7 +115,8 @@ CommandSpec gridpoint_list() {
     Leaf<List> leaf("block gridpoint list");
     leaf.help("gridpoints: place, velocity, displacement, force");
     leaf.start([](const Statement&, List& command) { command.what = List::What::gridpoints; });
-    for (const char* word : {"position", "velocity", "displacement", "force", "information"})
+    for (const char* word :
+         {"position", "velocity", "displacement", "force", "information", "mass", "pore-pressure", "stress", "group"})
         leaf.no_effect(word, "one table has all");
     leaf.ranged(&List::range);
     leaf.right("block gridpoint list range position-z 0 1", "list gridpoints range z 0 1");

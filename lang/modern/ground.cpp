@@ -1,6 +1,5 @@
 // block mechanical, insitu, water, face: how the rock is damped, stressed and wetted.
 #include "lang/modern/components.hpp"
-#include "lang/modern/groups.hpp"
 #include "lang/modern/language.hpp"
 
 #include <array>
@@ -137,7 +136,7 @@ CommandSpec triangulate_edge() {
 
 CommandSpec face_group() {
     Leaf<Group> leaf("block face group", "group face");
-    leaf.arguments_of_meaning().ranged(&Group::range);
+    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
     leaf.right("block face group 'top' range position-z 2", "group face top range z 2");
     leaf.wrong("block face group", "a word is missing after 'group'");
     return leaf;
@@ -165,10 +164,17 @@ CommandSpec face_apply() {
                 b.z_gradient[k] = gradient.z();
             },
             "one component of the stress; `gradient gx gy gz` may follow");
+    leaf.special(
+        {"stress-normal"}, {value},
+        [value](Reader& reader, Boundary& b) {
+            const double normal = reader.real(value);
+            b.stress = {normal, normal, normal, 0, 0, 0};
+        },
+        "stress along the normal of each face, compression negative");
     leaf.word("gradient-x", "xgradient").word("gradient-y", "ygradient").word("gradient-z", "zgradient");
     leaf.word("velocity-normal", "nvel");
     multiplier_words(leaf);
-    leaf.not_yet({"stress-normal", "stress-principal", "point-load", "point-load-x", "point-load-y", "point-load-z"},
+    leaf.not_yet({"stress-principal", "point-load", "point-load-x", "point-load-y", "point-load-z"},
                  "other loads on faces: give the components of the stress");
     leaf.not_yet({"convection", "flux", "westergaard"}, "heat and added mass of water");
     leaf.ranged(&Boundary::range);
@@ -180,6 +186,7 @@ CommandSpec face_apply() {
     });
     leaf.right("block face apply stress 0 0 -5 0 0 0 range position-z 2", "bound stress 0 0 -5 0 0 0 range z 2");
     leaf.right("block face apply stress-zz -5 range position-z 2", "bound stress 0 0 -5 0 0 0 range z 2");
+    leaf.right("block face apply stress-normal -5 range position-z 2", "bound stress -5 -5 -5 0 0 0 range z 2");
     leaf.right("block face apply stress 0 0 -1e6 0 0 0 table '1' range position-z 2",
                "bound stress 0 0 -1e6 0 0 0 hist table 1 range z 2");
     leaf.wrong("block face apply", "block face apply has no load");

@@ -91,6 +91,11 @@ void record(Leaf<HistoryAdd>& leaf, const char* words, const HistoryItem::Quanti
         help);
 }
 
+void record(Leaf<HistoryAdd>& leaf, const Quantity& row) {
+    record(leaf, row.words, recorded_quantity(row.classic), row.help);
+    leaf.said(row.classic);
+}
+
 void needs_quantity(Leaf<HistoryAdd>& leaf, const char* example) {
     const std::string hint = fmt::format("write for example: {}", example);
     leaf.finish([hint](const Reader& reader, HistoryAdd& history) {
@@ -101,13 +106,14 @@ void needs_quantity(Leaf<HistoryAdd>& leaf, const char* example) {
 
 CommandSpec model_history() {
     Leaf<HistoryAdd> leaf("model history");
+    leaf.means("history");
     leaf.help("records a quantity of the model from now on");
     names(leaf);
     leaf.no_effect("mechanical|dynamic", "of motion, the only process");
-    for (const Quantity& row : of_model) record(leaf, row.words, recorded_quantity(row.classic), row.help);
+    for (const Quantity& row : of_model) record(leaf, row);
     for (const ModelField& row : model_fields) record(leaf, row.words, {ObjectKind::global, row.field, ""}, row.help);
     record(leaf, "timestep", {ObjectKind::global, "time_step", ""}, "time step");
-    record(leaf, "damping", recorded_quantity("damp"), "adaptive damping coefficient");
+    record(leaf, {"damping", "damp", "adaptive damping coefficient"});
     leaf.not_yet({"energy"}, "energies: write hist ekinetic, egravity, edamped, ...");
     leaf.not_yet({"thermal", "fluid", "creep"}, "heat, flow and creep");
     leaf.not_yet({"convergence"}, "the ratio of each gridpoint to its own target: see ratio-local");
@@ -130,14 +136,16 @@ void location(Leaf<HistoryAdd>& leaf) {
             history.items.front().place = reader.vector(place);
         },
         "the nearest object is recorded; the origin if not given");
+    leaf.said(" "); // hist xdis 0 0 1
 }
 
 CommandSpec block_history() {
     Leaf<HistoryAdd> leaf("block history");
+    leaf.means("history");
     leaf.help("records a quantity of a gridpoint or zone from now on");
     names(leaf);
     leaf.not_yet({"displacement", "velocity", "acceleration"}, "magnitudes: give -x, -y or -z");
-    for (const Quantity& row : of_blocks) record(leaf, row.words, recorded_quantity(row.classic), row.help);
+    for (const Quantity& row : of_blocks) record(leaf, row);
     location(leaf);
     leaf.not_yet({"gridpointid", "zoneid", "index", "log", "gravity", "component", "source", "method"},
                  "other places and forms of a quantity: see position");
@@ -157,9 +165,10 @@ CommandSpec block_history() {
 
 CommandSpec contact_history() {
     Leaf<HistoryAdd> leaf("block contact history");
+    leaf.means("history");
     leaf.help("records a quantity of a sub-contact from now on");
     names(leaf);
-    for (const Quantity& row : of_contacts) record(leaf, row.words, recorded_quantity(row.classic), row.help);
+    for (const Quantity& row : of_contacts) record(leaf, row);
     location(leaf);
     leaf.not_yet({"contact-id", "subcontact-id", "dip", "dip-direction"}, "other places: see position");
     leaf.not_yet({"area-sum", "force-normal-sum", "force-shear-sum", "area", "velocity-shear"},
@@ -173,6 +182,7 @@ CommandSpec contact_history() {
 
 CommandSpec history_interval() {
     Leaf<HistoryAdd> leaf("history interval");
+    leaf.means("history ncyc");
     leaf.help("cycles from one record to the next, for all histories");
     leaf.argument(integer("n").at_least(1), &HistoryAdd::interval);
     leaf.right("history interval 5", "hist ncyc 5");

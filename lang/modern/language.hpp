@@ -28,6 +28,7 @@ Family block_family();
 Family contact_family();
 Family gridpoint_family();
 Family zone_family();
+Family structure_family();
 Family other_family();
 Family unsupported_family(); ///< known words that are refused
 

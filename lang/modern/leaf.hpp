@@ -37,11 +37,15 @@ public:
             throw std::logic_error("the leaf and its meaning have different structs");
         this->spec_.help = meaning_->help;
         this->spec_.start = meaning_->start;
+        this->spec_.classic = classic;
     }
+    /// A leaf that fills the struct in another way than the classic command does; the words of a line may still be those of that command.
+    Leaf& means(std::string_view classic) { return this->spec_.classic = classic, *this; }
 
     /// The words for a keyword of the meaning.
     Leaf& word(std::string_view words, std::string_view classic, std::string_view help = {}) {
         KeywordSpec keyword = classic_keyword(*meaning_, classic);
+        keyword.classic = keyword.words.front().word;
         keyword.words = tree_words(words).front();
         if (!help.empty()) keyword.help = help;
         this->keywords_.add(std::move(keyword));
@@ -59,6 +63,9 @@ public:
     Leaf& checks_of_meaning() { return this->spec_.finish = meaning_->finish, *this; }
 
     Leaf& ranged(RangePhrase Command::*phrase) { return Base::range(phrase, true, modern_ranges()), *this; }
+
+    /// The keyword added last has these classic words.
+    Leaf& said(std::string_view classic) { return this->keywords_.said(classic), *this; }
 
     /// Words that are read without effect.
     Leaf& no_effect(std::string_view words, std::string_view help) {
@@ -81,9 +88,10 @@ private:
 
 /// A line that is accepted without effect; `instead` says why that is right.
 CommandSpec ignored_line(std::string_view words, std::string_view help, const char* instead, std::string_view example);
-/// A line that shows a part of the model.
+/// A line that shows a part of the model. `columns` are words that choose what the table has, which are accepted: it has all. `wrong` is a
+/// line with a misspelt one.
 CommandSpec list_line(std::string_view words, List::What what, std::string_view help, std::string_view example,
-                      std::string_view classic);
+                      std::string_view classic, std::initializer_list<const char*> columns = {}, Example wrong = {});
 /// A line that is known by name.
 CommandSpec unsupported_line(std::string_view words, std::string_view about);
 

@@ -82,6 +82,7 @@ CommandSpec large_strain() {
 /// Three components, or the magnitude of a gravity that acts downward.
 CommandSpec model_gravity() {
     Leaf<Gravity> leaf("model gravity");
+    leaf.means("gravity");
     leaf.help("acceleration of gravity: a vector, or its magnitude, which acts along -z");
     const ArgumentSpec value = real("g").unit("acceleration").spec;
     const ArgumentSpec three = vector("gx gy gz").unit("acceleration").spec;
@@ -140,6 +141,7 @@ CommandSpec model_cycle() {
 
 CommandSpec model_random() {
     Leaf<Set> leaf("model random");
+    leaf.means("set random");
     leaf.help("restarts the random numbers of FISH and Lua from this seed");
     leaf.argument(integer("n").at_least(0).optional().help("the seed; 10000 if not given"), &Set::seed);
     leaf.start([](const Statement&, Set& set) { set.seed = 10000; });
@@ -166,6 +168,7 @@ CommandSpec range_create() {
 
 CommandSpec model_dynamic() {
     Leaf<Set> leaf("model dynamic");
+    leaf.means("set dynamic");
     leaf.help("switches dynamic motion: no damping unless `block mechanical damping` asks for it");
     leaf.keyword({"active"}, on_off(), &Set::dynamic, "on: dynamic; off: static, local damping of 0.8");
     leaf.otherwise({on_off().optional().spec}, [](Reader& reader, Set& set) {
@@ -195,8 +198,32 @@ CommandSpec dynamic_time() {
     return leaf;
 }
 
+CommandSpec model_calm() {
+    Leaf<Reset> leaf("model calm");
+    leaf.help("sets all velocities to zero");
+    leaf.start([](const Statement&, Reset& reset) { reset.what = {Reset::What::velocities}; });
+    leaf.right("model calm", "reset vel");
+    return leaf;
+}
+
+/// Motion is the only process.
+CommandSpec mechanical_active() {
+    Leaf<Ignored> leaf("model mechanical active");
+    leaf.help("motion, the only process of kaya: on, without effect").support(Support::ignored);
+    leaf.start([](const Statement&, Ignored& command) {
+        command = {"model mechanical active", "kaya has no other process"};
+    });
+    leaf.argument(on_off(), [](Ignored&, bool on) {
+        if (!on) throw Diagnostic("motion cannot be switched off", "kaya has no other process");
+    });
+    leaf.right("model mechanical active on");
+    leaf.wrong("model mechanical active off", "motion cannot be switched off");
+    return leaf;
+}
+
 CommandSpec time_step_fix() {
     Leaf<Set> leaf("model mechanical|dynamic timestep fix");
+    leaf.means("set dt");
     leaf.help("the time step; one above the critical step is refused");
     leaf.argument(real("dt").unit("time").above(0), &Set::time_step);
     leaf.right("model mechanical timestep fix 1e-7", "set dt 1e-7");
@@ -214,6 +241,7 @@ CommandSpec time_step_automatic() {
 
 CommandSpec time_step_safety() {
     Leaf<Set> leaf("model mechanical|dynamic timestep safety-factor");
+    leaf.means("set fraction");
     leaf.help("the time step as a fraction of the critical step");
     leaf.argument(real("f").above(0).at_most(1), &Set::time_step_fraction);
     leaf.right("model mechanical timestep safety-factor 0.5", "set fraction 0.5");
@@ -238,6 +266,8 @@ std::vector<CommandSpec> model_commands() {
         range_create(),
         model_dynamic(),
         dynamic_time(),
+        model_calm(),
+        mechanical_active(),
         time_step_fix(),
         time_step_automatic(),
         time_step_safety(),

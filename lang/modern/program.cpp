@@ -20,7 +20,7 @@ CommandSpec call() {
 
 CommandSpec log(std::string_view words, std::string_view example, std::string_view wrong, std::string_view message) {
     Leaf<Set> leaf(words);
-    leaf.help("also writes the output to the log file");
+    leaf.means("set log").help("also writes the output to the log file");
     leaf.argument(on_off(), &Set::log);
     leaf.no_effect("append", "accepted, without effect").no_effect("truncate", "the file is replaced, as always");
     leaf.right(example, "set log on");
@@ -30,7 +30,7 @@ CommandSpec log(std::string_view words, std::string_view example, std::string_vi
 
 CommandSpec log_file(std::string_view words, std::string_view example, std::string_view wrong) {
     Leaf<Set> leaf(words);
-    leaf.help("name of the log file");
+    leaf.means("set logfile").help("name of the log file");
     leaf.argument(text("file"), &Set::log_file);
     leaf.right(example, "set logfile run.log");
     leaf.wrong(wrong, "a word is missing after 'log-file'");
@@ -39,6 +39,7 @@ CommandSpec log_file(std::string_view words, std::string_view example, std::stri
 
 CommandSpec threads() {
     Leaf<Set> leaf("program threads");
+    leaf.means("set threads");
     leaf.help("number of threads; it has no influence on the result");
     leaf.argument(integer("n").at_least(1), &Set::threads);
     leaf.right("program threads 1", "set threads 1");

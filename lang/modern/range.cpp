@@ -1,8 +1,6 @@
 // The modern range phrase: its words are a second spelling of the classic elements.
 #include "lang/modern/leaf.hpp"
 
-#include "lang/modern/groups.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -129,6 +127,7 @@ void coordinate(Keywords<RangePhrase>& table, const char* words, const char* cla
             element.high += around;
         },
         "a coordinate between two limits, or a value and `tolerance t`");
+    table.said(classic);
 }
 
 /// Two corners, or one with a tolerance.
@@ -146,6 +145,7 @@ void position(Keywords<RangePhrase>& table) {
             element.end2 = one.cwiseMax(other).array() + around;
         },
         "inside a box, given by two corners, or near a place: x y z tolerance t");
+    table.said(classic_element("position").words.front().word);
 }
 
 /// The tolerance of an orientation is 2 degrees in this dialect, 1 in the classic one.
@@ -164,6 +164,22 @@ void orientation(Keywords<RangePhrase>& table) {
         },
         "faces and contacts of an orientation: dip d dip-direction a [tolerance t], 2 degrees if not given",
         meaning.keywords);
+    table.said("orientation");
+}
+
+/// The words after the name are those of the classic element.
+void group(Keywords<RangePhrase>& table) {
+    const ArgumentSpec name = text("name").spec;
+    const auto& words = classic_element("group").keywords;
+    table.special(
+        {"group"}, {name},
+        [name, &words](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = added(reader, phrase, Kind::group);
+            element.name = reader.text(name);
+            read_keywords(reader, words, &element);
+        },
+        "members of a group; a contact belongs to the groups of its two blocks", words);
+    table.said("group");
 }
 
 void named_range(Keywords<RangePhrase>& table) {
@@ -175,6 +191,7 @@ void named_range(Keywords<RangePhrase>& table) {
             element.name = reader.text(name);
         },
         "a range that `model range create` has made");
+    table.said("nrange");
 }
 
 std::vector<KeywordSpec> all_elements() {
@@ -183,9 +200,10 @@ std::vector<KeywordSpec> all_elements() {
     coordinate(table, "position-x", "x", Kind::x);
     coordinate(table, "position-y", "y", Kind::y);
     coordinate(table, "position-z", "z", Kind::z);
-    group_element(table);
+    group(table);
     for (const ElementWords& row : elements) {
         KeywordSpec element = classic_element(row.classic);
+        element.classic = element.words.front().word;
         element.words = tree_words(row.words).front();
         table.add(std::move(element));
     }

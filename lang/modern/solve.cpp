@@ -11,16 +11,19 @@ void limits(Leaf<Solve>& leaf) {
     leaf.word("ratio|ratio-average", "ratio").word("ratio-local", "ratio-local").word("ratio-maximum", "ratio-maximum");
     leaf.word("unbalanced-maximum", "force").word("cycles", "cycles").word("time", "time").word("clock", "clock");
     leaf.word("elastic", "elastic").no_effect("only", "of elastic: accepted, without effect");
-    leaf.no_effect("or", "the first limit that is reached ends the run, as always");
+    leaf.word("and", "and").word("or", "or").word("cycles-total", "cycles-total").word("time-total", "time-total");
     leaf.no_effect("dynamic|mechanical", "the limits that follow are those of motion, the only process");
     const auto cycles = integer("n").at_least(0);
     leaf.keyword(
             {"calm"}, cycles, [](Solve&, std::int64_t) {}, "cycles between two dampings of motion")
         .ignored();
-    leaf.not_yet({"and"}, "runs that continue until all limits are reached: write one `model solve` after the other");
-    leaf.not_yet({"convergence"}, "the ratio of each gridpoint to its own target: see ratio-local");
-    leaf.not_yet({"cycles-total", "time-total", "cycles-super", "time-total-zone", "unbalanced-average"},
-                 "limits that count from the start of the model: see cycles and time");
+    // The target of every gridpoint is the one that 3DEC has unless a deck changes it.
+    constexpr double target = 1e-4;
+    const auto multiple = real("c").above(0);
+    leaf.keyword(
+        {"convergence"}, multiple, [](Solve& solve, double value) { solve.local_ratio = value * target; },
+        "local ratio as a multiple of 1e-4");
+    leaf.not_yet({"cycles-super", "time-total-zone", "unbalanced-average"}, "other limits: see cycles and time");
     leaf.not_yet({"fish-halt", "fish-call"}, "functions of FISH that end a run");
     leaf.not_yet({"thermal", "fluid", "creep"}, "heat, flow and creep");
 }
@@ -32,12 +35,16 @@ CommandSpec model_solve() {
     leaf.right("model solve ratio-local 1e-3 or time 2", "solve ratio-local 1e-3 time 2");
     leaf.right("model solve unb-max 10 cycles 20", "solve force 10 cycles 20");
     leaf.right("model solve dynamic time 0.01", "solve time 0.01");
+    leaf.right("model solve convergence 1 or cycles 20", "solve ratio-local 1e-4 cycles 20");
+    leaf.wrong("model solve convergence 0", "convergence must be greater than 0, not 0");
     leaf.right("model solve elastic only ratio 1e-3 cycles 20", "solve elastic ratio 1e-3 cycles 20");
     leaf.wrong("model solve raito 1e-5", "'raito' is not a keyword of model solve");
     leaf.wrong("model solve ratio", "a number is missing after 'ratio'");
     leaf.wrong("model solve ratio 0", "ratio must be greater than 0, not 0");
     leaf.wrong("model solve 100", "expected a keyword of model solve, found '100'");
-    leaf.wrong("model solve cycles 5 and time 1", "'model solve and' is known, but kaya does not support it yet");
+    leaf.right("model solve ratio-local 1e-3 and cycles 20", "solve ratio-local 1e-3 and cycles 20");
+    leaf.right("model solve cycles-total 20 or time-total 0.5", "solve cycles-total 20 or time-total 0.5");
+    leaf.wrong("model solve fluid time 1", "'model solve fluid' is known, but kaya does not support it yet");
     return leaf;
 }
 

@@ -1,6 +1,5 @@
 // block zone ...: deformable blocks.
 #include "lang/commands/property_items.hpp"
-#include "lang/modern/groups.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/modern/leaf.hpp"
 
@@ -57,7 +56,7 @@ CommandSpec zone_cells() {
 
 CommandSpec model_line(std::string_view words, std::string_view example) {
     Leaf<ZoneModelCommand> leaf(words);
-    leaf.help("assigns a zone model to the zones of blocks");
+    leaf.means("zone model").help("assigns a zone model to the zones of blocks");
     const std::size_t name_at = tree_words(words).size();
     leaf.start([name_at](const Statement& statement, ZoneModelCommand& command) {
         command.action = ZoneModelCommand::Action::assign;
@@ -91,6 +90,7 @@ CommandSpec zone_load() {
 
 CommandSpec zone_property() {
     Leaf<ZoneModelCommand> leaf("block zone property");
+    leaf.means("zone property");
     leaf.help("sets the density of blocks, and properties of the zone model that they have");
     leaf.keyword({"density"}, real("density").unit("mass/length^3").above(0), &ZoneModelCommand::density,
                  "density of the blocks");
@@ -150,7 +150,7 @@ CommandSpec zone_initialize() {
 
 CommandSpec zone_group() {
     Leaf<Group> leaf("block zone group", "group zone");
-    leaf.arguments_of_meaning().ranged(&Group::range);
+    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
     leaf.right("block zone group 'core' range cylinder end-1 0 0 0 end-2 0 0 9 radius 1",
                "group zone core range cyl end1 0 0 0 end2 0 0 9 radius 1");
     leaf.wrong("block zone group", "a word is missing after 'group'");
@@ -182,7 +182,9 @@ Family zone_family() {
             zone_initialize(),
             zone_group(),
             mixed_discretization(),
-            list_line("block zone list", List::What::zones, "zones: stresses, volume", "block zone list", "list zones"),
+            list_line("block zone list", List::What::zones, "zones: stresses, volume", "block zone list", "list zones",
+                      {"stress", "position", "displacement", "property", "model", "state", "strain", "group", "metric"},
+                      {"block zone list strss", "'strss' is not a keyword of block zone list"}),
             list_line("block zone list stress-principal", List::What::stresses, "principal stresses of zones",
                       "block zone list stress-principal", "list stress"),
         }};

@@ -88,7 +88,7 @@ int close(lua_State* L) {
 lua_Integer element_count(lua_State* L, const char* function) {
     if (lua_type(L, 1) != LUA_TTABLE) fail_argument(L, 1, function, "an array");
     const auto size = static_cast<lua_Integer>(lua_rawlen(L, 1));
-    const std::int64_t wanted = integer_argument(L, 2, function);
+    const std::int64_t wanted = lua_isnoneornil(L, 2) ? size : integer_argument(L, 2, function);
     if (wanted < 0 || wanted > size)
         throw Diagnostic(fmt::format("'{}' is to use {} lines, but the array has {} elements", function, wanted, size),
                          {}, Fault::run);
@@ -147,7 +147,7 @@ constexpr std::array file_functions{
     BuiltInFunction{"open", 3, 3, guarded<open>},
     BuiltInFunction{"close", 0, 0, guarded<close>},
     BuiltInFunction{"read", 2, 2, guarded<read>},
-    BuiltInFunction{"write", 2, 2, guarded<write>},
+    BuiltInFunction{"write", 1, 2, guarded<write>},
 };
 
 int close_file(lua_State* L) {

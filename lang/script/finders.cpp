@@ -8,8 +8,6 @@
 #include "lang/script/machine.hpp"
 #include "lang/script/values.hpp"
 
-#include "base/lower_case.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -84,14 +82,17 @@ Handle object_argument(lua_State* L, const std::string& function) {
     return handle;
 }
 
-/// (object, name): 1 when it is in the group, whatever the case of its letters
+/// (object, name[, slot]): 1 when it is in the group, whatever the case of its letters
 int in_group(lua_State* L) {
     const std::string function = fmt::format("{}.isgroup", info_of(L).modern);
     const Handle handle = object_argument(L, function);
-    const std::string name = text_argument(L, 2, function.c_str());
-    const Value group = world_of(L).get(handle, static_cast<std::size_t>(find_field(info_of(L).fields, "group")));
-    const auto* text = std::get_if<std::string>(&group);
-    lua_pushinteger(L, text != nullptr && !text->empty() && lower_case(*text) == lower_case(name) ? 1 : 0);
+    std::string name = text_argument(L, 2, function.c_str());
+    if (lua_gettop(L) > 2) {
+        const bool number = lua_isinteger(L, 3) != 0; // slots may be numbers
+        name = fmt::format("{}={}",
+                           number ? std::to_string(lua_tointeger(L, 3)) : text_argument(L, 3, function.c_str()), name);
+    }
+    lua_pushinteger(L, world_of(L).in_group(handle, name) ? 1 : 0);
     return 1;
 }
 
@@ -121,15 +122,15 @@ int contacts_of(lua_State* L) {
 
 struct Finder {
     std::string_view what;
-    int arguments;
+    int least, most; ///< arguments
     lua_CFunction read;
     std::string_view field; ///< that the kind of object needs
 };
-constexpr Finder finders[] = {{"find", 1, guarded<find_object>, "id"},
-                              {"num", 0, guarded<count_objects>, ""},
-                              {"head", 0, guarded<first_object>, ""},
-                              {"maxid", 0, guarded<greatest_id>, "id"},
-                              {"isgroup", 2, guarded<in_group>, "group"}};
+constexpr Finder finders[] = {{"find", 1, 1, guarded<find_object>, "id"},
+                              {"num", 0, 0, guarded<count_objects>, ""},
+                              {"head", 0, 0, guarded<first_object>, ""},
+                              {"maxid", 0, 0, guarded<greatest_id>, "id"},
+                              {"isgroup", 2, 3, guarded<in_group>, "group"}};
 
 } // namespace
 
@@ -139,7 +140,7 @@ void add_finders(Machine& machine) {
         if (machine.fish.built_ins.contains(name)) return; // the model counts them itself
         lua_pushinteger(L, static_cast<lua_Integer>(table));
         lua_pushcclosure(L, finder.read, 1);
-        add_reader(machine, name, finder.arguments, finder.arguments);
+        add_reader(machine, name, finder.least, finder.most);
     };
     const auto& tables = machine.world.tables();
     for (std::size_t t = 0; t < tables.size(); ++t)
@@ -150,7 +151,7 @@ void add_finders(Machine& machine) {
     const std::int32_t blocks = find_table(machine.world, "block"), contacts = find_table(machine.world, "contact");
     if (blocks < 0 || contacts < 0) return;
     if (find_field(tables[static_cast<std::size_t>(contacts)].fields, "block2") < 0) return;
-    add("block.contactlist", static_cast<std::size_t>(blocks), {"", 1, guarded<contacts_of>, ""});
+    add("block.contactlist", static_cast<std::size_t>(blocks), {"", 1, 1, guarded<contacts_of>, ""});
 }
 
 } // namespace kaya::script

@@ -1,5 +1,6 @@
 #include "lang/script/fish_library.hpp"
 
+#include "base/abbreviation.hpp"
 #include "base/lower_case.hpp"
 #include "lang/fish/lexer.hpp"
 #include "lang/fish/name_uses.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 namespace kaya::script {
 
@@ -20,6 +22,15 @@ namespace {
 constexpr int most_lua_arguments = 50;
 
 using fish::is_constant;
+
+/// The built-in names that a name with points shortens.
+std::vector<std::string_view> shortened(const FishLibrary& fish, std::string_view name) {
+    std::vector<std::string_view> whole;
+    if (fish::find_reserved(name)) return whole;
+    for (const auto& [known, built_in] : fish.built_ins)
+        if (shortens_each_part(name, known, '.')) whole.push_back(known);
+    return whole;
+}
 
 bool variable_exists(const Machine& machine, const std::string& name) {
     lua_State* L = machine.lua;
@@ -45,6 +56,14 @@ fish::Dictionary dictionary_of(const Machine& machine, const fish::Function* com
         if (const auto found = fish.built_ins.find(name); found != fish.built_ins.end())
             return {fish::NameKind::built_in, found->second.least, found->second.most, found->second.writable};
         if (fish.lua_functions.contains(name)) return {fish::NameKind::function, 0, most_lua_arguments, false};
+        if (const auto whole = shortened(fish, name); whole.size() == 1) {
+            const BuiltIn& meant = fish.built_ins.find(whole.front())->second;
+            return {.kind = fish::NameKind::built_in,
+                    .least = meant.least,
+                    .most = meant.most,
+                    .writable = meant.writable,
+                    .whole = std::string(whole.front())};
+        }
         return {.exists = fish::makes_value(name) && variable_exists(machine, std::string(name))};
     };
 }
@@ -54,6 +73,15 @@ namespace {
 [[noreturn]] void fail_unknown_name(const Machine& machine, const std::string& name, const Place& place) {
     if (const auto* reserved = fish::find_reserved_family(name))
         throw fish::reserved_message(name, *reserved).at(place);
+    if (const auto whole = shortened(machine.fish, name); whole.size() > 1) {
+        constexpr std::size_t most_shown = 6;
+        const std::span shown(whole.data(), std::min(whole.size(), most_shown));
+        Diagnostic several(
+            fmt::format("'{}' shortens several names of FISH", name),
+            fmt::format("one of: {}{}", fmt::join(shown, ", "), whole.size() > most_shown ? ", ..." : ""));
+        several.code = "unknown-fish-name";
+        throw several.at(place);
+    }
     const auto symbols = fish_symbols(machine);
     std::vector<std::string_view> candidates(symbols.begin(), symbols.end());
     for (const auto& [known, built_in] : machine.fish.built_ins) candidates.push_back(known);
@@ -352,7 +380,7 @@ bool knows_fish_name(const Machine& machine, const std::string& given) {
     const std::string name = lower_case(given);
     const FishLibrary& fish = machine.fish;
     return fish.functions.contains(name) || fish.lua_functions.contains(name) || fish.built_ins.contains(name) ||
-           variable_exists(machine, name);
+           variable_exists(machine, name) || shortened(fish, name).size() == 1;
 }
 
 } // namespace kaya::script

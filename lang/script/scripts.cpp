@@ -191,10 +191,11 @@ void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int
     fish.hooks.push_back({name, static_cast<std::uint8_t>(moment), interval, false});
 }
 
-void Scripts::remove_fish_hook(const std::string& function, const Place& place) {
+void Scripts::remove_fish_hook(const std::string& function, std::optional<Moment> moment, const Place& place) {
     const std::string name = lower_case(function);
     const auto removed = std::erase_if(impl_->machine->fish.hooks, [&](const StoredHook& hook) {
-        return hook.function == name && !hook.whilestepping;
+        const bool meant = !moment || static_cast<Moment>(hook.moment) == *moment;
+        return hook.function == name && meant && !hook.whilestepping;
     });
     if (removed == 0) throw Diagnostic(fmt::format("no callback runs '{}'", function), {}, Fault::run).at(place);
 }

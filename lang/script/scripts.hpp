@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +27,8 @@ struct Options {
     std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
 };
 
-/// Where in a cycle a script may run. A FISH whilestepping function runs at after_cycle.
-enum class Moment { before_cycle, after_forces, after_cycle };
+/// Where a script may run: in a cycle, or before and after a `solve`. A FISH whilestepping function runs at after_cycle.
+enum class Moment { before_cycle, after_forces, after_cycle, solve_start, solve_complete };
 
 /// Throws Diagnostic at the first mistake in the text of a Lua chunk, without running it; `place` is where it begins.
 void check_lua_text(const std::string& text, const Place& place);
@@ -83,10 +84,10 @@ public:
     /// Present meaning of a name of FISH in lower case.
     fish::Meaning meaning_of(const std::string& name) const;
 
-    /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`.
+    /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`, or at each such event.
     void add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place);
-    /// Removes a hook of add_fish_hook; throws Diagnostic when the function has none.
-    void remove_fish_hook(const std::string& function, const Place& place);
+    /// Removes the hooks of a function, or those of one moment; throws Diagnostic when there is none.
+    void remove_fish_hook(const std::string& function, std::optional<Moment> moment, const Place& place);
 
     /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
     bool has_hooks(Moment moment) const;

@@ -209,7 +209,8 @@ ScriptState from_bytes(const std::string& bytes) {
         in.number(hook.moment);
         in.number(hook.interval);
         hook.whilestepping = taken<std::uint8_t>(in) != 0;
-        if (hook.moment > 2 || hook.interval < 1)
+        constexpr std::uint8_t last = 4; // Moment::solve_complete
+        if (hook.moment > last || hook.interval < 1)
             throw Diagnostic("the saved scripts hold a hook of an unknown kind", "the file is damaged", Fault::run);
     });
     for (auto count = taken<std::uint64_t>(in); count > 0; --count) {

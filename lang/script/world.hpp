@@ -106,6 +106,9 @@ public:
     /// a place.
     virtual bool in_range(const std::string& name, const std::variant<Handle, Vec3>& what) = 0;
 
+    /// Whether an object is in a group, itself or through its block: `name`, or `slot=name`.
+    virtual bool in_group(const Handle&, const std::string&) { return false; }
+
     /// The material of that number, by the words of the command `prop`.
     struct Material {
         std::int64_t number;

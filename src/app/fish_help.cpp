@@ -121,7 +121,7 @@ constexpr std::array functions{
     Entry{"list", "*(1, 'a', v)", "makes a list; x('end') = v appends to it, x('start') = v puts before it"},
     Entry{"map", "*('a', 1, 'b', 2)", "makes a map of keys and values; m('a') reads and sets one"},
     Entry{"tensor", "*(xx, yy, zz, xy, xz, yz)", "makes a symmetric tensor; t->xx reads and sets a component"},
-    Entry{"list.sequence list.seq", "*(first, last, step)", "a list of numbers; list.sequence(n) counts from 1"},
+    Entry{"list.sequence list.seq", "*(a, b, ...)", "a list of its arguments, as list(a, b, ...)"},
     Entry{"list.create", "*(n, value)", "a list of n equal values, 0 if none is given"},
     Entry{"list.append list.prepend", "*(l, a, b)", "a new list with values behind or before those of l"},
     Entry{"list.concatenate list.extend", "*(l, m)", "a new list of the elements of both"},

@@ -23,6 +23,7 @@ const std::array table{
     Scope{"replay", "the journal and what it names", "what the journal names", "kaya-painter", {}, {}, {}},
     Scope{"check", "decks, the files that they call", "nothing", "nothing", {"deck"}, {}, {}},
     Scope{"fmt", "decks", "the decks, with --write", "nothing", {"deck"}, {}, {}},
+    Scope{"convert", "decks", "the decks, with --write", "nothing", {"deck"}, {}, {}},
     Scope{"info", "a save file", "nothing", "nothing", {"file"}, {}, {}},
     Scope{"diff", "two save files", "nothing", "nothing", {"file"}, {}, {}},
     Scope{"export", "a save file", "the tables in FILE-tables or --into", "nothing", {"file"}, {"--into"}, {}},

@@ -84,6 +84,20 @@ void add_format(CLI::App& app, std::function<int()>& chosen) {
         ->excludes(writing);
 }
 
+void add_convert(CLI::App& app, std::function<int()>& chosen) {
+    const Tool tool(app, chosen, "convert", "show decks in the words of the other dialect", [](const Words& words) {
+        Output output(stdout, stderr);
+        const int status = convert_decks(words.names, words.name, words.first, output);
+        output.flush();
+        return status;
+    });
+    tool.command->add_option("deck", tool.words->names, "command files")->required();
+    tool.command->add_option("--to", tool.words->name, "modern (3DEC 6, 7 and 9) or classic (3DEC 4 and 5)")
+        ->required()
+        ->check(CLI::IsMember({"modern", "classic"}));
+    tool.command->add_flag("--write,-w", tool.words->first, "write them into the files");
+}
+
 void add_explain(CLI::App& app, std::function<int()>& chosen) {
     const Tool tool(app, chosen, "explain", "explain a message by its code, or list the codes", [](const Words& words) {
         print_result(words.name.empty() ? code_list() : explanation(words.name));
@@ -211,6 +225,7 @@ void add_manual(CLI::App& app, std::function<int()>& chosen) {
 void add_tool_commands(CLI::App& app, const RunOrder& order, const std::filesystem::path& program,
                        std::function<int()>& chosen) {
     add_format(app, chosen);
+    add_convert(app, chosen);
     add_explain(app, chosen);
     add_lsp(app, chosen);
     add_info(app, order, program, chosen);

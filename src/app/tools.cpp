@@ -16,6 +16,7 @@
 #include "lang/fish/reserved.hpp"
 #include "lang/interp/help.hpp"
 #include "lang/interp/format.hpp"
+#include "lang/modern/convert.hpp"
 
 #include <fmt/format.h>
 
@@ -109,19 +110,15 @@ std::string help_text(const std::string& words) {
     }
 }
 
-int format_decks(const std::vector<std::string>& decks, Formatting what, Output& output) {
+namespace {
+
+/// Calls `work(path, source, name)` for each deck; mistakes are shown. Returns the exit status.
+template <class Work> int for_each_deck(const std::vector<std::string>& decks, Output& output, Work work) {
     int status = 0;
     for (const auto& deck : decks) {
         try {
             const fs::path path = lang::find_deck(deck, {"."});
-            const auto source = lang::read_source(path, deck);
-            const std::string text = lang::format_deck(lang::language(), source);
-            if (what == Formatting::write) write_whole_file(path.string(), text);
-            else if (what == Formatting::show) output.print_deck(text);
-            else if (file_text(path) != text) {
-                output.print(fmt::format("{} is not in its long form", deck));
-                status = static_cast<int>(Fault::deck);
-            }
+            if (!work(path, lang::read_source(path, deck), deck)) status = static_cast<int>(Fault::deck);
         } catch (const lang::DeckErrors& errors) {
             for (const auto& error : errors.all) output.message(error);
             status = static_cast<int>(Fault::deck);
@@ -131,6 +128,31 @@ int format_decks(const std::vector<std::string>& decks, Formatting what, Output&
         }
     }
     return status;
+}
+
+} // namespace
+
+int format_decks(const std::vector<std::string>& decks, Formatting what, Output& output) {
+    return for_each_deck(decks, output, [&](const fs::path& path, const lang::Source& source, const std::string& deck) {
+        const std::string text = lang::format_deck(lang::language(), source);
+        if (what == Formatting::write) write_whole_file(path.string(), text);
+        else if (what == Formatting::show) output.print_deck(text);
+        else if (file_text(path) != text) {
+            output.print(fmt::format("{} is not in its long form", deck));
+            return false;
+        }
+        return true;
+    });
+}
+
+int convert_decks(const std::vector<std::string>& decks, const std::string& to, bool write, Output& output) {
+    return for_each_deck(decks, output, [&](const fs::path& path, const lang::Source& source, const std::string&) {
+        const auto converted = lang::convert_deck(source, to == "modern" ? lang::To::modern : lang::To::classic);
+        for (const auto& note : converted.kept) output.message(note);
+        if (write) write_whole_file(path.string(), converted.text);
+        else output.print_deck(converted.text);
+        return true;
+    });
 }
 
 std::string write_report(const std::vector<std::string>& saved, const std::string& page,

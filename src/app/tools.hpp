@@ -21,6 +21,10 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
 
 enum class Formatting { show, write, check };
 
+/// `kaya convert`: shows decks in the words of the other dialect, or writes them into the files, and lists what stays as it is. Returns the
+/// exit status.
+int convert_decks(const std::vector<std::string>& decks, const std::string& to, bool write, Output& output);
+
 /// `kaya fmt`: shows decks in their long form, writes it into the files, or names those that differ from it. Returns the exit status.
 int format_decks(const std::vector<std::string>& decks, Formatting what, Output& output);
 

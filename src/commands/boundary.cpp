@@ -142,8 +142,11 @@ void put_reactions(Session& session, const lang::Boundary& command) {
             std::ranges::none_of(bodies.gridpoints, [&](Row g) { return held(model.gridpoints.fixed[g]); }))
             session.warn(
                 Diagnostic(fmt::format("nothing in range is held in {}", axis_names[axis]),
-                           fmt::format("{}reaction has no effect: hold it first, e.g. `bound {}vel 0`, and cycle",
-                                       axis_names[axis], axis_names[axis]))
+                           fmt::format(fmt::runtime(session.in_words(
+                                           "{0}reaction has no effect: hold it first, e.g. `bound {0}vel 0`, and cycle",
+                                           "reaction-{0} has no effect: hold it first, e.g. `block gridpoint apply "
+                                           "velocity-{0} 0`, and cycle")),
+                                       axis_names[axis]))
                     .at(command.place));
         replace_by_reaction(model, bodies, axis);
     }
@@ -155,18 +158,51 @@ std::uint8_t quiet_bits(const lang::Boundary& command) {
     return bits;
 }
 
+/// Faces that a range picks by their own group, where it picks no gridpoint.
+std::vector<Row> grouped_faces(Session& session, const lang::RangePhrase& range) {
+    if (!has_element(session.ranges, range, lang::RangeElement::Kind::group)) return {};
+    if (!select(session.model, ObjectKind::gridpoint, session.test_of(ObjectKind::gridpoint, range)).empty()) return {};
+    return select(session.model, ObjectKind::face, session.test_of(ObjectKind::face, range));
+}
+
+/// The gridpoints in range, or those of its faces, in order.
+std::vector<Row> points_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& faces) {
+    if (faces.empty()) return session.pick(ObjectKind::gridpoint, command.range);
+    const auto& triangles = session.model.triangles;
+    std::vector<Row> points;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (std::ranges::binary_search(faces, triangles.face[t]))
+            points.insert(points.end(), triangles.gridpoints[t].begin(), triangles.gridpoints[t].end());
+    std::ranges::sort(points);
+    points.erase(std::ranges::unique(points).begin(), points.end());
+    return points;
+}
+
+/// The exterior triangles of the faces, or of the gridpoints when there are none.
+std::vector<Row> exterior_of(Session& session, const std::vector<Row>& faces, const std::vector<Row>& points) {
+    find_contacts(session.model, session.joints); // they define the exterior faces
+    return faces.empty() ? exterior_triangles(session.model, points)
+                         : exterior_triangles_of_faces(session.model, faces);
+}
+
 /// The triangles on which nvel and quiet boundaries act. Throws Diagnostic when all are of rigid blocks.
-std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& points) {
+std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& faces,
+                                    const std::vector<Row>& points) {
     auto& model = session.model;
     const bool quiet = quiet_bits(command) != 0;
-    find_contacts(model, session.joints); // they define the exterior faces
-    const auto triangles = exterior_triangles(model, points);
+    const auto triangles = exterior_of(session, faces, points);
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
     if (!triangles.empty() && std::ranges::none_of(triangles, soft))
         throw Diagnostic("all faces in range belong to rigid blocks",
-                         quiet ? "a quiet boundary needs zones, in which waves run: give `generate edge` before it"
-                               : "hold the blocks with `bound xvel` (or y, z), or give `generate edge` before it")
+                         quiet ? session.in_words("a quiet boundary needs zones, in which waves run: give `generate "
+                                                  "edge` before it",
+                                                  "a quiet boundary needs zones, in which waves run: give `block zone "
+                                                  "generate edgelength` before it")
+                               : session.in_words("hold the blocks with `bound xvel` (or y, z), or give `generate "
+                                                  "edge` before it",
+                                                  "hold the blocks with `block gridpoint apply velocity-x` (or y, z), "
+                                                  "or give `block zone generate edgelength` before it"))
             .at(command.place);
     return triangles;
 }
@@ -190,9 +226,11 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
                     session.warn(
                         Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
                                                model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
-                                   fmt::format("waves come back from it: let it go with `bound {}reaction`, which "
-                                               "keeps the force that holds it",
-                                               axis_names[axis]))
+                                   fmt::format("waves come back from it: let it go with `{}{}`, which keeps the force "
+                                               "that holds it",
+                                               session.in_words("bound ", "block gridpoint apply reaction-"),
+                                               session.modern_line ? std::string(axis_names[axis])
+                                                                   : fmt::format("{}reaction", axis_names[axis])))
                             .at(command.place));
                     return;
                 }
@@ -282,10 +320,11 @@ bool on_faces(const lang::Boundary& command) { return any(command.quiet) || comm
 void bound(Session& session, const lang::Boundary& command) {
     auto& model = session.model;
     const auto function = time_function(session, command.multiplier);
-    std::vector<Row> points, triangles;
+    std::vector<Row> faces, points, triangles;
     const bool loads = any(command.load) || !command.directed_load.empty() || command.stress;
-    if (loads || on_faces(command)) points = session.pick(ObjectKind::gridpoint, command.range);
-    if (on_faces(command) && !points.empty()) triangles = triangles_in_range(session, command, points);
+    if (command.stress || on_faces(command)) faces = grouped_faces(session, command.range);
+    if (loads || on_faces(command)) points = points_in_range(session, command, faces);
+    if (on_faces(command) && !points.empty()) triangles = triangles_in_range(session, command, faces, points);
     if (any(command.reaction)) put_reactions(session, command);
     if (any(command.velocity) || any(command.free)) {
         const Bodies bodies = pick_bodies(session, command.range);
@@ -320,8 +359,7 @@ void bound(Session& session, const lang::Boundary& command) {
                                        place_text(direction.normalized()), counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
-        find_contacts(model, session.joints); // they define the exterior faces
-        const double area = add_stress(model, points, stress_field(command), function);
+        const double area = add_stress_on(model, exterior_of(session, faces, points), stress_field(command), function);
         if (area == 0) warn_of_no_face(session, command, points.size(), "the stress");
         else session.output.say(fmt::format("stress added on an area of {}", number_text(area)));
     }

@@ -65,6 +65,8 @@ void run(Session& session, const lang::Config& command) {
 
 void run(Session& session, const lang::Title& command) { session.title = command.text; }
 
+void run(Session&, const lang::ReadDialect&) {}
+
 void run(Session& session, const lang::Pause&) {
     // A background run that reads its commands from a file cannot be continued by a key.
     if (session.output.quiet || !session.output.on_terminal() || !has_keyboard()) return;

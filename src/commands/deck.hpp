@@ -37,7 +37,11 @@ public:
     std::string deck; ///< file name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
-    Place last_place; ///< of the last command, for errors without a place
+    Place last_place;         ///< of the last command, for errors without a place
+    bool modern_line = false; ///< the last command is of the modern dialect
+
+    /// The one of two texts that has the words of that line.
+    template <class Text> Text in_words(Text classic, Text modern) const { return modern_line ? modern : classic; }
 
 protected:
     /// Keeps the text of a command for save files.

@@ -87,7 +87,9 @@ void DeckNames::learn_function(const std::string& text, const Place& place) {
 
 void DeckNames::learn_expression(const lang::Word& word) {
     try {
-        for (auto& use : fish::name_uses(fish::read_expression(word.text, word.place, fish::dialect_at(word.place)))) {
+        const bool bracket = word.kind == lang::WordKind::expression;
+        const auto dialect = bracket ? fish::Dialect::modern : fish::Dialect::classic;
+        for (auto& use : fish::name_uses(fish::read_expression(word.text, word.place, dialect))) {
             use.place = word.place;
             add(std::move(use), true);
         }

@@ -1,6 +1,7 @@
 #include "commands/deck_properties.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/zone_moduli.hpp"
 #include "laws/given_values.hpp"
 #include "mechanics/property_sets.hpp"
 
@@ -80,6 +81,15 @@ void DeckProperties::check_item(const Given& given, const lang::Property::Item& 
     }
 }
 
+std::vector<lang::Property::Item> DeckProperties::items_of(const Given& given, JointRegistry& models) {
+    if (given.of != Of::zone_model) return given.items;
+    return with_moduli(given.items, [&](const std::string& word) {
+        if (!given.model.empty()) return models.zones.get(given.model).find_property(word).has_value();
+        return std::ranges::any_of(models.zones.loaded(),
+                                   [&](const auto& model) { return model->find_property(word).has_value(); });
+    });
+}
+
 std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
     std::vector<Diagnostic> found;
     // A file is loaded when its line runs, after the checks for foreign code.
@@ -106,15 +116,19 @@ std::vector<Diagnostic> DeckProperties::findings(JointRegistry& models) const {
         if (std::ranges::any_of(given_, needs_all_zones))
             for (const auto& name : models.zones.available()) models.zones.get(name);
     } catch (const Diagnostic&) { return found; }
-    for (const auto& given : given_)
-        for (const auto& item : given.items) {
-            try {
-                check_item(given, item, models);
-            } catch (Diagnostic& mistake) {
-                if (given.inside) mistake.severity = Severity::warning;
-                found.push_back(mistake.at(item.place));
+    for (const auto& given : given_) {
+        const auto report = [&](Diagnostic mistake, const Place& place) {
+            if (given.inside) mistake.severity = Severity::warning;
+            found.push_back(mistake.at(place));
+        };
+        try {
+            for (const auto& item : items_of(given, models)) {
+                try {
+                    check_item(given, item, models);
+                } catch (const Diagnostic& mistake) { report(mistake, item.place); }
             }
-        }
+        } catch (const Diagnostic& mistake) { report(mistake, mistake.place); }
+    }
     return found;
 }
 

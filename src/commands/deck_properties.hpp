@@ -34,6 +34,8 @@ private:
         bool inside = false;
     };
     static void check_item(const Given& given, const lang::Property::Item& item, JointRegistry& models);
+    /// The items of a line, with the moduli that its zone model has.
+    static std::vector<lang::Property::Item> items_of(const Given& given, JointRegistry& models);
 
     std::vector<Given> given_;
     std::set<std::string> joint_models_, zone_models_;

@@ -5,6 +5,7 @@
 #include "commands/incoming.hpp"
 #include "geometry/grid3d.hpp"
 #include "model/build.hpp"
+#include "model/groups.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,14 +13,6 @@
 namespace kaya {
 
 namespace {
-
-std::int32_t group_number(Model& model, const std::string& name) {
-    if (name.empty()) return 0;
-    auto& names = model.group_names;
-    auto found = std::find(names.begin() + 1, names.end(), name);
-    if (found == names.end()) found = names.insert(names.end(), name);
-    return static_cast<std::int32_t>(found - names.begin());
-}
 
 /// Bodies that are wrong: an error if none is right or the deck says so, else a warning for each of the first ones.
 void report_refused(Session& session, const lang::Import& command, IncomingFile& file) {
@@ -72,7 +65,7 @@ void run(Session& session, const lang::Import& command) {
                 block.material != 0 ? block.material : static_cast<std::int32_t>(command.options.material);
             options.constitutive = static_cast<std::int32_t>(command.options.constitutive);
             options.region = block.region != 0 ? block.region : static_cast<std::int32_t>(command.options.region);
-            options.group = group_number(model, block.group);
+            options.group = with_group(model, 0, GroupName{.name = block.group});
             const Row row = add_solid(model, block.solid.parts, options);
             parts += block.solid.parts.size();
             if (!block.mesh) continue;
@@ -106,7 +99,7 @@ void run(Session& session, const lang::Export& command) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row row = rows[i];
         blocks.push_back({model.blocks.number[row], model.blocks.region[row],
-                          model.group_names[model.blocks.group[row]], &shapes[i]});
+                          std::string(default_group(model, model.blocks.group[row])), &shapes[i]});
         zoned = zoned || model.blocks.deformable[row] != 0;
     }
     if (zoned) session.note_once("blocks with zones are written as rigid ones", "`save` keeps everything");

@@ -38,7 +38,7 @@ void run_command(Session& session, const lang::BoundCommand& command) {
     try {
         if (is_one_of(command.spec->index, NeedBoundedModel{})) require_bounded(session.model);
         handlers()[command.spec->index](session, command.command);
-    } catch (const Advised& mistake) { throw worded(mistake); }
+    } catch (const Advised& mistake) { throw worded(mistake, command.modern); }
 }
 
 void put_off(Session& session, std::function<void()> change) {

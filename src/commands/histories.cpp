@@ -1,5 +1,6 @@
 // hist: adding, labelling, writing.
 #include "commands/handlers.hpp"
+#include "commands/new_contacts.hpp"
 #include "commands/joint_values.hpp"
 #include "commands/text_table.hpp"
 
@@ -42,7 +43,7 @@ struct SourceOf {
         return source;
     }
     HistorySource operator()(const lang::HistoryItem::Own& item) {
-        find_contacts(session.model, session.joints);
+        find_joints(session);
         source.kind = SourceKind::sub_contact;
         source.quantity = recorded_name(session, item.name, source.place);
         return source;
@@ -52,7 +53,7 @@ struct SourceOf {
         source.quantity = item.field;
         source.rate = !item.rate.empty();
         // Contacts are found late, at the first cycle; a history of one wants them now.
-        if (info_of(source.kind).found_late) find_contacts(session.model, session.joints);
+        if (info_of(source.kind).found_late) find_joints(session);
         return source;
     }
 };

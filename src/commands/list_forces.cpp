@@ -6,6 +6,7 @@
 #include "mechanics/contact_properties.hpp"
 #include "commands/reactions.hpp"
 #include "commands/interfaces.hpp"
+#include "model/groups.hpp"
 #include "model/joint_polygons.hpp"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ std::string utilisation_of(const Session& session, const Interface& one) {
 }
 
 std::string name_of_group(const Model& model, std::int32_t group) {
-    const std::string& name = model.group_names[static_cast<std::size_t>(group)];
-    return name.empty() ? "-" : name;
+    const std::string_view name = default_group(model, group);
+    return name.empty() ? "-" : std::string(name);
 }
 
 std::string corners_text(const Model& model, const Interface& one) {

@@ -4,10 +4,12 @@
 
 #include "base/parallel.hpp"
 #include "commands/handlers.hpp"
+#include "commands/new_contacts.hpp"
 #include "commands/materials.hpp"
 #include "commands/progress.hpp"
 #include "commands/time_step.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "model/groups.hpp"
 #include "model/measure.hpp"
 #include "model/sampling.hpp"
 
@@ -180,7 +182,7 @@ std::string list_unbalanced(Session& session, const lang::List&) {
 }
 
 std::string list_information(Session& session, const lang::List&) {
-    find_contacts(session.model, session.joints);
+    find_joints(session);
     const auto& m = session.model;
     TextTable table({"quantity", "value"});
     if (!session.title.empty()) table.add({"title", session.title});
@@ -309,17 +311,19 @@ std::string list_groups(Session& session, const lang::List&) {
     const auto& model = session.model;
     if (model.group_names.size() < 2) return "no groups";
     TextTable table({"group", "blocks", "faces", "zones", "joints"});
-    for (std::size_t i = 1; i < model.group_names.size(); ++i) {
-        std::vector<std::string> words{model.group_names[i]};
+    for (const std::string& group : all_groups(model)) {
+        const GroupMembers members(model, group);
+        std::vector<std::string> words{group};
         for (const auto* column : {&model.blocks.group, &model.faces.group, &model.zones.group, &model.contacts.group})
-            words.push_back(std::to_string(std::ranges::count(*column, static_cast<std::int32_t>(i))));
+            words.push_back(
+                std::to_string(std::ranges::count_if(*column, [&](auto number) { return members.contains(number); })));
         table.add(std::move(words));
     }
     return table.text();
 }
 
 std::string list_joint_sets(Session& session, const lang::List&) {
-    find_contacts(session.model, session.joints);
+    find_joints(session);
     const auto& model = session.model;
     struct JointSetSums {
         std::size_t faces = 0, contacts = 0;

@@ -1,6 +1,7 @@
 // Lists of objects: one line for each row of a table that the range picks.
 #include "commands/joint_values.hpp"
 #include "commands/listing.hpp"
+#include "commands/new_contacts.hpp"
 #include "commands/row_table.hpp"
 
 #include "mechanics/contact_properties.hpp"
@@ -29,7 +30,7 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
-    if (info_of(kind).found_late) find_contacts(session.model, session.joints);
+    if (info_of(kind).found_late) find_joints(session);
     return select(session.model, kind, session.test_of(kind, command.range));
 }
 

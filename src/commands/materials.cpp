@@ -6,6 +6,7 @@
 #include "commands/property_meaning.hpp"
 
 #include "commands/handlers.hpp"
+#include "commands/new_contacts.hpp"
 #include "jointtest/bench.hpp"
 #include "lang/commands/language.hpp"
 #include "laws/given_values.hpp"
@@ -284,7 +285,7 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
     using Action = lang::JointModelCommand::Action;
     refuse_wrong_switch(session.joints, command.items);
     doubt_angles(session, command.items);
-    find_contacts(session.model, session.joints);
+    find_joints(session);
     // Without any contact yet, a command for all contacts applies to future ones.
     const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
     const auto contacts = to_come ? std::vector<Row>{} : session.pick(ObjectKind::contact, command.range);

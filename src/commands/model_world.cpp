@@ -1,6 +1,7 @@
 #include "commands/model_world.hpp"
 
 #include "base/diagnostic.hpp"
+#include "model/groups.hpp"
 #include "model/nearest.hpp"
 
 #include <algorithm>
@@ -171,6 +172,18 @@ void ModelWorld::set(const Handle& object, std::size_t field, const Value& value
     if (object.table == whole_model.table) return write(model_, *global_fields_[field], 0, value);
     const Row row = living_row(object);
     write(model_, *fields_[static_cast<std::size_t>(object.table)][field], row, value);
+}
+
+bool ModelWorld::in_group(const Handle& object, const std::string& group) {
+    const Row row = living_row(object);
+    const auto kind = static_cast<ObjectKind>(object.table);
+    const GroupMembers members(model_, group);
+    if (members.contains(group_of(model_, kind, row))) return true;
+    if (kind == ObjectKind::contact) return false;
+    if (kind == ObjectKind::sub_contact)
+        return members.contains(model_.contacts.group[model_.sub_contacts.contact[row]]);
+    const Row block = block_of(model_, kind, row);
+    return block != no_row && members.contains(model_.blocks.group[block]);
 }
 
 Handle ModelWorld::at(std::int32_t table, std::size_t index) {

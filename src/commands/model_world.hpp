@@ -49,6 +49,7 @@ public:
     bool alive(const script::Handle& object) override { return row_of(object) != no_row; }
     bool has_range(const std::string& name) override { return host_.range_phrase(name) != nullptr; }
     bool in_range(const std::string& name, const std::variant<script::Handle, Vec3>& what) override;
+    bool in_group(const script::Handle& object, const std::string& group) override;
     script::Value property(const Owner& owner, const std::string& name) override;
     void set_property(const Owner& owner, const std::string& name, double value) override;
     double reduce(std::int32_t table, std::size_t field, std::string_view how) override;

@@ -307,9 +307,31 @@ std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<l
     return words;
 }
 
-void run(Session& session, const lang::Plot& command) {
-    const auto words = with_script_values(session, command.words);
+namespace {
+
+/// `plot 'front' export bitmap`: a name before the words chooses the plot that they act on, and takes itself out of the line. True when
+/// there is one.
+bool choose_plot(Session& session, std::vector<lang::Plot::Item>& words) {
+    if (words.size() < 2 || !words.front().quoted || words[1].quoted) return false;
     auto& plots = session.plots;
+    const std::string name = words.front().text;
+    words.erase(words.begin());
+    const bool makes = words.front().folded == "create";
+    if (makes) words.erase(words.begin());
+    if (!makes && !plots.views.contains(name))
+        session.warn_once(fmt::format("there is no plot '{}' yet", name),
+                          fmt::format("it is made now, and shows the blocks; `plot create '{}'` makes one", name));
+    if (makes) plots.views[name] = {};
+    plots.current = name;
+    return true;
+}
+
+} // namespace
+
+void run(Session& session, const lang::Plot& command) {
+    auto words = with_script_values(session, command.words);
+    auto& plots = session.plots;
+    const bool named_first = choose_plot(session, words);
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
     if (!line.unknown.empty())
         session.warn_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
@@ -332,6 +354,7 @@ void run(Session& session, const lang::Plot& command) {
         PlotView view = std::move(line.view);
         if (named != plots.views.end()) view.items = named->second.items;
         view.items.insert(view.items.end(), line.items.begin(), line.items.end());
+        if (named_first && view.items.empty()) view.items.emplace_back();
         write_picture(session, view, line);
         return;
     }

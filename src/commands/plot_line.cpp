@@ -162,6 +162,7 @@ private:
             return true;
         }
         if (take({"file", "filename"})) return line_.file = take_text(), true;
+        if (take({"background"})) return take_text(), true; // of the screen
         if (line_.task == PlotLine::Task::write && take({"plot", "view"})) return line_.name = take_text(), true;
         return false;
     }
@@ -201,11 +202,10 @@ private:
             else take({"poles", "joint", "joints"});
             return true;
         }
-        if (const bool history = take({"hist", "history", "his"}); history || take({"table", "tab"})) {
-            begin(history ? histories : tables);
-            for (double number = 0; take_number(number);) item().numbers.push_back(std::llround(number));
-            return true;
-        }
+        if (take({"chart-history"})) return take({"history"}), begin_curves(histories);
+        if (take({"chart-table"})) return take({"table"}), begin_curves(tables);
+        if (const bool history = take({"hist", "history", "his"}); history || take({"table", "tab"}))
+            return begin_curves(history ? histories : tables);
         if (!line_.items.empty()) return false;
         if (is({"velocity", "vel", "displacement", "disp"})) {
             begin(arrows);
@@ -213,6 +213,13 @@ private:
             return true;
         }
         return false;
+    }
+
+    /// Histories or tables, by their numbers.
+    bool begin_curves(PlotItem::Kind kind) {
+        begin(kind);
+        for (double number = 0; take_number(number);) item().numbers.push_back(std::llround(number));
+        return true;
     }
 
     /// The next word selects their colours, if it is a number among their fields.
@@ -238,7 +245,8 @@ private:
         if (colours || is({"cut", "xsection", "xsec", "section", "plane", "deformed"}) || is_field())
             if (line_.items.empty()) begin(PlotItem::Kind::blocks);
         // The screen that a deck was written for.
-        if (take({"hold", "on", "off", "fill", "lines", "line", "solid", "outline", "wireframe", "both", "surface"}))
+        if (take({"hold", "on", "off", "fill", "lines", "line", "solid", "outline", "wireframe", "both", "surface",
+                  "active"}))
             return true;
         if (line_.items.empty()) return colours;
         if (is_field()) return item().field = words_[at_++].folded, true;

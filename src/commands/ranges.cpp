@@ -26,11 +26,11 @@ namespace {
 
 using Kind = RangeElement::Kind;
 
-std::int32_t group_number(const RangeElement& e, const std::string& name, const RangeContext& context) {
-    const std::int32_t group = find_group(context.model, name);
-    if (group >= 0) return group;
-    const auto& names = context.model.group_names;
-    const std::vector<std::string_view> known(names.begin() + 1, names.end());
+GroupMembers members_of(const RangeElement& e, const std::string& name, const RangeContext& context) {
+    GroupMembers members(context.model, name);
+    if (!members.empty()) return members;
+    const auto names = all_groups(context.model);
+    const std::vector<std::string_view> known(names.begin(), names.end());
     const auto near = did_you_mean(name, known);
     std::string hint = known.empty()  ? "no group has been made yet"
                        : near.empty() ? fmt::format("groups are: {}", fmt::join(known, ", "))
@@ -40,18 +40,20 @@ std::int32_t group_number(const RangeElement& e, const std::string& name, const 
 
 /// An object is in a group itself, or because its block is; a contact because one of its blocks is, or both.
 RangeTest in_group(const RangeElement& e, RangeContext& context) {
-    const auto group = group_number(e, e.name, context);
-    const auto through_block =
-        on_blocks([group](const Model& model, Row block) { return model.blocks.group[block] == group; }, e.both);
+    const auto members = members_of(e, e.name, context);
+    const auto through_block = on_blocks(
+        [members](const Model& model, Row block) { return members.contains(model.blocks.group[block]); }, e.both);
     return [=](const Model& model, ObjectKind kind, Row row) {
-        return group_of(model, kind, row) == group || through_block(model, kind, row);
+        return members.contains(group_of(model, kind, row)) || through_block(model, kind, row);
     };
 }
 
 RangeTest in_joint_group(const RangeElement& e, RangeContext& context) {
     needs_contacts(e, context, "jgroup", "use 'group' for groups of blocks, faces and zones");
-    const auto group = group_number(e, e.name, context);
-    return [group](const Model& model, ObjectKind kind, Row row) { return group_of(model, kind, row) == group; };
+    const auto members = members_of(e, e.name, context);
+    return [members](const Model& model, ObjectKind kind, Row row) {
+        return members.contains(group_of(model, kind, row));
+    };
 }
 
 /// Numbers of blocks: the column is picked by `column`.
@@ -209,9 +211,16 @@ constexpr std::array other_tests{
                    return between(e, context, "rintersection", &Blocks::region, e.low, e.high);
                }},
     RangeEntry{Kind::group_intersection,
-               [](const RangeElement& e, RangeContext& context) {
-                   return between(e, context, "gintersection", &Blocks::group, group_number(e, e.name, context),
-                                  group_number(e, e.second_name, context));
+               [](const RangeElement& e, RangeContext& context) -> RangeTest {
+                   needs_contacts(e, context, "gintersection");
+                   const auto first = members_of(e, e.name, context), second = members_of(e, e.second_name, context);
+                   return [=](const Model& model, ObjectKind kind, Row row) {
+                       const Row contact = contact_of(model, kind, row);
+                       const std::int32_t one = model.blocks.group[model.contacts.block1[contact]];
+                       const std::int32_t two = model.blocks.group[model.contacts.block2[contact]];
+                       return (first.contains(one) && second.contains(two)) ||
+                              (first.contains(two) && second.contains(one));
+                   };
                }},
     RangeEntry{Kind::deformable,
                [](const RangeElement&, RangeContext&) {

@@ -1,6 +1,7 @@
 #include "commands/reactions.hpp"
 
 #include "mechanics/held_directions.hpp"
+#include "model/groups.hpp"
 #include "model/held.hpp"
 #include "model/joined.hpp"
 #include "model/measure.hpp"
@@ -72,7 +73,7 @@ private:
     void add_held(Row block, const Vec3& force, const Vec3& weight) {
         result_.reaction += force;
         if (!picked_(block)) return;
-        const std::int32_t group = model_.blocks.group[block];
+        const std::int32_t group = default_group_number(model_, model_.blocks.group[block]);
         Reaction& reaction = groups_[group];
         reaction.group = group;
         ++reaction.held;

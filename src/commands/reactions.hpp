@@ -10,7 +10,7 @@ namespace kaya {
 
 /// The supports of a group: rigid blocks and gridpoints of zones whose velocity is prescribed in some direction.
 struct Reaction {
-    std::int32_t group = 0;     ///< index into Model::group_names, 0 is none
+    std::int32_t group = 0;     ///< number of a group of the default slot, 0 is none
     std::size_t held = 0;       ///< blocks with a support
     Vec3 force = Vec3::Zero();  ///< that holds them: minus the held components of all other forces, own weight included
     Vec3 weight = Vec3::Zero(); ///< of the held blocks

@@ -5,7 +5,7 @@
 
 namespace kaya {
 
-/// The error with its hint; the message too, where it contains a word of a deck.
-Diagnostic worded(const Advised& mistake);
+/// The error with its hint; the message too, where it contains a word of a deck. The words are those of the dialect of a line.
+Diagnostic worded(const Advised& mistake, bool modern);
 
 } // namespace kaya

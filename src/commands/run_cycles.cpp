@@ -7,6 +7,7 @@
 #include "commands/handlers.hpp"
 #include "commands/law_conduct.hpp"
 #include "commands/materials.hpp"
+#include "commands/new_contacts.hpp"
 #include "commands/plausible.hpp"
 #include "commands/plot_views.hpp"
 #include "commands/progress.hpp"
@@ -55,6 +56,7 @@ void advance(Session& session) {
             const Inside inside(session.inside_cycle);
             session.cycle->advance();
         }
+        follow_material_table(session);
         review_conduct_in_cycle(session, number);
         run_deferred(session);
         shoot_movies(session);
@@ -82,9 +84,40 @@ private:
     std::optional<Cycle::Unwatched> unwatched_;
 };
 
+/// A run to a time that would be covered in a few steps, as on very soft joints, has shorter ones until its end.
+class StepsOfTime {
+public:
+    StepsOfTime(Session& session, const Limits& limits) : model_(session.model) {
+        constexpr double few = 4, enough = 10;
+        auto& settings = model_.settings;
+        const double step = model_.clock.time_step;
+        if (!limits.time || limits.all || settings.given_time_step > 0 || settings.scaled_time_step > 0) return;
+        if (!(*limits.time > 0) || step * few <= *limits.time) return;
+        before_ = settings.time_step_fraction;
+        settings.time_step_fraction = time_step_fraction(settings) * *limits.time / (enough * step);
+        ModelEdit(model_, Change::properties);
+        session.cycle->prepare();
+        if (model_.clock.time_step == step) return; // nothing touches, and gravity alone sets the step
+        session.note_once(fmt::format("the time step is {} in a run of {}", number_text(model_.clock.time_step),
+                                      number_text(*limits.time)),
+                          fmt::format("the usual one, {}, would miss the end", number_text(step)));
+    }
+    ~StepsOfTime() {
+        if (!before_) return;
+        model_.settings.time_step_fraction = *before_;
+        ModelEdit(model_, Change::properties);
+    }
+    StepsOfTime(const StepsOfTime&) = delete;
+    StepsOfTime& operator=(const StepsOfTime&) = delete;
+
+private:
+    Model& model_;
+    std::optional<double> before_;
+};
+
 /// Joined blocks are all zoned or all rigid; during construction they may be zoned in turn.
-void refuse_half_zoned(const Model& model) {
-    const auto& blocks = model.blocks;
+void refuse_half_zoned(const Session& session) {
+    const auto& blocks = session.model.blocks;
     std::map<std::int32_t, Row> bodies;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks.body[b] == 0) continue;
@@ -94,15 +127,18 @@ void refuse_half_zoned(const Model& model) {
             blocks.deformable[b] ? std::pair(static_cast<Row>(b), first) : std::pair(first, static_cast<Row>(b));
         throw Diagnostic(fmt::format("block {} has zones, and block {}, to which it is joined, has none",
                                      blocks.number[zoned], blocks.number[rigid]),
-                         "give zones to both (gen edge ...), or `join off` first");
+                         session.in_words("give zones to both (gen edge ...), or `join off` first",
+                                          "give zones to both (block zone generate edgelength ...), or `block join "
+                                          "off` first"));
     }
 }
 
 void make_ready(Session& session) {
-    refuse_half_zoned(session.model);
+    refuse_half_zoned(session);
     check_materials(session);
     check_time_functions(session);
     session.joints.tables().refresh();
+    if (!session.model.joint_rules.empty()) find_joints(session);
     session.cycle->prepare();
     if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
     doubt_joints(session);
@@ -163,6 +199,26 @@ private:
     double rate_ = 0; ///< at the last check
 };
 
+/// Reasons for the end of a run: that of the first limit that is reached, or of all of them when all are needed.
+class Reasons {
+public:
+    explicit Reasons(const Limits& limits) : all_(limits.all) {}
+    /// Whether further limits must be looked at.
+    template <class Text> bool add(bool is_reached, Text text) {
+        if (!is_reached) {
+            if (all_) text_.clear();
+            return !all_;
+        }
+        text_ += (text_.empty() ? "" : ", ") + text();
+        return all_;
+    }
+    std::string text() const { return text_; }
+
+private:
+    bool all_;
+    std::string text_;
+};
+
 /// Which ratio or force is reached; empty when none is.
 std::string equilibrium(const Limits& limits, const Clock& start, const Clock& now) {
     struct Ratio {
@@ -171,15 +227,20 @@ std::string equilibrium(const Limits& limits, const Clock& start, const Clock& n
         double now;
     };
     if (now.cycle <= start.cycle) return {};
+    Reasons reasons(limits);
     for (const Ratio& ratio : {Ratio{"average ratio", limits.ratio, now.average_ratio},
                                Ratio{"maximum ratio", limits.maximum_ratio, now.maximum_ratio},
                                Ratio{"local ratio", limits.local_ratio, now.local_ratio}})
-        if (ratio.limit && ratio.now <= *ratio.limit)
-            return fmt::format("{} {:.3e} is below {}", ratio.name, ratio.now, number_text(*ratio.limit));
-    if (limits.force && now.unbalanced_force <= *limits.force)
-        return fmt::format("unbalanced force {} is below {}", number_text(now.unbalanced_force),
-                           number_text(*limits.force));
-    return {};
+        if (ratio.limit && !reasons.add(ratio.now <= *ratio.limit, [&] {
+                return fmt::format("{} {:.3e} is below {}", ratio.name, ratio.now, number_text(*ratio.limit));
+            }))
+            return reasons.text();
+    if (limits.force)
+        reasons.add(now.unbalanced_force <= *limits.force, [&] {
+            return fmt::format("unbalanced force {} is below {}", number_text(now.unbalanced_force),
+                               number_text(*limits.force));
+        });
+    return reasons.text();
 }
 
 /// Whether the next cycle is known to be the last one. Its calls of foreign models are checked in full, whatever the number of cycles.
@@ -191,12 +252,29 @@ bool is_last(const Limits& limits, const Clock& start, const Clock& now) {
 /// The reason for stopping here; empty to continue.
 std::string reached(const Limits& limits, const Clock& start, const Model& model, double seconds) {
     const Clock& now = model.clock;
-    if (limits.cycles && now.cycle - start.cycle >= *limits.cycles) return counted(*limits.cycles, "cycle");
+    Reasons reasons(limits);
+    if (limits.cycles &&
+        !reasons.add(now.cycle - start.cycle >= *limits.cycles, [&] { return counted(*limits.cycles, "cycle"); }))
+        return reasons.text();
     // Half a step of slack: a sum of steps misses the limit by rounding.
-    if (limits.time && now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle)
-        return fmt::format("time {}", time_text(model));
-    if (limits.clock && seconds >= *limits.clock) return fmt::format("{} minutes", number_text(*limits.clock / 60));
-    return {};
+    if (limits.time &&
+        !reasons.add(now.time - start.time >= *limits.time - 0.5 * now.time_step && now.cycle > start.cycle,
+                     [&] { return fmt::format("time {}", time_text(model)); }))
+        return reasons.text();
+    if (limits.clock)
+        reasons.add(seconds >= *limits.clock,
+                    [&] { return fmt::format("{} minutes", number_text(*limits.clock / 60)); });
+    return reasons.text();
+}
+
+/// The end of a run by the reasons why it is at rest and why it stops.
+RunEnd run_end(const Limits& limits, std::string at_rest, std::string stops) {
+    if (!limits.all) return at_rest.empty() ? RunEnd{std::move(stops)} : RunEnd{std::move(at_rest), true};
+    const bool seeks_rest = limits.ratio || limits.maximum_ratio || limits.local_ratio || limits.force;
+    const bool stops_itself = limits.cycles || limits.time || limits.clock;
+    if ((seeks_rest && at_rest.empty()) || (stops_itself && stops.empty())) return {};
+    const bool both = !at_rest.empty() && !stops.empty();
+    return {at_rest + (both ? ", and " : "") + stops, !at_rest.empty()};
 }
 
 /// The end of a run to equilibrium in which all but the bodies that fall past them have come to rest; checked once in several cycles.
@@ -263,6 +341,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     make_ready(session);
     session.autosave.begins();
     warn_of_long_step(session);
+    const StepsOfTime steps(session, limits);
     if (monitor) note_added_mass(session);
     const Clock start = session.model.clock;
     Target target;
@@ -281,9 +360,9 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
             if (answer == Confirmation::Answer::motion)
                 at_rest += ", but " + body_text(session.model, *confirmation.moving()) + " does not come to rest";
         }
-        if (!at_rest.empty()) return {at_rest, true};
-        if (RunEnd fall = end_by_fall(limits, start, session.model); !fall.why.empty()) return fall;
-        return {reached(limits, start, session.model, seconds)};
+        if (at_rest.empty())
+            if (RunEnd fall = end_by_fall(limits, start, session.model); !fall.why.empty()) return fall;
+        return run_end(limits, std::move(at_rest), reached(limits, start, session.model, seconds));
     };
     const CycleRun run(session);
     RunEnd end = stops(0);

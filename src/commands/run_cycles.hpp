@@ -14,13 +14,14 @@ namespace kaya {
 class FailureMonitor;
 class Progress;
 
-/// Where a run stops: at the first of these that is reached.
+/// Where a run stops: at the first of these that is reached, or when all of them are.
 struct Limits {
     std::optional<std::int64_t> cycles; ///< from now on
     std::optional<double> time;         ///< from now on
     std::optional<double> ratio, maximum_ratio, local_ratio, force;
     std::optional<double> clock; ///< seconds
     bool still = false;          ///< ratios and force count only when no body gains displacement any more
+    bool all = false;            ///< all limits must be reached
 };
 
 /// Lets joint models take up forces set by scripts and commands, and warns of those that they cannot carry. Returns whether forces changed.

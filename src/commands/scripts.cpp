@@ -33,16 +33,26 @@ void run(Session& session, const lang::Parameter& command) {
     session.scripts->set(command.name, known->second, command.place);
 }
 
-void run(Session& session, const lang::FishCall& command) { session.scripts->call(command.expression, command.place); }
+void run(Session& session, const lang::FishCall& command) {
+    session.scripts->call(command.expression, command.place);
+    for (const auto& [expression, place] : command.further) session.scripts->call(expression, place);
+}
 
 void run(Session& session, const lang::FishCallback& command) {
-    if (command.remove) return session.scripts->remove_fish_hook(command.function, command.place);
     using When = lang::FishCallback::When;
-    constexpr std::array moments{std::pair{When::before_cycle, script::Moment::before_cycle},
-                                 std::pair{When::after_forces, script::Moment::after_forces},
-                                 std::pair{When::after_cycle, script::Moment::after_cycle}};
-    const auto moment = std::ranges::find(moments, command.when, &std::pair<When, script::Moment>::first)->second;
-    session.scripts->add_fish_hook(command.function, moment, command.interval, command.place);
+    using script::Moment;
+    static constexpr std::array moments{
+        std::pair{When::before_cycle, Moment::before_cycle}, std::pair{When::after_forces, Moment::after_forces},
+        std::pair{When::after_cycle, Moment::after_cycle}, std::pair{When::solve_start, Moment::solve_start},
+        std::pair{When::solve_complete, Moment::solve_complete}};
+    const auto moment_of = [](When when) {
+        return std::ranges::find(moments, when, &std::pair<When, Moment>::first)->second;
+    };
+    if (!command.remove)
+        return session.scripts->add_fish_hook(command.function, moment_of(command.when.value_or(When::after_forces)),
+                                              command.interval, command.place);
+    const auto moment = command.when ? std::optional(moment_of(*command.when)) : std::nullopt;
+    session.scripts->remove_fish_hook(command.function, moment, command.place);
 }
 
 void run(Session& session, const lang::FishSetting& command) {

@@ -2,6 +2,7 @@
 #include "commands/all_or_nothing.hpp"
 #include "base/counted.hpp"
 #include "commands/handlers.hpp"
+#include "commands/new_contacts.hpp"
 
 #include "geometry/plane.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -10,15 +11,22 @@
 #include "model/groups.hpp"
 
 #include <fmt/format.h>
+#include <map>
 
 namespace kaya {
 
 void run(Session& session, const lang::Group& command) {
     const auto rows = session.pick(command.kind, command.range);
     if (rows.empty()) return;
-    const std::int32_t group = make_group(session.model, command.name);
     auto& column = *own_groups(session.model, command.kind);
-    for (const Row row : rows) column[row] = group;
+    std::map<std::int32_t, std::int32_t> renamed; // few numbers, many rows
+    for (const Row row : rows) {
+        const auto [entry, is_new] = renamed.try_emplace(column[row], 0);
+        if (is_new)
+            entry->second = command.remove ? without_group(session.model, column[row], command.name)
+                                           : with_group(session.model, column[row], command.name);
+        column[row] = entry->second;
+    }
 }
 
 void run(Session& session, const lang::Mark& command) {
@@ -30,7 +38,7 @@ namespace {
 
 void mark_joints(Session& session, const lang::MarkJoint& command) {
     auto& model = session.model;
-    find_contacts(model, session.joints);
+    find_joints(session);
     const auto faces = session.pick(ObjectKind::face, command.range);
     for (const Row face : faces) model.faces.joint_set[face] = static_cast<std::int32_t>(command.joint_set);
     // A contact has the number of its face, as when it was found.
@@ -78,10 +86,9 @@ void run(Session& session, const lang::Copy& command) {
         if (command.offset) placements.back().shift += static_cast<double>(i) * *command.offset;
     }
     const Row first = copy_blocks(model, blocks, placements);
-    const std::int32_t group = command.group.empty() ? 0 : make_group(model, command.group);
     for (Row b = first; b < static_cast<Row>(model.blocks.size()); ++b) {
         if (command.region) model.blocks.region[b] = static_cast<std::int32_t>(*command.region);
-        if (group != 0) model.blocks.group[b] = group;
+        if (!command.group.empty()) model.blocks.group[b] = with_group(model, model.blocks.group[b], command.group);
     }
     session.output.say(fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
     warn_of_overlaps(session, first, command.place);

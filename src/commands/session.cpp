@@ -3,6 +3,7 @@
 #include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
 #include "commands/law_conduct.hpp"
+#include "commands/new_contacts.hpp"
 #include "lang/script/value_text.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
@@ -87,6 +88,7 @@ void Session::before(const lang::BoundCommand& command) {
     stop_if_interrupted();
     stopped_inside_ = false;
     last_place = command.place;
+    modern_line = command.modern;
     world.forget_ranges();
     take_source(command.place);
     if (!options.echo && !output.logging()) return;
@@ -199,7 +201,7 @@ void Session::warn_once(const std::string& message, const std::string& hint) {
 }
 
 std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too) {
-    if (info_of(kind).found_late) find_contacts(model, joints);
+    if (info_of(kind).found_late) find_joints(*this);
     auto rows = select(model, kind, test_of(kind, range), hidden_too);
     if (!rows.empty()) return rows;
     const std::size_t tested = select(model, kind, {}, hidden_too).size();
@@ -222,7 +224,7 @@ RangeExtras Session::range_extras(bool excavated) {
 
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {
     // Surface elements need contacts.
-    if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_contacts(model, joints);
+    if (has_element(ranges, range, lang::RangeElement::Kind::surface)) find_joints(*this);
     RangeTest test = range_test(model, ranges, range, kind, range_extras(false));
     if (!test) return test;
     constexpr int rows_between = 256; // rows between two checks for interruption

@@ -47,8 +47,7 @@ template <class Command, class Make> void make(Session& session, const Command& 
         } else {
             for (const Polyhedron& part : made) add_block(session.model, part, block);
         }
-        if (const std::int32_t group =
-                command.options.group.empty() ? 0 : make_group(session.model, command.options.group))
+        if (const std::int32_t group = with_group(session.model, 0, command.options.group))
             for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b)
                 session.model.blocks.group[b] = group;
         warn_of_overlaps(session, first, command.place);
@@ -154,7 +153,7 @@ void run(Session& session, const lang::PolyTunnel& command) {
     const auto first = static_cast<Row>(session.model.blocks.size());
     make(session, core, [&] { return make_tunnel_core(tunnel); });
     if (command.core_group.empty()) return;
-    const std::int32_t group = make_group(session.model, command.core_group);
+    const std::int32_t group = with_group(session.model, 0, command.core_group);
     for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b) session.model.blocks.group[b] = group;
 }
 

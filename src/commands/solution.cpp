@@ -73,6 +73,17 @@ void set_damping(Settings& settings, lang::Damp::Kind kind, const lang::Damp& co
     settings.rayleigh_stiffness = command.stiffness;
 }
 
+/// Limits of the whole model, as limits of this run. The nearer one of two counts, or the farther one when all must be reached.
+void count_from_now(Limits& limits, const lang::Solve& command, const Clock& clock) {
+    const auto take = [&](auto& limit, auto rest) {
+        using Number = std::decay_t<decltype(*limit)>;
+        rest = std::max<Number>(rest, 0);
+        limit = !limit ? rest : limits.all ? std::max<Number>(*limit, rest) : std::min<Number>(*limit, rest);
+    };
+    if (command.total_cycles) take(limits.cycles, *command.total_cycles - clock.cycle);
+    if (command.total_time) take(limits.time, *command.total_time - clock.time);
+}
+
 } // namespace
 
 /// Fewer cycles are run to inspect the model, not to move a boundary.
@@ -87,14 +98,28 @@ void run(Session& session, const lang::CycleCommand& command) {
     session.world.stopped_by = advance_until(session, limits).why;
 }
 
+namespace {
+
+/// Functions of `fish callback ... event`.
+void run_event(Session& session, script::Moment moment) {
+    if (!session.scripts->has_hooks(moment)) return;
+    session.world.forget_ranges();
+    session.scripts->run_hooks(moment, session.model.clock.cycle);
+}
+
+} // namespace
+
 void run(Session& session, const lang::Solve& command) {
     doubt_empty_model(session, command.place);
-    Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
-                  command.force,  {},           command.still};
+    run_event(session, script::Moment::solve_start);
+    Limits limits{
+        command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio, command.force, {},
+        command.still,  command.all};
     if (command.clock) limits.clock = *command.clock * 60;
+    count_from_now(limits, command, session.model.clock);
     // `solve` looks for equilibrium unless a limit gives another end.
-    if (!command.ratio && !command.maximum_ratio && !command.local_ratio && !command.force && !command.time)
-        limits.ratio = 1e-5;
+    const bool seeks_rest = command.ratio || command.maximum_ratio || command.local_ratio || command.force;
+    if (!seeks_rest && !limits.time && !command.all) limits.ratio = 1e-5;
     if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
     if (command.elastic) {
         session.cycle->prepare(); // contacts must have their properties before these can be made strong
@@ -110,6 +135,7 @@ void run(Session& session, const lang::Solve& command) {
     session.world.stopped_by = end.why;
     session.output.say(end_text("solve", end));
     tell_rest(session, monitor, end, command.still, command.place);
+    run_event(session, script::Moment::solve_complete);
 }
 
 void run(Session& session, const lang::Damp& command) {

@@ -2,6 +2,7 @@
 #include "commands/densities.hpp"
 #include "commands/handlers.hpp"
 #include "commands/property_meaning.hpp"
+#include "commands/zone_moduli.hpp"
 #include "laws/given_values.hpp"
 #include "mechanics/zone_laws.hpp"
 #include "model/excavation.hpp"
@@ -35,7 +36,8 @@ void take_out(Session& session, const lang::ZoneModelCommand& command, const std
 /// The values of a line by the names of the properties. Throws Diagnostic at the word that is wrong.
 std::map<std::string, double> values_of(const ZoneModel& model, const std::vector<lang::Property::Item>& items) {
     std::map<std::string, double> values;
-    for (const auto& item : items) {
+    const auto has = [&](const std::string& word) { return model.find_property(word).has_value(); };
+    for (const auto& item : with_moduli(items, has)) {
         try {
             const auto found = accepting_property(model, zone_law.noun, item.word, item.value);
             values[model.properties[found].name] = item.value;

@@ -1,5 +1,6 @@
 #include "laws/law_table.hpp"
 
+#include "base/abbreviation.hpp"
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
 #include "laws/crash_report.hpp"
@@ -179,12 +180,15 @@ std::optional<std::size_t> LawTable::find_property(std::string_view typed) const
     for (std::size_t i = 0; i < properties.size(); ++i) {
         const auto& p = properties[i];
         const auto is_word = [&](const std::string& name_) { return name_ == word; };
-        const auto begins = [&](const std::string& name_) { return name_.starts_with(word); };
+        const auto begins = [&](const std::string& name_) {
+            return name_.starts_with(word) || shortens_each_part(word, name_, '-');
+        };
         if (is_word(p.name) || std::any_of(p.aliases.begin(), p.aliases.end(), is_word)) return i;
-        if (begins(p.name) || std::any_of(p.aliases.begin(), p.aliases.end(), begins)) {
-            ambiguous = beginning.has_value();
-            beginning = beginning ? beginning : i;
-        }
+        if (!begins(p.name) && std::none_of(p.aliases.begin(), p.aliases.end(), begins)) continue;
+        // `frict` is friction, not friction-residual.
+        if (beginning && p.name.starts_with(properties[*beginning].name)) continue;
+        ambiguous = ambiguous || (beginning && !properties[*beginning].name.starts_with(p.name));
+        beginning = i;
     }
     return ambiguous ? std::nullopt : beginning;
 }

@@ -149,18 +149,30 @@ private:
 
 } // namespace
 
-std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
-    const auto listed = [&](Row g) { return std::binary_search(gridpoints.begin(), gridpoints.end(), g); };
-    // A face covered by another block is not exterior.
+namespace {
+
+/// The triangles of faces that no other block covers, as far as they are wanted.
+template <class Wanted> std::vector<Row> uncovered_triangles(const Model& model, Wanted wanted) {
     std::vector<char> covered = faces_in_contact(model);
     for (const Row face : tied_faces(model)) covered[face] = 1;
     std::vector<Row> rows;
-    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-        const auto& corners = model.triangles.gridpoints[t];
-        if (!covered[model.triangles.face[t]] && std::all_of(corners.begin(), corners.end(), listed))
-            rows.push_back(static_cast<Row>(t));
-    }
+    for (std::size_t t = 0; t < model.triangles.size(); ++t)
+        if (!covered[model.triangles.face[t]] && wanted(static_cast<Row>(t))) rows.push_back(static_cast<Row>(t));
     return rows;
+}
+
+bool is_listed(const std::vector<Row>& sorted, Row row) { return std::ranges::binary_search(sorted, row); }
+
+} // namespace
+
+std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
+    return uncovered_triangles(model, [&](Row t) {
+        return std::ranges::all_of(model.triangles.gridpoints[t], [&](Row g) { return is_listed(gridpoints, g); });
+    });
+}
+
+std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces) {
+    return uncovered_triangles(model, [&](Row t) { return is_listed(faces, model.triangles.face[t]); });
 }
 
 std::int32_t time_function_row(Model& model, const TimeFunction& function) {
@@ -363,9 +375,13 @@ template <class Part> void inside_bodies(const Model& model, const std::vector<R
 } // namespace
 
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress, std::int32_t function) {
+    return add_stress_on(model, exterior_triangles(model, gridpoints), stress, function);
+}
+
+double add_stress_on(Model& model, const std::vector<Row>& triangles, const StressField& stress,
+                     std::int32_t function) {
     LoadSums sums(model, function);
     double whole = 0, inside = 0;
-    const std::vector<Row> triangles = exterior_triangles(model, gridpoints);
     for (const Row t : triangles) {
         const Corners x = corners_of(model, t);
         const Vec3 area = area_vector(x);

@@ -15,6 +15,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 namespace kaya {
 
@@ -101,17 +102,27 @@ Row shared_set(Model& model, JointProperties set) {
     return static_cast<Row>(model.joint_properties.size() - 1);
 }
 
-Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
-                 const std::string& place) {
-    if (place.empty() && model.settings.default_properties >= 0 &&
-        material == model.joint_properties[model.settings.default_properties].material)
-        return model.settings.default_properties;
+namespace {
+
+/// The values of a joint material for a joint model.
+JointProperties set_of_material(const Model& model, JointRegistry& joints, const std::string& name,
+                                std::int32_t material, const std::string& place) {
     const JointModel& joint = joints.get(name);
     JointProperties set{joint.name, material, initial_values(joint), place};
     const auto found = model.materials.find(material);
     if (found != model.materials.end())
         put(joint, set.values, Items(found->second.joint.begin(), found->second.joint.end()), false, nullptr);
-    return shared_set(model, std::move(set));
+    return set;
+}
+
+} // namespace
+
+Row property_set(Model& model, JointRegistry& joints, const std::string& name, std::int32_t material,
+                 const std::string& place) {
+    if (place.empty() && model.settings.default_properties >= 0 &&
+        material == model.joint_properties[model.settings.default_properties].material)
+        return model.settings.default_properties;
+    return shared_set(model, set_of_material(model, joints, name, material, place));
 }
 
 void find_contacts(Model& model, JointRegistry& joints) {
@@ -150,22 +161,47 @@ void assign_joint_model(Model& model, JointRegistry& joints, const std::vector<R
     ModelEdit(model, Change::contacts);
 }
 
+Row changed_joints(Model& model, JointRegistry& joints, Row row, const std::string& name, const Items& items,
+                   const std::string& place, std::size_t* failed) {
+    const std::int32_t material = model.settings.default_joint_material;
+    if (name.empty() && row < 0) row = property_set(model, joints, default_joint_model(model), material, "");
+    if (name.empty() && items.empty()) return row;
+    JointProperties set =
+        name.empty() ? model.joint_properties[row] : set_of_material(model, joints, name, material, place);
+    const JointModel& joint = joints.get(set.model);
+    put(joint, set.values, items, true, failed);
+    if (failed) *failed = items.size();
+    check(joint, set.values);
+    set.place = place;
+    return shared_set(model, std::move(set));
+}
+
 void set_new_joints(Model& model, JointRegistry& joints, const std::string& name, const Items& items,
                     const std::string& place, std::size_t* failed) {
-    const std::int32_t material = model.settings.default_joint_material;
-    Row row = model.settings.default_properties;
-    if (!name.empty()) row = property_set(model, joints, name, material, place);
-    else if (row < 0) row = property_set(model, joints, default_joint_model(model), material, "");
-    if (!items.empty()) {
-        JointProperties set = model.joint_properties[row];
-        const JointModel& joint = joints.get(set.model);
-        put(joint, set.values, items, true, failed);
-        if (failed) *failed = items.size();
-        check(joint, set.values);
-        set.place = place;
-        row = shared_set(model, std::move(set));
+    model.settings.default_properties =
+        changed_joints(model, joints, model.settings.default_properties, name, items, place, failed);
+}
+
+void give_joints(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, Row properties) {
+    auto& subs = model.sub_contacts;
+    std::vector<char> marked(subs.size(), 0);
+    bool any_other_model = false;
+    for (const Row c : contacts) {
+        const Row old = std::exchange(model.contacts.properties[c], properties);
+        const bool other_model =
+            old == no_row || model.joint_properties[old].model != model.joint_properties[properties].model;
+        any_other_model = any_other_model || other_model;
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            marked[s] = 1;
+            if (!other_model) continue;
+            subs.forget(s);
+            subs.state[s] = 0;
+        }
     }
-    model.settings.default_properties = row;
+    initialise_sub_contacts(model, joints, marked);
+    if (any_other_model) note_taken_over(model, marked);
+    ModelEdit(model, Change::contacts);
 }
 
 void set_joint_properties(Model& model, JointRegistry& joints, const std::vector<Row>& contacts, const Items& items,

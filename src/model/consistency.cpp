@@ -437,6 +437,11 @@ std::string inconsistency(Model& model) {
                      "the water table is not there");
     findings.require(inside_or_none(model.settings.default_properties, model.joint_properties.size()),
                      "the joint properties of new contacts are not there");
+    for (const JointRule& rule : model.joint_rules)
+        findings.require(between(rule.properties, 0, static_cast<std::int32_t>(model.joint_properties.size()) - 1),
+                         "the joint properties of the material table are not there");
+    findings.require(between(model.ruled_contacts, 0, model.next_contact_number),
+                     "the material table has seen contacts that are not there");
     // Counters continue from here: no run reaches these limits.
     findings.require(between<std::int64_t>(model.clock.cycle, 0, std::int64_t{1} << 53),
                      fmt::format("{} cycles", model.clock.cycle));

@@ -123,6 +123,7 @@ public:
     Column<std::int32_t> number;
     Column<Row> contact;
     Column<SubContactType> type;
+    Column<std::int32_t> group; ///< of the sub-contact itself: index into Model::group_names, 0 is none
     Column<Attachment> side1;
     Column<Attachment> side2;
     VectorColumn position;
@@ -187,6 +188,7 @@ public:
         visit("number", number, Role::identity);
         visit("contact", contact, link<Contacts>());
         visit("meeting", type, Role::geometry);
+        visit("group", group, setting<Group>());
         visit("side1", side1, link_or_none<Gridpoints>());
         visit("side2", side2, link_or_none<Gridpoints>());
         visit_vector(visit, "position", position, Role::geometry);

@@ -62,11 +62,11 @@ template <auto function, int k> FieldValue call(const Model& model, Row row) { r
 
 /// The name of the group that an object is in, itself or through its block.
 template <ObjectKind kind> FieldValue read_group(const Model& model, Row row) {
-    return model.group_names[static_cast<std::size_t>(group_of(model, kind, row))];
+    return std::string(default_group_of(model, kind, row));
 }
 template <ObjectKind kind> void write_group(Model& model, Row row, const FieldValue& value) {
-    const std::int32_t group = make_group(model, text(value));
-    (*own_groups(model, kind))[row] = group;
+    auto& group = (*own_groups(model, kind))[row];
+    group = with_group(model, group, text(value));
 }
 
 template <class T> void assign(T& target, const FieldValue& value) {

@@ -131,7 +131,7 @@ constexpr std::array<KindInfo, 14> all_kinds{{
      .classic = "c", .modern = "block.contact", .has_properties = true, .has_spares = true},
     {.kind = ObjectKind::sub_contact, .name = "sub_contact", .noun = "sub-contact", .plural = "sub-contacts", .file = "sub-contacts",
      .count = size<&Model::sub_contacts>, .block = block_of_sub_contact, .place = position<&Model::sub_contacts>,
-     .number = number<&Model::sub_contacts>, .shown = sub_contact_shown,
+     .number = number<&Model::sub_contacts>, .shown = sub_contact_shown, .groups = groups<&Model::sub_contacts>,
      .identity = identity<&Model::sub_contacts>, .find = find<&Model::sub_contacts>, .found_late = true,
      .history = 3, .missing = "sub-contacts", .remedy = "make blocks that touch before this history",
      .classic = "cx", .modern = "block.subcontact", .has_properties = true, .has_spares = true},

@@ -36,6 +36,12 @@ struct ZoneProperties {
     bool operator==(const ZoneProperties&) const = default;
 };
 
+/// An entry of the material table: joint model and properties of new contacts in a range.
+struct JointRule {
+    std::string range;           ///< the phrase as the program writes it; the engine does not read it
+    std::int32_t properties = 0; ///< row of Model::joint_properties
+};
+
 /// Values for one joint model; contacts that share a row are one batch.
 struct JointProperties {
     std::string model;          ///< keyword of the joint model

@@ -69,9 +69,10 @@ struct Model {
 
     std::map<std::int32_t, Material> materials;
     std::vector<JointProperties> joint_properties;
+    std::vector<JointRule> joint_rules;                            ///< of new contacts; the first that fits counts
     std::vector<ZoneProperties> zone_properties{ZoneProperties{}}; ///< of blocks; the first is empty
     std::map<std::int32_t, std::string> joint_constitutive;        ///< model name of each `jcons` number
-    std::vector<std::string> group_names{""};
+    std::vector<std::string> group_names{""}; ///< groups that objects have, one in every slot: groups.hpp
     std::vector<TimeFunction> time_functions; ///< of drives
     std::vector<Roller> rollers{Roller{}};    ///< the first holds nothing
     Ground water_ground;                      ///< the water table, where the settings take water from it
@@ -85,6 +86,7 @@ struct Model {
     std::int32_t next_shape_number = 1;
     std::int32_t next_contact_number = 1;
     std::int32_t next_sub_contact_number = 1;
+    std::int32_t ruled_contacts = 0; ///< contacts with lower numbers are not new to `joint_rules`
 
     Stale stale; ///< raised by ModelEdit
 

@@ -291,10 +291,10 @@ template <class T> void visit_table(Archive& archive, const char* name, T& table
 
 void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories,
-           excavated, structures, materials, joint_properties, zone_properties, joint_constitutive, group_names,
-           time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number,
-           next_shape_number, next_contact_number, next_sub_contact_number, stale, unreduced, forces_set, taken_over] =
-        model;
+           excavated, structures, materials, joint_properties, joint_rules, zone_properties, joint_constitutive,
+           group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number,
+           next_shape_number, next_contact_number, next_sub_contact_number, ruled_contacts, stale, unreduced,
+           forces_set, taken_over] = model;
     // The tables named above appear here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
@@ -312,6 +312,11 @@ void visit_state(Archive& archive, Model& model) {
     });
     archive.records("joint_properties", joint_properties,
                     [&](JointProperties& properties) { visit_state(archive, properties); });
+    archive.records("joint_rules", joint_rules, [&](JointRule& rule) {
+        archive.text("range", rule.range);
+        archive.value("properties", rule.properties);
+    });
+    archive.value("ruled_contacts", ruled_contacts);
     archive.records("zone_properties", zone_properties,
                     [&](ZoneProperties& properties) { visit_state(archive, properties); });
     visit_map(archive, "joint_constitutive", joint_constitutive, [&](std::int32_t& number, std::string& name) {

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "base/markup_text.hpp"
+#include "model/groups.hpp"
 #include "model/measure.hpp"
 
 #include <algorithm>
@@ -110,15 +111,15 @@ std::string block_table(const Model& model) {
 }
 
 std::string group_table(const Model& model) {
-    std::map<std::int32_t, std::pair<std::size_t, double>> groups;
+    std::map<std::int32_t, std::pair<std::size_t, double>> groups; // of the default slot, in order of their first use
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        auto& [count, volume] = groups[model.blocks.group[b]];
+        auto& [count, volume] = groups[default_group_number(model, model.blocks.group[b])];
         ++count, volume += model.blocks.volume[b];
     }
     std::vector<std::vector<std::string>> rows;
     for (const auto& [group, what] : groups) {
-        const auto& name = model.group_names[static_cast<std::size_t>(group)];
-        rows.push_back({name.empty() ? "none" : name, fmt::format("{}", what.first), number(what.second)});
+        const std::string_view name = default_group(model, group);
+        rows.push_back({name.empty() ? "none" : std::string(name), fmt::format("{}", what.first), number(what.second)});
     }
     return grid_table({"group", "blocks", "volume"}, rows);
 }

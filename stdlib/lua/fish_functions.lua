@@ -61,26 +61,9 @@ local function list_function(name, least, most, body)
     end)
 end
 
-local function sequence(first, last, step)
-    if type(first) ~= "number" then -- list.sequence('a', 'b')
-        return runtime.new_list(first, last, step)
-    end
-    if not last then
-        first, last = 1, first
-    end
-    step = number(step or 1)
-    if step == 0 then
-        stop("the step of 'list.sequence' is 0", "")
-    end
-    local count = limited(math.floor((number(last) - first) / step + 1e-9), "list.sequence")
-    local values = {}
-    for i = 0, count do
-        values[i + 1] = first + i * step
-    end
-    return make_list(values)
+for _, name in ipairs({ "list.sequence", "list.seq" }) do
+    define(name, 0, 200, runtime.new_list)
 end
-define("list.sequence", 1, 3, sequence)
-define("list.seq", 1, 3, sequence)
 define("list.create", 1, 2, function(size, value)
     local values = {}
     for i = 1, limited(need_whole(size, "list.create"), "list.create") do

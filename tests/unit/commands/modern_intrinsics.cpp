@@ -45,6 +45,14 @@ protected:
             "prop jmat 1 jkn 1e9 jks 1e9 jfric 30\ngroup block Low range z 0 1\ngravity 0 0 -10\nfix range z 0 1\ncycle 5\n");
     }
 
+    /// The message of an expression that is refused.
+    std::string refused(const std::string& expression) {
+        try {
+            value(expression);
+        } catch (const Diagnostic& mistake) { return mistake.message + ": " + mistake.hint; }
+        return "accepted";
+    }
+
     Value value(const std::string& expression) { return session().scripts->value("[" + expression + "]"); }
     std::string shown(const std::string& expression) {
         return script::to_text(value("string(" + expression + ")"), &session().world);
@@ -216,6 +224,81 @@ TEST_F(ModernIntrinsics, BothDialectsDriveTheSameRun) {
     EXPECT_THAT(classic, testing::HasSubstr("hash"));
     EXPECT_EQ(hash_after("[push_modern]"), classic);
     EXPECT_NE(hash_after(""), classic);
+}
+
+/// Each name with points, with each of its parts shortened to the letters that no other name begins with.
+TEST_F(ModernIntrinsics, NamesMayBeShortenedInEachPart) {
+    std::vector<std::string> names;
+    for (const auto& [name, writable] : session().scripts->built_in_names())
+        if (name.find('.') != name.npos) names.push_back(name);
+    ASSERT_GT(names.size(), 150u);
+    int unique = 0;
+    for (const std::string& name : names) {
+        std::string part = name.substr(0, name.size() - 1); // its last letter dropped
+        if (part.ends_with('.')) continue;
+        std::vector<std::string> fitting;
+        for (const std::string& other : names)
+            if (other.starts_with(part) && other.find('.', part.size()) == other.npos) fitting.push_back(other);
+        const auto meaning = session().scripts->meaning_of(part);
+        if (std::ranges::find(names, part) != names.end()) continue; // a name itself
+        if (fitting.size() == 1) {
+            EXPECT_EQ(meaning.whole, name) << part;
+            ++unique;
+        } else {
+            EXPECT_NE(meaning.kind, fish::NameKind::built_in) << part;
+        }
+    }
+    EXPECT_GT(unique, 100);
+    EXPECT_EQ(shown("bl.gp.di(block.gp.near(0,0,2))"), shown("block.gp.disp(block.gp.near(0,0,2))"));
+    EXPECT_EQ(shown("block.z.str.xx(block.zone.head)"), shown("block.zone.stress.xx(block.zone.head)"));
+    run("[block.gp.ve.x(block.gp.near(0,0,2)) = 0.25]\n[g = block.gp.near(0,0,2)]\n");
+    EXPECT_EQ(value("block.gp.vel.x(g)"), Value(0.25));
+    EXPECT_THAT(refused("block.gp.p(g)"),
+                testing::StartsWith("'block.gp.p' shortens several names of FISH: one of: block.gp.pos"));
+    EXPECT_THAT(refused("blok.gp.pos(g)"), testing::HasSubstr("there is no FISH variable or function 'blok.gp.pos'"));
+}
+
+TEST_F(ModernIntrinsics, FunctionsRunAtTheEventsOfASolve) {
+    run("[n = 0]\n[m = 0]\nfish define begins\n  n += 1\nend\nfish define ends\n  m += 10\nend\n"
+        "fish callback add begins event solve_start\nfish callback add ends event solve-complete\n"
+        "fish callback add ends 10.0\nsolve cycles 3\ncycle 2\n");
+    EXPECT_EQ(value("n"), Value(std::int64_t{1}));
+    EXPECT_EQ(value("m"), Value(std::int64_t{60})) << "in five cycles, and at the end of the solve";
+    run("fish callback remove ends 10.0\nsolve cycles 3\n");
+    EXPECT_EQ(value("n"), Value(std::int64_t{2}));
+    EXPECT_EQ(value("m"), Value(std::int64_t{70}));
+    run("fish callback remove ends\nfish callback remove begins event solve_start\nsolve cycles 3\n");
+    EXPECT_EQ(value("n"), Value(std::int64_t{2}));
+    EXPECT_EQ(value("m"), Value(std::int64_t{70}));
+}
+
+TEST_F(ModernIntrinsics, BracketsOverSeveralLinesRunLineByLine) {
+    run("[\n  global width = 3 ; as wide as two\n  area = width * ...\n    2\n]\n[x = width] [y = x + 1]\n");
+    EXPECT_EQ(value("area"), Value(std::int64_t{6}));
+    EXPECT_EQ(value("y"), Value(std::int64_t{4}));
+    run("[\nhalf = 7 / 2\n]\n");
+    EXPECT_EQ(value("half"), Value(3.5)) << "of the modern dialect";
+}
+
+TEST_F(ModernIntrinsics, YoungAndPoissonGiveTheModuliOfAZoneModel) {
+    const auto sag = [&](const std::string& moduli) {
+        run("new\npoly brick 0 1 0 1 0 1\ngen edge 1\nblock zone cmodel assign elastic\nblock zone property " + moduli +
+            " density 2000\ngravity 0 0 -10\nbound zvel 0 range z 0\ncycle 40\n");
+        return std::get<double>(value("block.gp.disp.z(block.gp.near(0,0,1))"));
+    };
+    const double by_young = sag("young 1e9 poisson 0.25");
+    EXPECT_LT(by_young, 0);
+    EXPECT_EQ(by_young, sag(fmt::format("bulk {:.17g} shear 4e8", 1e9 / 1.5)));
+    EXPECT_NE(by_young, sag("bulk 1e9 shear 4e8"));
+    const auto refused_line = [&](const std::string& line) {
+        try {
+            run(line);
+        } catch (const Diagnostic& mistake) { return mistake.message; }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(refused_line("block zone property young 1e9\n"), "'young' and 'poisson' must stand on one line");
+    EXPECT_EQ(refused_line("block zone property poisson 0.2 young 0\n"), "'young' must be above 0");
+    EXPECT_EQ(refused_line("block zone property poisson 0.5 young 1\n"), "'poisson' must be above -1 and below 0.5");
 }
 
 } // namespace

@@ -166,6 +166,13 @@ TEST(Binder, ScriptsAreTakenWhole) {
     EXPECT_EQ(bound_as<FishCall>("@wall(1, 'a b') ; x").expression, "wall(1, 'a b')");
     EXPECT_EQ(bound_as<FishCall>("@wall (1, 2)").expression, "wall (1, 2)");
     EXPECT_EQ(bound_as<FishCall>("[a = 1]").expression, "a = 1");
+    const auto lines = bound_as<FishCall>("[\na = 1\n b(2)\n]");
+    EXPECT_EQ(lines.expression, "[a = 1]");
+    ASSERT_EQ(lines.further.size(), 1u);
+    EXPECT_EQ(lines.further[0].first, "[b(2)]");
+    EXPECT_EQ(lines.further[0].second.line, 3);
+    EXPECT_EQ(bound_as<FishCall>("[a = 1] [b = 2]").further[0].first, "b = 2");
+    EXPECT_EQ(mistake("[a = 1] new").message, "unexpected 'new' after the bracket");
 }
 
 TEST(Binder, UnendedScriptPointsAtItsFirstLine) {

@@ -49,6 +49,45 @@ TEST(Lexer, Comments) {
     EXPECT_TRUE(statements("").empty());
 }
 
+TEST(Lexer, BracketsOverSeveralLinesAreOneStatement) {
+    struct Case {
+        const char* text;
+        Texts words;
+    };
+    const Case cases[] = {
+        {"[\n a = 1\nf(2) ; c\n]", {"a = 1", "f(2) ; c"}},
+        {"  [a = 1\n\n; none\n  b = ']'  ]  ; end", {"a = 1", "b = ']'  "}},
+        {"[ ; begin ]\na = (1 + ...\n  2)\n]", {"a = (1 + ...\n  2)"}},
+        {"[a = x & ; more\n  y\nb\n]", {"a = x & ; more\n  y", "b"}},
+        {"[\nl = m[1]\n]", {"l = m[1]"}},
+    };
+    for (const Case& one : cases) {
+        const Statement s = statement(one.text);
+        Texts words;
+        for (const auto& word : s.words) {
+            EXPECT_EQ(word.kind, WordKind::expression);
+            words.push_back(word.text);
+        }
+        EXPECT_EQ(words, one.words) << one.text;
+        EXPECT_EQ(s.first_line, 1);
+    }
+    const auto all = statements("new\n[\n]\n[\n  a = 1\n]\n[b]\nnew");
+    ASSERT_EQ(all.size(), 4u) << "an empty bracket is no statement";
+    EXPECT_EQ(all[1].first_line, 4);
+    EXPECT_EQ(all[1].last_line, 6);
+    EXPECT_EQ(all[1].words[0].place.line, 5);
+    EXPECT_EQ(all[1].words[0].place.column, 3);
+    EXPECT_EQ(all[2].words[0].text, "b");
+}
+
+TEST(Lexer, BracketsThatAreNeverClosedAreOpen) {
+    for (const char* text : {"[\na = 1\nnew", "[a = 1\nnew\n[b = 2]", "[\na\n] new", "[\n ; ]\n"}) {
+        const auto all = statements(text);
+        ASSERT_FALSE(all.empty());
+        EXPECT_EQ(all.front().words.front().kind, WordKind::open) << text;
+    }
+}
+
 TEST(Lexer, Continuation) {
     for (const char* text : {"a b &\nc", "a b ...\nc", "a b&\nc", "a b...\nc", "a b & ; comment\n  c", "a b... ;x\nc",
                              "a &\nb ...\n c", "a b)&\nc", "a b&\n ; a line taken out\nc"})

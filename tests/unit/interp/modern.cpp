@@ -1,6 +1,7 @@
 // The modern dialect: its lines among classic ones, and the structs that both dialects fill.
 #include "bound.hpp"
-#include "struct_text.hpp"
+
+#include "lang/commands/struct_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

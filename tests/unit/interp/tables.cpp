@@ -201,15 +201,15 @@ TEST(Tables, ShortKeywordsResolveInTableOrder) {
 }
 
 TEST(Tables, HyphenatedWordsAreShortenedPartByPart) {
-    EXPECT_TRUE(fits_part_by_part("position-x", "pos-x"));
-    EXPECT_TRUE(fits_part_by_part("dip-direction", "d-d"));
-    EXPECT_TRUE(fits_part_by_part("a-b-c", "a-b-c"));
-    EXPECT_FALSE(fits_part_by_part("position-x", "pos"));
-    EXPECT_FALSE(fits_part_by_part("position-x", "pos-"));
-    EXPECT_FALSE(fits_part_by_part("position-x", "pos-y"));
-    EXPECT_FALSE(fits_part_by_part("position-x", "pos-x-x"));
-    EXPECT_FALSE(fits_part_by_part("a-b-c", "a-b"));
-    EXPECT_FALSE(fits_part_by_part("position", "pos-x"));
+    EXPECT_TRUE(shortens_each_part("pos-x", "position-x", '-'));
+    EXPECT_TRUE(shortens_each_part("d-d", "dip-direction", '-'));
+    EXPECT_TRUE(shortens_each_part("a-b-c", "a-b-c", '-'));
+    EXPECT_FALSE(shortens_each_part("pos", "position-x", '-'));
+    EXPECT_FALSE(shortens_each_part("pos-", "position-x", '-'));
+    EXPECT_FALSE(shortens_each_part("pos-y", "position-x", '-'));
+    EXPECT_FALSE(shortens_each_part("pos-x-x", "position-x", '-'));
+    EXPECT_FALSE(shortens_each_part("a-b", "a-b-c", '-'));
+    EXPECT_FALSE(shortens_each_part("pos-x", "position", '-'));
     using Kind = RangeElement::Kind;
     EXPECT_EQ(bound_as<Hide>("hide range pos-z 0 1").range.elements[0].kind, Kind::z);
     EXPECT_EQ(bound_as<Hide>("hide range plane d-d 90 dip 30 above").range.elements[0].kind, Kind::plane);

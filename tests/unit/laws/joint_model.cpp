@@ -25,11 +25,17 @@ TEST(JointModel, FindsAPropertyByNameAliasAndBeginning) {
     EXPECT_EQ(found(mohr, "jkn"), "stiffness-normal");
     EXPECT_EQ(found(mohr, "JKS"), "stiffness-shear");
     EXPECT_EQ(found(mohr, "stiffness-n"), "stiffness-normal");
+    EXPECT_EQ(found(mohr, "stiff-n"), "stiffness-normal") << "each part may be shortened";
+    EXPECT_EQ(found(mohr, "fric-residual"), "friction-residual");
+    EXPECT_EQ(found(mohr, "c-r"), "cohesion-residual");
+    EXPECT_EQ(found(mohr, "fric-"), "");
 }
 
 TEST(JointModel, AWholeNameWinsOverTheBeginningOfAnother) {
     EXPECT_EQ(found(shipped("mohr"), "friction"), "friction");
     EXPECT_EQ(found(shipped("mohr"), "friction-"), "friction-residual");
+    EXPECT_EQ(found(shipped("mohr"), "frict"), "friction");
+    EXPECT_EQ(found(shipped("mohr"), "dilat"), "dilation");
 }
 
 TEST(JointModel, AnAmbiguousOrUnknownWordIsRefused) {
