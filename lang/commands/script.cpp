@@ -90,7 +90,7 @@ CommandSpec callback() {
             incomplete_line(reader, "an event has no interval", "remove 'interval'");
     });
     entry.right("fish callback add watch 1 interval 50").right("fish callback add watch event solve_complete");
-    entry.right("fish callback remove watch event solve_complete").right("fish callback remove watch");
+    entry.right("fish callback remove watch");
     entry.wrong("fish callback add watch event solve_strat", "there is no event 'solve_strat'");
     entry.wrong("fish callback add watch event block_create",
                 "'event block_create' is known, but kaya does not support it yet");

@@ -84,11 +84,11 @@ private:
     std::optional<Cycle::Unwatched> unwatched_;
 };
 
-/// A run to a time that would be covered in a few steps, as on very soft joints, has shorter ones until its end.
+/// A run to a time that less than two steps would cover, as on very soft joints, has shorter ones until its end.
 class StepsOfTime {
 public:
     StepsOfTime(Session& session, const Limits& limits) : model_(session.model) {
-        constexpr double few = 4, enough = 10;
+        constexpr double few = 2, enough = 10;
         auto& settings = model_.settings;
         const double step = model_.clock.time_step;
         if (!limits.time || limits.all || settings.given_time_step > 0 || settings.scaled_time_step > 0) return;
