@@ -11,7 +11,7 @@ namespace kaya {
 
 class SharedLoads {
 public:
-    /// Takes the loads that have a place out of `whole`, the row of the block with its arms in global axes, and out of its histories.
+    /// Takes the placed loads out of `whole`, the row of the block with its arms in global axes, and out of its histories.
     /// `turn`: from the axes of the block to global ones.
     SharedLoads(Model& model, Row block, Blocks& whole, const Mat3& turn);
 
