@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -123,7 +124,17 @@ public:
             add(of_gridpoint(model_, g, axis), model_.gridpoints.load[g][axis], value);
             return;
         }
-        at_place(b, model_.gridpoints.position[g], axis, value);
+        at_point(b, model_.gridpoints.position[g], axis, value);
+    }
+    void at_point(Row b, const Vec3& place, int axis, double value) {
+        at_place(b, place, axis, value);
+        note_place(b, PlacedLoad::at(place, value * Vec3::Unit(axis)));
+    }
+    /// The corners of a triangle of a rigid block, with the forces there.
+    void at_triangle(Row b, const PlacedLoad& load) {
+        for (std::size_t k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis) at_place(b, load.place[k], axis, load.force[k][axis]);
+        note_place(b, load);
     }
     /// On a rigid block. The point moves with the block, the direction stays.
     void at_place(Row b, const Vec3& place, int axis, double value) {
@@ -142,9 +153,16 @@ public:
     }
 
 private:
+    void note_place(Row b, PlacedLoad load) {
+        load.function = function_;
+        if (!places_) places_.emplace(model_);
+        places_->add(b, load);
+    }
+
     Model& model_;
     std::int32_t function_;
     std::map<Target, double> sums_;
+    std::optional<LoadPlaces> places_;
 };
 
 } // namespace
@@ -234,8 +252,9 @@ void replace_by_reaction(Model& model, const Bodies& bodies, int axis) {
     each_body(
         model, bodies, axis,
         [&](Row b) {
-            if (blocks.fixed[b] & bit_of(axis))
-                blocks.load[b][axis] = -(blocks.force[b][axis] + blocks.mass[b] * gravity);
+            if (!(blocks.fixed[b] & bit_of(axis))) return;
+            forget_places(model, b, {axis});
+            blocks.load[b][axis] = -(blocks.force[b][axis] + blocks.mass[b] * gravity);
         },
         [&](Row g) {
             if (points.fixed[g] & bit_of(axis))
@@ -296,7 +315,7 @@ void add_block_load(Model& model, const std::vector<Row>& rows, int component, d
 void add_load_at(Model& model, Row block, const Vec3& place, const Vec3& force, std::int32_t function) {
     LoadSums sums(model, function);
     for (int axis = 0; axis < 3; ++axis)
-        if (force[axis] != 0) sums.at_place(block, place, axis, force[axis]);
+        if (force[axis] != 0) sums.at_point(block, place, axis, force[axis]);
     sums.finish();
 }
 
@@ -387,6 +406,10 @@ double add_stress_on(Model& model, const std::vector<Row>& triangles, const Stre
         const Vec3 area = area_vector(x);
         whole += area.norm();
         const auto load = corner_loads(stress, x, area);
+        if (const Row b = block_of_triangle(model, t); !model.blocks.deformable[b]) {
+            sums.at_triangle(b, {{x[0], x[1], x[2]}, load});
+            continue;
+        }
         for (std::size_t k = 0; k < 3; ++k)
             for (int axis = 0; axis < 3; ++axis)
                 sums.at_gridpoint(model.triangles.gridpoints[t][k], axis, load[k][axis]);
@@ -395,8 +418,7 @@ double add_stress_on(Model& model, const std::vector<Row>& triangles, const Stre
         const Vec3 area = area_vector(x);
         inside += area.norm();
         const auto load = corner_loads(stress, x, area);
-        for (std::size_t k = 0; k < 3; ++k)
-            for (int axis = 0; axis < 3; ++axis) sums.at_place(block_of_triangle(model, t), x[k], axis, -load[k][axis]);
+        sums.at_triangle(block_of_triangle(model, t), {{x[0], x[1], x[2]}, {-load[0], -load[1], -load[2]}});
     });
     sums.finish();
     return whole - inside > 1e-9 * whole ? whole - inside : 0;

@@ -9,9 +9,6 @@
 
 namespace kaya {
 
-/// The function number of a value that does not depend on time.
-inline constexpr std::int32_t constant_in_time = -1;
-
 /// The row of this function in Model::time_functions; added when absent.
 std::int32_t time_function_row(Model& model, const TimeFunction& function);
 

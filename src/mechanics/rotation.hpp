@@ -32,12 +32,4 @@ inline Vec3 load_moment(const Model& model, Row block) {
     return model.blocks.torque[block] + moment_of(arms_now(model, block));
 }
 
-/// Storage of a load on a rigid block; components as in BoundaryHistories.
-inline double& load_component(Blocks& blocks, Row block, int component) {
-    if (component < 3) return blocks.load[block][component];
-    if (component < BoundaryHistories::motions) return blocks.torque[block][component - 3];
-    const int place = component - BoundaryHistories::motions;
-    return blocks.load_arms[block](place % 3, place / 3);
-}
-
 } // namespace kaya

@@ -22,6 +22,9 @@ struct TimeFunction {
     bool operator==(const TimeFunction&) const = default;
 };
 
+/// The function number of a value that does not depend on time.
+inline constexpr std::int32_t constant_in_time = -1;
+
 /// One component of a load or of a prescribed velocity that changes with time. Of a rigid block, component 0 to 2
 /// is translation or force, 3 to 5 rotation or moment, and 6 + 3 f + a the part of Blocks::load_arms of the force along
 /// axis f and the arm along the block's own axis a; of a gridpoint only 0 to 2.
@@ -48,5 +51,13 @@ public:
         visit("function", function, condition<TimeFunction>());
     }
 };
+
+/// Storage of a load on a rigid block; components as in BoundaryHistories.
+inline double& load_component(Blocks& blocks, Row block, int component) {
+    if (component < 3) return blocks.load[block][component];
+    if (component < BoundaryHistories::motions) return blocks.torque[block][component - 3];
+    const int place = component - BoundaryHistories::motions;
+    return blocks.load_arms[block](place % 3, place / 3);
+}
 
 } // namespace kaya

@@ -4,6 +4,7 @@
 #include "model/joined.hpp"
 #include "model/links.hpp"
 #include "model/measure.hpp"
+#include "model/share_loads.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -52,7 +53,7 @@ struct Parent {
         blocks.rotational_velocity[b] = rotation;
         blocks.angular_momentum[b] = density * (mass.inertia * rotation);
         blocks.mass[b] = blocks.inertial_mass[b] = density * mass.volume;
-        // Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
+        // Of loads without a place. Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
         links::scale(blocks, b, mass.volume / volume, Role::load);
         give_shape(model, b, piece);
         for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
@@ -66,58 +67,6 @@ struct Parent {
         }
     }
 };
-
-/// Converts the arms of time-dependent loads to global axes: pieces have no other axes.
-void turn_arms(Model& model, const Parent& from, BlockId block) {
-    auto& histories = model.boundary_histories;
-    std::vector<Row> kept;
-    const std::size_t count = histories.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (histories.block[i] != block || histories.component[i] < BoundaryHistories::motions) {
-            kept.push_back(static_cast<Row>(i));
-            continue;
-        }
-        const int place = histories.component[i] - BoundaryHistories::motions;
-        for (int k = 0; k < 3; ++k) {
-            const double part = from.turn(k, place % 3);
-            if (part == 0) continue;
-            const std::size_t row = histories.size();
-            kept.push_back(histories.append(histories, {static_cast<Row>(i)}));
-            histories.component[row] = BoundaryHistories::motions + 3 * (place / 3) + k;
-            histories.amplitude[row] *= part;
-            histories.acting[row] *= part;
-        }
-    }
-    if (histories.size() != count) histories.gather(kept);
-}
-
-/// Velocity histories of a block apply to its pieces; loads are shared like constant ones.
-void share_boundary_histories(Model& model, const Parent& from, const std::vector<Row>& pieces) {
-    auto& histories = model.boundary_histories;
-    const BlockId whole = model.blocks.id[pieces.front()];
-    turn_arms(model, from, whole);
-    const std::size_t count = histories.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (histories.block[i] != whole) continue;
-        const double amplitude = histories.amplitude[i], acting = histories.acting[i];
-        for (const Row piece : pieces) {
-            std::size_t row = i;
-            if (piece != pieces.front()) {
-                row = histories.size();
-                histories.resize(row + 1);
-            }
-            histories.block[row] = model.blocks.id[piece];
-            histories.gridpoint[row] = no_row;
-            histories.what[row] = histories.what[i];
-            histories.component[row] = histories.component[i];
-            histories.function[row] = histories.function[i];
-            const double share =
-                histories.what[i] == BoundaryHistories::What::load ? model.blocks.volume[piece] / from.volume : 1;
-            histories.amplitude[row] = share * amplitude;
-            histories.acting[row] = share * acting;
-        }
-    }
-}
 
 /// Joins the pieces of bodies again, all but those of one block.
 void rejoin(Model& model, const std::vector<std::vector<Row>>& bodies, const std::vector<Row>& cut_from) {
@@ -153,16 +102,19 @@ std::vector<Row> replace_by_pieces(Model& model, const std::vector<Row>& rows, c
         const int parent = cut.pieces[i].parent;
         const Row row = rows[static_cast<std::size_t>(parent)];
         Parent from(model, row);
+        const SharedLoads loads(model, row, from.whole, from.turn);
+        std::vector<Polyhedron> shapes{cut.pieces[i].polyhedron};
         from.give(model, row, cut.pieces[i].polyhedron);
         std::vector<Row> pieces{row};
         for (++i; i < cut.pieces.size() && cut.pieces[i].parent == parent; ++i) {
             const Row piece = add_block_row(model);
             pieces.push_back(piece);
             from.give(model, piece, cut.pieces[i].polyhedron);
+            shapes.push_back(cut.pieces[i].polyhedron);
             cut_from.push_back(row);
             if (body_of[row] >= 0) bodies[static_cast<std::size_t>(body_of[row])].push_back(piece);
         }
-        if (!model.boundary_histories.empty()) share_boundary_histories(model, from, pieces);
+        loads.give(model, pieces, shapes);
         row_of_piece.insert(row_of_piece.end(), pieces.begin(), pieces.end());
     }
     put_in_block_order(model);

@@ -71,10 +71,12 @@ void need_rigid(const Model& model, Row block) {
 }
 void set_load(Model& model, Row block, const FieldValue& value) {
     need_rigid(model, block);
+    forget_places(model, block, {0, 1, 2});
     model.blocks.load[block] = vector(value);
 }
 template <int k> void set_load_component(Model& model, Row block, const FieldValue& value) {
     need_rigid(model, block);
+    forget_places(model, block, {k});
     model.blocks.load[block][k] = number(value);
 }
 

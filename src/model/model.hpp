@@ -8,6 +8,7 @@
 #include "model/history.hpp"
 #include "model/materials.hpp"
 #include "model/model_edit.hpp"
+#include "model/placed_loads.hpp"
 #include "model/settings.hpp"
 #include "model/structures.hpp"
 #include "geometry/ground.hpp"
@@ -64,6 +65,7 @@ struct Model {
     TiedPairs tied_pairs;
     Ties ties;
     BoundaryHistories boundary_histories;
+    PlacedLoads placed_loads;
     Excavated excavated; ///< blocks that were excavated and may be put back
     Structures structures;
 
@@ -120,6 +122,7 @@ struct Model {
         visit("tied_pairs", tied_pairs);
         visit("ties", ties);
         visit("drives", boundary_histories);
+        visit("placed_loads", placed_loads);
     }
     /// The tables of structures.
     template <class Visit> void structure_tables(Visit&& visit) {

@@ -12,7 +12,7 @@ enum class Role : std::uint8_t {
     local_link,   ///< rows counted from the first of their block: right wherever the block is
     setting,      ///< set by the user: pieces and copies inherit it
     condition,    ///< holds and water: pieces inherit it, copies do not; refilled blocks keep it
-    load,         ///< pieces share it by volume; blocks that are filled in and copies have none
+    load,         ///< pieces share it by place or volume; blocks that are filled in and copies have none
     motion,       ///< velocities: blocks that are filled in and copies are at rest
     displacement, ///< the same, and `reset disp` and `reset jdisp` set it to zero
     state,        ///< forces, stresses, history: blocks that are filled in and copies carry nothing

@@ -291,10 +291,10 @@ template <class T> void visit_table(Archive& archive, const char* name, T& table
 
 void visit_state(Archive& archive, Model& model) {
     auto& [blocks, gridpoints, faces, triangles, zones, contacts, sub_contacts, tied_pairs, ties, boundary_histories,
-           excavated, structures, materials, joint_properties, joint_rules, zone_properties, joint_constitutive,
-           group_names, time_functions, rollers, water_ground, settings, clock, energy, histories, next_block_number,
-           next_shape_number, next_contact_number, next_sub_contact_number, ruled_contacts, stale, unreduced,
-           forces_set, taken_over] = model;
+           placed_loads, excavated, structures, materials, joint_properties, joint_rules, zone_properties,
+           joint_constitutive, group_names, time_functions, rollers, water_ground, settings, clock, energy, histories,
+           next_block_number, next_shape_number, next_contact_number, next_sub_contact_number, ruled_contacts, stale,
+           unreduced, forces_set, taken_over] = model;
     // The tables named above appear here only to be counted: Model::tables() is their list.
     model.tables([&](const char* name, auto& table) { visit_table(archive, name, table); });
 
