@@ -73,7 +73,8 @@ bool MessageStream::is_idle(int milliseconds) const {
 }
 
 void MessageStream::send(const nlohmann::json& message) const {
-    const std::string body = message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    // Letters beyond ASCII as \u and digits: a terminal would obey some of them.
+    const std::string body = message.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     const std::string bytes = fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body);
     for (std::size_t at = 0; at < bytes.size();) {
         const ssize_t count = ::write(output_, bytes.data() + at, bytes.size() - at);

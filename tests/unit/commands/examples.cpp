@@ -136,6 +136,8 @@ std::string before(std::string_view example) {
     if (example.find("remove watch") != std::string_view::npos) return "fish callback add watch\n";
     if (example.find("jrco") != std::string_view::npos) return "jmodel load barton-bandis\n";
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
+    if (example.starts_with("block contact material-table") && example.find("table add") == std::string_view::npos)
+        return "block contact material-table add property friction 30 range position-z 0 9\n";
     if (example.find("vs step") != std::string_view::npos)
         return "block history name 'crown' velocity-z position 0 0 1\n";
     return {};
