@@ -5,6 +5,7 @@
 #include "commands/reactions.hpp"
 #include "laws/run_record.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "model/groups.hpp"
 #include "model/joint_polygons.hpp"
 #include "model/state_hash.hpp"
 #include "python/errors.hpp"
@@ -101,7 +102,7 @@ py::dict reactions(PythonSession& self) {
         row["held"] = one.held;
         row["force"] = array_of(one.force);
         row["weight"] = array_of(one.weight);
-        groups[py::str(model.group_names[static_cast<std::size_t>(one.group)])] = row;
+        groups[py::str(std::string(default_group(model, one.group)))] = row;
     }
     py::dict result;
     result["groups"] = groups;

@@ -102,6 +102,13 @@ class Reading(unittest.TestCase):
         total = force[model.blocks["id"]] + np.array([0, 0, -20000.0])
         np.testing.assert_allclose(total[~held].sum(axis=0), reactions["unbalanced"], atol=1e-6)
 
+    def test_supports_by_the_group_of_the_default_slot(self):
+        model = wall()
+        model.command("block group 'left' slot 'side' range position-z 0 1\ngroup block foot range z 0 1")
+        self.assertEqual(set(model.reactions()["groups"]), {"foot"})
+        model.command("block group 'foot' remove range position-z 0 1")
+        self.assertEqual(set(model.reactions()["groups"]), {""})
+
     def test_histories(self):
         history = self.model.histories["out of balance"]
         self.assertEqual((history.number, len(history.values), list(history.cycle[:2])), (1, 40, [5, 10]))
