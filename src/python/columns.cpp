@@ -3,6 +3,7 @@
 #include "model/archive.hpp"
 
 #include <optional>
+#include <pybind11/stl.h>
 #include <type_traits>
 #include <vector>
 
@@ -49,10 +50,8 @@ py::dict column_names(Model& model) {
     py::dict tables;
     walk_columns(model, [&tables](const std::string& table, std::string_view column, const Numbers& numbers) {
         if (!tables.contains(table)) tables[table.c_str()] = py::dict();
-        py::tuple shape(shape_of(numbers).size());
-        for (std::size_t k = 0; k < shape.size(); ++k) shape[k] = shape_of(numbers)[k];
         py::cast<py::dict>(tables[table.c_str()])[py::str(std::string(column))] =
-            py::make_tuple(type_of(numbers.type), shape);
+            py::make_tuple(type_of(numbers.type), py::tuple(py::cast(shape_of(numbers))));
     });
     return tables;
 }

@@ -80,7 +80,7 @@ ObjectKind kind_of(const std::string& name) {
     for (const auto& info : kinds())
         if (info.kind < end_of_script_kinds && (info.name == name || std::string(info.name) + "s" == name))
             return info.kind;
-    throw py::key_error("there are no objects of a kind '" + name + "'; kinds() lists them");
+    throw py::key_error("there are no objects of a kind '" + name + "'");
 }
 
 std::size_t count_objects(Session& session, const std::string& kind) {
@@ -89,13 +89,11 @@ std::size_t count_objects(Session& session, const std::string& kind) {
     return info.count(session.model);
 }
 
-py::list kind_names(Session& session) {
-    py::list all;
+std::vector<std::string> kind_names() {
+    std::vector<std::string> names;
     for (const auto& info : kinds())
-        if (info.kind < end_of_script_kinds)
-            all.append(
-                py::make_tuple(std::string(info.name), info.plural, count_objects(session, std::string(info.name))));
-    return all;
+        if (info.kind < end_of_script_kinds) names.emplace_back(info.name);
+    return names;
 }
 
 py::list field_names(const std::string& name) {

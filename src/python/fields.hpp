@@ -5,14 +5,17 @@
 
 #include <pybind11/numpy.h>
 #include <string>
+#include <vector>
 
 namespace kaya::python {
 
 /// The kind of that name: "block", "sub_contact". Throws KeyError.
 ObjectKind kind_of(const std::string& name);
 
-/// [(name, plural, number of objects)] of the kinds that scripts see. Contacts are searched when there are none yet.
-pybind11::list kind_names(Session& session);
+/// The kinds that scripts see.
+std::vector<std::string> kind_names();
+
+/// Contacts are searched when there are none yet.
 std::size_t count_objects(Session& session, const std::string& kind);
 
 /// [(name, unit, help, classic FISH, newer FISH, can be set)] of a kind, or of "model".

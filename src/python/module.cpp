@@ -119,14 +119,12 @@ PYBIND11_MODULE(_kaya, module) {
     module.doc() = "The engine of kaya. Use the package kaya.";
     module.attr("__version__") = program_version();
     add_errors(module);
+    module.def("kinds", &kind_names);
     py::class_<PythonSession>(module, "Session")
         .def(py::init(&new_session), py::arg("out"), py::arg("messages"), py::arg("threads"), py::arg("strict"),
              py::arg("quiet"), py::arg("trust"), py::arg("joints"), py::arg("own_joints"))
         .def("text", &PythonSession::text, py::arg("commands"), py::arg("name"), py::arg("caught"))
         .def("deck", &PythonSession::deck, py::arg("file"))
-        .def("restore",
-             [](PythonSession& self, const std::string& file) { self.text("restore '" + file + "'", "python", false); })
-        .def("kinds", [](PythonSession& self) { return kind_names(self.session()); })
         .def("fields", [](PythonSession&, const std::string& kind) { return field_names(kind); })
         .def("count", [](PythonSession& self, const std::string& kind) { return count_objects(self.session(), kind); })
         .def("values", [](PythonSession& self, const std::string& kind,
@@ -155,7 +153,6 @@ PYBIND11_MODULE(_kaya, module) {
                  const script::Value given = to_script(value);
                  self.run([&](Session& session) { session.scripts->set(name, given); });
              })
-        .def("names", [](PythonSession& self) { return self.session().scripts->symbols(); })
         .def("call_in_cycles", &PythonSession::call_in_cycles, py::arg("function"), py::arg("moment"),
              py::arg("interval"))
         .def("leave_out", &PythonSession::leave_out, py::arg("number"))

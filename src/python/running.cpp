@@ -135,7 +135,7 @@ void PythonSession::call(const py::function& function) {
     inside_call_ = true;
     try {
         function();
-        if (*borrowed_ > 0) refuse_borrowed();
+        refuse_borrowed();
     } catch (py::error_already_set& problem) { raised_ = problem; } catch (const std::exception& problem) {
         PyErr_SetString(PyExc_BufferError, problem.what());
         raised_.emplace();

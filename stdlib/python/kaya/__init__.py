@@ -11,6 +11,6 @@ Words, units and files are those of decks; nothing is converted.
 
 from ._kaya import Error, __version__
 from .model import Model, open, run
-from .table import Table, View
+from .table import StaleView, Table, View
 
-__all__ = ["Error", "Model", "Table", "View", "open", "run", "__version__"]
+__all__ = ["Error", "Model", "StaleView", "Table", "View", "open", "run", "__version__"]

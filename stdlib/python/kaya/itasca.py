@@ -16,6 +16,7 @@ from typing import Any, Iterator
 import numpy as np
 
 from .model import Model
+from .table import Table
 
 _model: Model | None = None
 
@@ -56,9 +57,13 @@ class _Fish:
         return model().get(f"{name}({shown})" if arguments else name)
 
 
+def _table(kind: str) -> Table:
+    return Table(model(), kind)
+
+
 def _methods(kind: str) -> dict[str, str]:
     """{name of the method: field}: the name of newer FISH without that of its kind."""
-    fields = model().__getattr__(kind + "s").fields()
+    fields = _table(kind).fields()
     beginning = _kinds[kind]
     return {info["modern"][len(beginning):].replace(".", "_"): name
             for name, info in fields.items() if info["modern"].startswith(beginning)}
@@ -75,9 +80,9 @@ class Object:
             raise AttributeError(name)
         methods = _methods(self._kind)
         if name in methods:
-            return lambda: model().__getattr__(self._kind + "s")[methods[name]][self._row]
+            return lambda: _table(self._kind)[methods[name]][self._row]
         if name.startswith("set_") and name[4:] in methods:
-            return lambda value: model().__getattr__(self._kind + "s").set(methods[name[4:]], value, [self._row])
+            return lambda value: _table(self._kind).set(methods[name[4:]], value, [self._row])
         raise AttributeError(f"a {self._kind} has no method '{name}': {', '.join(methods)}")
 
     def __repr__(self) -> str:
@@ -90,19 +95,19 @@ class _Kind:
         self.__dict__.update(inner)
 
     def count(self) -> int:
-        return len(model().__getattr__(self._kind + "s"))
+        return len(_table(self._kind))
 
     def list(self) -> Iterator[Object]:
         return (Object(self._kind, row) for row in range(self.count()))
 
     def find(self, number: int) -> Object | None:
         """The object with that number; None where there is none."""
-        rows = np.flatnonzero(model().__getattr__(self._kind + "s")["id"] == number)
+        rows = np.flatnonzero(_table(self._kind)["id"] == number)
         return Object(self._kind, int(rows[0])) if len(rows) else None
 
     def near(self, place) -> Object | None:
         """The object that is nearest to a place."""
-        places = model().__getattr__(self._kind + "s")["position"]
+        places = _table(self._kind)["position"]
         return Object(self._kind, int(np.argmin(((places - np.asarray(place)) ** 2).sum(axis=1)))) if len(places) else None
 
 
@@ -117,9 +122,9 @@ class _Array:
             raise AttributeError(name)
         methods = _methods(self._kind)
         if name in methods:
-            return lambda: model().__getattr__(self._kind + "s")[methods[name]]
+            return lambda: _table(self._kind)[methods[name]]
         if name.startswith("set_") and name[4:] in methods:
-            return lambda values: model().__getattr__(self._kind + "s").set(methods[name[4:]], values)
+            return lambda values: _table(self._kind).set(methods[name[4:]], values)
         raise AttributeError(f"there is no array '{name}': {', '.join(methods)}")
 
 

@@ -12,8 +12,7 @@ import numpy as np
 from . import _kaya
 from .table import Table, View
 
-_KINDS = ("block", "gridpoint", "zone", "face", "contact", "sub_contact", "corner", "cable_node", "structure_node",
-          "beam_element", "liner_element")
+_TABLES = {kind + "s": kind for kind in _kaya.kinds()}
 
 
 def _own_joints() -> list[Path]:
@@ -98,15 +97,15 @@ class Model:
     def __getattr__(self, name: str):
         if name.startswith("_"):
             raise AttributeError(name)
-        if name.endswith("s") and name[:-1] in _KINDS:
-            return Table(self, name[:-1])
+        if name in _TABLES:
+            return Table(self, _TABLES[name])
         try:
             return self._session.quantity(name)
         except KeyError:
             raise AttributeError(f"a model has no '{name}'; quantities() and dir() list what it has") from None
 
     def __dir__(self):
-        return [*super().__dir__(), *(kind + "s" for kind in _KINDS), *self.quantities()]
+        return [*super().__dir__(), *_TABLES, *self.quantities()]
 
     def quantities(self) -> dict[str, dict[str, Any]]:
         """Quantities of the whole model by name, such as m.time and m.unbalanced_force: {name: {unit, help, ...}}."""

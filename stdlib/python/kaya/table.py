@@ -31,7 +31,7 @@ class Table:
     def set(self, field: str, values, rows: Sequence[int] | None = None) -> None:
         """Sets a field of these rows (all of them when None). Raises kaya.Error where the field or a value does not allow it."""
         rows = np.arange(len(self)) if rows is None else np.asarray(rows, dtype=np.int64).ravel()
-        if isinstance(values, np.ndarray) or (isinstance(values, (list, tuple)) and len(values) == len(rows) and not _is_vector(values, rows)):
+        if isinstance(values, np.ndarray) or (isinstance(values, (list, tuple)) and len(values) == len(rows) and not _is_vector(values)):
             values = [v.tolist() if isinstance(v, (np.ndarray, np.generic)) else v for v in values]
         self._model._session.set_values(self._kind, field, rows, values)
 
@@ -62,7 +62,7 @@ class Table:
         return f"<{len(self)} {self._kind}: {', '.join(self.keys())}>"
 
 
-def _is_vector(values, rows) -> bool:
+def _is_vector(values) -> bool:
     """Three numbers for three rows are one vector only as a tuple."""
     return isinstance(values, tuple) and len(values) == 3 and all(np.isscalar(v) for v in values)
 
