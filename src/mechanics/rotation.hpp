@@ -2,17 +2,14 @@
 #pragma once
 
 #include "model/model.hpp"
-
-#include <Eigen/Geometry>
+#include "model/turn.hpp"
 
 namespace kaya {
-
-inline Eigen::Quaterniond quaternion(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
 
 /// Tensor of inertia about the centroid in global axes with the inertial mass, mass times length^2. Requires a known mass.
 inline Mat3 inertia_now(const Model& model, Row block) {
     const auto& blocks = model.blocks;
-    const Mat3 turn = quaternion(blocks.orientation[block]).toRotationMatrix();
+    const Mat3 turn = turn_of(blocks, block);
     return turn * (blocks.inertia[block] * (blocks.inertial_mass[block] / blocks.volume[block])) * turn.transpose();
 }
 
@@ -24,7 +21,7 @@ inline Vec3 moment_of(const Mat3& arms_times_forces) {
 
 /// Blocks::load_arms in global axes, for the present orientation.
 inline Mat3 arms_now(const Model& model, Row block) {
-    return quaternion(model.blocks.orientation[block]).toRotationMatrix() * model.blocks.load_arms[block];
+    return turn_of(model.blocks, block) * model.blocks.load_arms[block];
 }
 
 /// Moment of all loads on a rigid block about its centroid, for the present orientation.

@@ -2,6 +2,7 @@
 
 #include "base/reduce.hpp"
 #include "mechanics/overlap_contact.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -151,8 +152,7 @@ void StepBounds::find_frames(const Model& model, const Adjacency& adjacency, Mas
                                     fixed_[b]);
             return;
         }
-        const auto& q = blocks.orientation[b];
-        const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+        const Mat3 turn = turn_of(blocks, b);
         const double mass = factor * blocks.mass[b];
         frames_[b] =
             make_frame(blocks.centroid[b], mass,

@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "laws/lone_row.hpp"
 #include "model/held.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -143,8 +144,7 @@ void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjace
         for (std::size_t i = first; i < last; ++i) {
             const Row b = static_cast<Row>(i);
             if (blocks.deformable[b] || blocks.body[b] != 0) continue;
-            const auto& q = blocks.orientation[b];
-            const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+            const Mat3 turn = turn_of(blocks, b);
             const double inertial = blocks.inertial_mass[b];
             motions_[b] = advance(blocks.centroid[b], blocks.mass[b], inertial,
                                   inertial / blocks.volume[b] * (turn * blocks.inertia[b] * turn.transpose()),

@@ -5,6 +5,7 @@
 #include "model/links.hpp"
 #include "model/measure.hpp"
 #include "model/share_loads.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -31,8 +32,7 @@ struct Parent {
     std::vector<Side> sides; ///< faces with their own group
 
     Parent(Model& model, Row b)
-        : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume),
-          turn(turn_of(model.blocks.orientation[b])) {
+        : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume), turn(turn_of(model.blocks, b)) {
         whole.append(model.blocks, {b});
         whole.load_arms[0] = turn * whole.load_arms[0];
         if (!model.blocks.deformable[b]) roller = model.gridpoints.roller[model.blocks.gridpoints[b].first];
@@ -41,8 +41,6 @@ struct Parent {
                 sides.push_back(
                     {face_area_vector(model, f).normalized(), face_centroid(model, f), model.faces.group[f]});
     }
-
-    static Mat3 turn_of(const Quaternion& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
 
     void give(Model& model, Row b, const Polyhedron& piece) {
         const MassProperties mass = mass_properties(piece);

@@ -1,6 +1,7 @@
 // Quantities of blocks.
 #include "model/field_rows.hpp"
 #include "model/measure.hpp"
+#include "model/turn.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -88,8 +89,7 @@ Mat3 inertia(const Model& model, Row block) {
     if (blocks.mass[block] > 0) density = blocks.mass[block] / blocks.volume[block];
     else if (const auto found = model.materials.find(blocks.material[block]); found != model.materials.end())
         density = found->second.density;
-    const Quaternion& q = blocks.orientation[block];
-    const Mat3 turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Mat3 turn = turn_of(blocks, block);
     return density * (turn * blocks.inertia[block] * turn.transpose());
 }
 Vec3 moments_of_inertia(const Model& model, Row block) { return inertia(model, block).diagonal(); }

@@ -1,6 +1,7 @@
 // Quantities of beams and liners: of their nodes and of their elements.
 #include "model/field_rows.hpp"
 #include "model/members.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -33,8 +34,7 @@ template <auto column> void set_of_node(Model& m, Row node, const FieldValue& va
     (m.structures.member_nodes.*column)[node] = vector(value);
 }
 Vec3 rotation(const Model& m, Row node) {
-    const Quaternion& q = nodes_of(m).rotation[node];
-    const Eigen::AngleAxisd turn(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+    const Eigen::AngleAxisd turn(quaternion(nodes_of(m).rotation[node]));
     return turn.angle() * turn.axis();
 }
 std::int64_t hold(const Model& m, Row node) { return static_cast<std::int64_t>(hold_of(m, node)); }

@@ -4,6 +4,7 @@
 #include "geometry/box_pairs.hpp"
 #include "geometry/face_contact.hpp"
 #include "model/build.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,8 +19,7 @@ namespace {
 
 /// Inertia of a block of density mass/volume about its own centroid, global axes.
 Mat3 block_inertia(const Model& model, Row b, double mass) {
-    const auto& q = model.blocks.orientation[b];
-    const Mat3 r = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Mat3 r = turn_of(model.blocks, b);
     return mass / model.blocks.volume[b] * (r * model.blocks.inertia[b] * r.transpose());
 }
 

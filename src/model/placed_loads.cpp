@@ -1,6 +1,7 @@
 #include "model/placed_loads.hpp"
 
 #include "model/model.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,11 +11,6 @@
 namespace kaya {
 
 namespace {
-
-Mat3 turn_of(const Model& model, Row b) {
-    const Quaternion& q = model.blocks.orientation[b];
-    return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-}
 
 /// A corner of a polygon under a linear traction.
 struct Loaded {
@@ -151,7 +147,7 @@ LoadPlaces::LoadPlaces(Model& model) : model_(model) {
 
 void LoadPlaces::add(Row b, const PlacedLoad& load) {
     auto& loads = model_.placed_loads;
-    const Mat3 to_own = turn_of(model_, b).transpose();
+    const Mat3 to_own = turn_of(model_.blocks, b).transpose();
     Mat3 arms, forces;
     for (int k = 0; k < 3; ++k) {
         arms.col(k) = to_own * (load.place[static_cast<std::size_t>(k)] - model_.blocks.centroid[b]);
@@ -182,7 +178,7 @@ void forget_places(Model& model, Row b, std::initializer_list<int> axes) {
 
 std::vector<PlacedLoad> take_placed_loads(Model& model, Row b) {
     auto& loads = model.placed_loads;
-    const Mat3 turn = turn_of(model, b);
+    const Mat3 turn = turn_of(model.blocks, b);
     std::vector<PlacedLoad> taken;
     std::vector<Row> kept;
     for (std::size_t i = 0; i < loads.size(); ++i) {

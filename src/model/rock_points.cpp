@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 #include "model/nearest.hpp"
 #include "model/selection.hpp"
+#include "model/turn.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -15,11 +16,6 @@ namespace {
 
 /// Distance outside a block, over its size, within which a point counts as on its surface.
 constexpr double on_surface = 1e-6;
-
-Mat3 turn_of(const Blocks& blocks, Row block) {
-    const auto& q = blocks.orientation[block];
-    return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-}
 
 /// Shares of a zone's corners in a place; they sum to 1 and may be negative outside of it.
 std::array<double, 4> weights_in(const Model& model, Row zone, const Vec3& place) {
