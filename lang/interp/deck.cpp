@@ -139,22 +139,27 @@ SharedFile bind_deck(const Language& language, const std::string& name, const st
     return bound;
 }
 
-ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
-                   const Checks* checks) {
+namespace {
+
+template <class Read>
+ReadDeck read_with(const Language& language, const std::vector<fs::path>& folders, const Checks* checks, Read read) {
     ReadDeck deck;
     DeckReader reader(language, folders, checks, deck.names, std::numeric_limits<std::size_t>::max());
-    deck.file = reader.file(name);
+    deck.file = read(reader);
     deck.problems = reader.take_problems();
     return deck;
 }
 
+} // namespace
+
+ReadDeck read_deck(const Language& language, const std::string& name, const std::vector<fs::path>& folders,
+                   const Checks* checks) {
+    return read_with(language, folders, checks, [&](DeckReader& reader) { return reader.file(name); });
+}
+
 ReadDeck read_deck(const Language& language, Source source, const fs::path& path, const std::vector<fs::path>& folders,
                    const Checks* checks) {
-    ReadDeck deck;
-    DeckReader reader(language, folders, checks, deck.names, std::numeric_limits<std::size_t>::max());
-    deck.file = reader.text(source, path);
-    deck.problems = reader.take_problems();
-    return deck;
+    return read_with(language, folders, checks, [&](DeckReader& reader) { return reader.text(source, path); });
 }
 
 SharedFile bind_text(const Language& language, Source source, const std::vector<fs::path>& folders,

@@ -190,10 +190,7 @@ CommandSpec block_initialize() {
 }
 
 CommandSpec block_group() {
-    Leaf<Group> leaf("block group", "group block");
-    leaf.arguments_of_meaning();
-    leaf.word("slot", "slot").word("remove", "remove");
-    leaf.ranged(&Group::range);
+    auto leaf = group_leaf("block group", "group block");
     leaf.right("block group 'left wall' range position-x -1 0.9", "group block 'left wall' range x -1 0.9");
     leaf.right("block group 'all'", "group block all");
     leaf.right("block group 'thin' slot '1' range edge-length 0 0.1",

@@ -34,6 +34,13 @@ template <class Command, class Member> void vector_words(Leaf<Command>& leaf, co
     for (const auto& component : components) leaf.word(component.words, component.classic);
 }
 
+/// The words of a command that puts objects into a group, or takes them out of one.
+inline Leaf<Group> group_leaf(std::string_view words, std::string_view meaning) {
+    Leaf<Group> leaf(words, meaning);
+    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
+    return leaf;
+}
+
 /// A table by its name; a name of digits is a number.
 inline TableValue table_named(std::string name) {
     TableValue table;

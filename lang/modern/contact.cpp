@@ -196,9 +196,7 @@ CommandSpec generate_subcontacts() {
 }
 
 CommandSpec contact_group() {
-    Leaf<Group> leaf("block contact group", "group joint");
-    leaf.arguments_of_meaning().ranged(&Group::range);
-    leaf.word("slot", "slot").word("remove", "remove");
+    auto leaf = group_leaf("block contact group", "group joint");
     leaf.right("block contact group 'bed' range position-z 1", "group joint bed range z 1");
     leaf.right("block contact group 'all'", "group joint all");
     leaf.wrong("block contact group", "a word is missing after 'group'");
@@ -206,8 +204,7 @@ CommandSpec contact_group() {
 }
 
 CommandSpec subcontact_group() {
-    Leaf<Group> leaf("block contact group-subcontact", "group subcontact");
-    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
+    auto leaf = group_leaf("block contact group-subcontact", "group subcontact");
     leaf.right("block contact group-subcontact 'edge' range position-x 1", "group subcontact edge range x 1");
     leaf.wrong("block contact group-subcontact", "a word is missing after 'group-subcontact'");
     return leaf;

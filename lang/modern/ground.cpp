@@ -135,8 +135,7 @@ CommandSpec triangulate_edge() {
 }
 
 CommandSpec face_group() {
-    Leaf<Group> leaf("block face group", "group face");
-    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
+    auto leaf = group_leaf("block face group", "group face");
     leaf.right("block face group 'top' range position-z 2", "group face top range z 2");
     leaf.wrong("block face group", "a word is missing after 'group'");
     return leaf;

@@ -18,11 +18,17 @@ template <class Command, std::int64_t number> void numbered(const Statement& sta
     command.place = statement.words.front().place;
 }
 
-CommandSpec create_cable() {
-    Leaf<StructureCable> leaf("structure cable create by-line", "structure cable");
-    leaf.start(numbered<StructureCable, of_cables>);
+/// Cables and beams lie on a line.
+template <class Command, std::int64_t number> Leaf<Command> by_line(std::string_view words, std::string_view meaning) {
+    Leaf<Command> leaf(words, meaning);
+    leaf.start(numbered<Command, number>);
     leaf.arguments_of_meaning().word("segments", "segments").checks_of_meaning();
     leaf.not_yet({"id", "group", "snap", "distinct", "maximum-length"}, further);
+    return leaf;
+}
+
+CommandSpec create_cable() {
+    auto leaf = by_line<StructureCable, of_cables>("structure cable create by-line", "structure cable");
     leaf.right("structure cable create by-line 0 0.5 0.5 1 0.5 0.5 segments 8",
                "structure cable 0 0.5 0.5 1 0.5 0.5 segments 8");
     leaf.wrong("structure cable create by-line 0 0 1 0 0 1", "both ends of the cable are at the same place");
@@ -33,10 +39,7 @@ CommandSpec create_cable() {
 }
 
 CommandSpec create_beam() {
-    Leaf<StructureBeam> leaf("structure beam create by-line", "structure beam");
-    leaf.start(numbered<StructureBeam, of_beams>);
-    leaf.arguments_of_meaning().word("segments", "segments").checks_of_meaning();
-    leaf.not_yet({"id", "group", "snap", "distinct", "maximum-length"}, further);
+    auto leaf = by_line<StructureBeam, of_beams>("structure beam create by-line", "structure beam");
     leaf.right("structure beam create by-line 0 0.5 0.5 1 0.5 0.5 segments 8",
                "structure beam 0 0.5 0.5 1 0.5 0.5 segments 8 property 2");
     leaf.wrong("structure beam create by-line 0 0 1 0 0 1", "two neighbouring places of the beam are the same");

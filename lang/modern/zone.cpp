@@ -1,5 +1,6 @@
 // block zone ...: deformable blocks.
 #include "lang/commands/property_items.hpp"
+#include "lang/modern/components.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/modern/leaf.hpp"
 
@@ -149,8 +150,7 @@ CommandSpec zone_initialize() {
 }
 
 CommandSpec zone_group() {
-    Leaf<Group> leaf("block zone group", "group zone");
-    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove").ranged(&Group::range);
+    auto leaf = group_leaf("block zone group", "group zone");
     leaf.right("block zone group 'core' range cylinder end-1 0 0 0 end-2 0 0 9 radius 1",
                "group zone core range cyl end1 0 0 0 end2 0 0 9 radius 1");
     leaf.wrong("block zone group", "a word is missing after 'group'");

@@ -234,10 +234,10 @@ Json EditorAnswers::diagnostic(const OpenDeck& deck, const std::string& path, co
         const std::size_t begin = std::min(static_cast<std::size_t>(std::max(line.column - 1, 0)), text.size());
         range = range_of(deck, {line.line - 1, begin, std::min(text.find_first_of(" \t,", begin), text.size())});
     }
-    const int severity = line.outlook == Outlook::ignored ? 3 : line.outlook == Outlook::doubtful ? 2 : 1;
     std::string message = here ? line.text : fmt::format("{}:{}: {}", line.file, line.line, line.text);
     if (!line.hint.empty()) message += "\n" + line.hint;
-    Json diagnostic{{"range", range}, {"severity", severity}, {"source", "kaya"}, {"message", message}};
+    Json diagnostic{
+        {"range", range}, {"severity", severity_of(line.outlook)}, {"source", "kaya"}, {"message", message}};
     if (!line.code.empty()) diagnostic["code"] = line.code;
     return diagnostic;
 }
@@ -245,11 +245,8 @@ Json EditorAnswers::diagnostic(const OpenDeck& deck, const std::string& path, co
 Json EditorAnswers::proposed_edits(const std::string& uri, const Json& diagnostics) {
     Json actions = Json::array();
     for (const auto& diagnostic : diagnostics) {
-        constexpr std::string_view begin = "did you mean '";
-        const std::string message = diagnostic.at("message");
-        const auto from = message.find(begin), to = message.find("'?", from);
-        if (from == message.npos || to == message.npos) continue;
-        const std::string word = message.substr(from + begin.size(), to - from - begin.size());
+        const std::string word = proposal_of(diagnostic.at("message").get<std::string>());
+        if (word.empty()) continue;
         const Json edit{{"range", diagnostic.at("range")}, {"newText", word}};
         actions.push_back({{"title", "write " + word},
                            {"kind", "quickfix"},

@@ -226,11 +226,12 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
                     session.warn(
                         Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
                                                model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
-                                   fmt::format("waves come back from it: let it go with `{}{}`, which keeps the force "
-                                               "that holds it",
-                                               session.in_words("bound ", "block gridpoint apply reaction-"),
-                                               session.modern_line ? std::string(axis_names[axis])
-                                                                   : fmt::format("{}reaction", axis_names[axis])))
+                                   fmt::format(fmt::runtime(session.in_words(
+                                                   "waves come back from it: let it go with `bound {0}reaction`, which "
+                                                   "keeps the force that holds it",
+                                                   "waves come back from it: let it go with `block gridpoint apply "
+                                                   "reaction-{0}`, which keeps the force that holds it")),
+                                               axis_names[axis]))
                             .at(command.place));
                     return;
                 }

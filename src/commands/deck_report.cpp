@@ -107,27 +107,29 @@ std::string DeckReport::text(const std::string& deck) const {
     return text;
 }
 
+int severity_of(Outlook outlook) { return outlook == Outlook::ignored ? 3 : outlook == Outlook::doubtful ? 2 : 1; }
+
+std::string proposal_of(std::string_view text) {
+    constexpr std::string_view begin = "did you mean '";
+    const auto from = text.find(begin), to = text.find("'?", from);
+    if (from == text.npos || to == text.npos) return {};
+    return std::string(text.substr(from + begin.size(), to - from - begin.size()));
+}
+
 std::string DeckReport::json_lines() const {
+    constexpr std::array severities{"error", "warning", "information"};
     std::string text;
     for (const auto& line : lines) {
-        const char* severity = line.outlook == Outlook::ignored    ? "information"
-                               : line.outlook == Outlook::doubtful ? "warning"
-                                                                   : "error";
-        // The hint "did you mean 'x'?" proposes x, which an editor can insert.
-        constexpr std::string_view begin = "did you mean '";
-        const auto from = line.hint.find(begin), to = line.hint.find("'?", from);
-        const std::string proposal = from == line.hint.npos || to == line.hint.npos
-                                         ? ""
-                                         : line.hint.substr(from + begin.size(), to - from - begin.size());
-        const nlohmann::ordered_json object = {{"file", line.file},
-                                               {"line", line.line},
-                                               {"column", line.column},
-                                               {"severity", severity},
-                                               {"kind", word_of(line.outlook)},
-                                               {"code", line.code},
-                                               {"message", line.text},
-                                               {"hint", line.hint},
-                                               {"proposal", proposal}};
+        const nlohmann::ordered_json object = {
+            {"file", line.file},
+            {"line", line.line},
+            {"column", line.column},
+            {"severity", severities[static_cast<std::size_t>(severity_of(line.outlook) - 1)]},
+            {"kind", word_of(line.outlook)},
+            {"code", line.code},
+            {"message", line.text},
+            {"hint", line.hint},
+            {"proposal", proposal_of(line.hint)}};
         // Characters outside of ASCII, control characters among them, are written as \u and digits, invalid UTF-8 as the replacement character.
         text += object.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }

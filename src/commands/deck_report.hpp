@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kaya {
@@ -27,6 +28,12 @@ struct ReportLine {
     std::string hint;
     std::string code; ///< for `kaya explain`; may be empty
 };
+
+/// As editors number them: 1 error, 2 warning, 3 information.
+int severity_of(Outlook outlook);
+
+/// The word that a hint or a message proposes, x of "did you mean 'x'?"; empty when it proposes none.
+std::string proposal_of(std::string_view text);
 
 struct DeckReport {
     std::vector<ReportLine> lines;            ///< files in the order of their first call, lines ascending

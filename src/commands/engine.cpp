@@ -58,21 +58,21 @@ void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::fil
     make_cycle();
 }
 
+void Engine::run_hooks(script::Moment moment) {
+    if (scripts->has_hooks(moment)) {
+        world.forget_ranges(); // shapes and places are others than in the cycle before
+        scripts->run_hooks(moment, model.clock.cycle);
+    }
+    for (std::size_t k = 0; k < callbacks.size(); ++k) // one may add others
+        if (callbacks[k].moment == moment && model.clock.cycle % callbacks[k].interval == 0) {
+            const auto call = callbacks[k].call; // or remove itself
+            call();
+        }
+}
+
 void Engine::make_cycle() {
     cycle = std::make_unique<Cycle>(model, joints);
-    const auto hook = [this](script::Moment moment) {
-        return [this, moment] {
-            if (scripts->has_hooks(moment)) {
-                world.forget_ranges(); // shapes and places are others than in the cycle before
-                scripts->run_hooks(moment, model.clock.cycle);
-            }
-            for (std::size_t k = 0; k < callbacks.size(); ++k) // one may add others
-                if (callbacks[k].moment == moment && model.clock.cycle % callbacks[k].interval == 0) {
-                    const auto call = callbacks[k].call; // or remove itself
-                    call();
-                }
-        };
-    };
+    const auto hook = [this](script::Moment moment) { return [this, moment] { run_hooks(moment); }; };
     cycle->hooks.before_cycle.push_back(hook(script::Moment::before_cycle));
     cycle->hooks.after_forces.push_back(hook(script::Moment::after_forces));
     cycle->hooks.after_cycle.push_back(hook(script::Moment::after_cycle));

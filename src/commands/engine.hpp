@@ -29,6 +29,9 @@ public:
     void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
                std::size_t script_memory);
 
+    /// Runs the hooks of scripts for that moment, then the callbacks.
+    void run_hooks(script::Moment moment);
+
     /// Creates the cycle of the present model; call it again when the model was replaced.
     void make_cycle();
 

@@ -4,6 +4,7 @@
 
 #include "commands/plausible.hpp"
 #include "commands/property_meaning.hpp"
+#include "commands/zone_moduli.hpp"
 
 #include "commands/handlers.hpp"
 #include "commands/new_contacts.hpp"
@@ -51,8 +52,8 @@ void set_block_property(Material& material, lang::BlockProperty property, const 
     if (property == bulk || property == shear) material.young = material.poisson = nan;
     if (property != young && property != poisson) return;
     const bool both = !std::isnan(material.young) && !std::isnan(material.poisson);
-    material.bulk = both ? material.young / (3 * (1 - 2 * material.poisson)) : nan;
-    material.shear = both ? material.young / (2 * (1 + material.poisson)) : nan;
+    material.bulk = both ? bulk_modulus(material.young, material.poisson) : nan;
+    material.shear = both ? shear_modulus(material.young, material.poisson) : nan;
 }
 
 /// `on` and `off` are 1 and 0 of properties that have no other values.

@@ -123,15 +123,8 @@ void follow_material_table(Session& session) {
 }
 
 void run(Session& session, const lang::NewContacts& command) {
-    if (!command.model.empty()) {
-        try {
-            session.joints.get(command.model);
-        } catch (Diagnostic& mistake) {
-            mistake.at(command.model_place);
-            throw;
-        }
-    }
     pointing_at_words(command.items, command.model_place, [&](const auto& items, std::size_t* failed) {
+        if (!command.model.empty()) session.joints.get(command.model);
         set_new_joints(session.model, session.joints, command.model, items, session.here(), failed);
     });
 }

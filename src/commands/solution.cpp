@@ -98,20 +98,9 @@ void run(Session& session, const lang::CycleCommand& command) {
     session.world.stopped_by = advance_until(session, limits).why;
 }
 
-namespace {
-
-/// Functions of `fish callback ... event`.
-void run_event(Session& session, script::Moment moment) {
-    if (!session.scripts->has_hooks(moment)) return;
-    session.world.forget_ranges();
-    session.scripts->run_hooks(moment, session.model.clock.cycle);
-}
-
-} // namespace
-
 void run(Session& session, const lang::Solve& command) {
     doubt_empty_model(session, command.place);
-    run_event(session, script::Moment::solve_start);
+    session.run_hooks(script::Moment::solve_start);
     Limits limits{
         command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio, command.force, {},
         command.still,  command.all};
@@ -135,7 +124,7 @@ void run(Session& session, const lang::Solve& command) {
     session.world.stopped_by = end.why;
     session.output.say(end_text("solve", end));
     tell_rest(session, monitor, end, command.still, command.place);
-    run_event(session, script::Moment::solve_complete);
+    session.run_hooks(script::Moment::solve_complete);
 }
 
 void run(Session& session, const lang::Damp& command) {

@@ -38,9 +38,9 @@ std::vector<Item> with_moduli(const std::vector<Item>& items, const std::functio
         if (item != young && item != poisson) result.push_back(*item);
     Item bulk = *young, shear = *young;
     bulk.word = "bulk";
-    bulk.value = young->value / (3 * (1 - 2 * poisson->value));
+    bulk.value = bulk_modulus(young->value, poisson->value);
     shear.word = "shear";
-    shear.value = young->value / (2 * (1 + poisson->value));
+    shear.value = shear_modulus(young->value, poisson->value);
     result.insert(result.end(), {bulk, shear});
     return result;
 }
