@@ -63,6 +63,7 @@ constexpr ModeRow rows[] = {
     {"jmodel mohr"},
     {"jmodel bilinear-mohr"},
     {"jmodel softening-mohr"},
+    {"jmodel fracture-energy"},
     {"jmodel nonlinear"},
     {"jmodel power"},
     {"jmodel barton-bandis"},

@@ -82,7 +82,8 @@ void doubt_units(Session& session) {
     const Units& units = session.units;
     const auto doubt_value = [&](const std::string& what, double value, double in_si, const char* si, double least,
                                  double most, std::string_view quantity) {
-        if (value == 0 || (std::abs(in_si) >= least && std::abs(in_si) <= most)) return;
+        const double size = std::abs(in_si);
+        if (!(size > 0) || (size >= least && size <= most)) return; // also when it is not given
         const std::string unit = units.label(quantity);
         const std::string meant = unit == si ? "" : fmt::format(", which is {:.3g} {}", in_si, si);
         const std::string message =

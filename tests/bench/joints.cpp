@@ -38,6 +38,7 @@ const std::map<std::string, std::map<std::string, double>> values_given = {
     {"mohr", {{"friction", 30}, {"cohesion", 0.1}, {"dilation", 5}}},
     {"bilinear-mohr", {{"friction", 35}, {"friction-2", 25}, {"cohesion-2", 0.5}}},
     {"softening-mohr", {{"friction", 35}, {"friction-residual", 25}, {"dc", 1e-3}}},
+    {"fracture-energy", {{"friction", 35}, {"cohesion", 0.1}, {"g2", 1e-4}}},
     {"nonlinear", {{"friction", 30}, {"exponent-normal", 0.5}, {"exponent-shear", 0.5}}},
     {"power", {{"friction", 30}, {"constant-1", 1e-6}, {"exponent-1", 3}}},
     {"velocity-weakening", {{"friction-static", 35}, {"friction-dynamic", 20}, {"reference-velocity", 0.1}}},

@@ -51,6 +51,11 @@ const Law laws[] = {
      {{"jkn", 1e4}, {"jks", 5e3}, {"friction", 35}, {"friction-residual", 25}, {"cohesion", cohesion}, {"tension", tension}, {"dc", 1e-3}},
      coulomb,
      tension},
+    // Brittle in tension and tough in slip, so that its strength is the same before and after.
+    {"fracture-energy",
+     {{"jkn", 1e4}, {"jks", 5e3}, {"friction", 35}, {"cohesion", cohesion}, {"tension", tension}, {"g1", 5.1e-7}, {"g2", 1e6}},
+     coulomb,
+     tension},
     {"nonlinear",
      {{"jkn", 1e4}, {"jks", 5e3}, {"jen", 0.5}, {"jes", 0.5}, {"friction", 35}, {"cohesion", cohesion}, {"tension", tension}, {"dilation", 6}},
      coulomb,
