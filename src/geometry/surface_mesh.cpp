@@ -1,11 +1,14 @@
 #include "geometry/surface_mesh.hpp"
 
+#include "base/stop_point.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -164,6 +167,7 @@ private:
         halve(longest);
     }
     void halve(const Side& s) {
+        stops_.pass();
         const int middle = static_cast<int>(mesh_.points.size());
         mesh_.points.emplace_back(
             0.5 * (mesh_.points[static_cast<std::size_t>(s.first)] + mesh_.points[static_cast<std::size_t>(s.second)]));
@@ -185,6 +189,7 @@ private:
 
     SurfaceMesh& mesh_;
     double edge_;
+    StopPoints stops_;
     std::map<Side, std::vector<std::size_t>> sides_;
 };
 
@@ -251,6 +256,15 @@ double longest_side(const SurfaceMesh& mesh) {
     return longest;
 }
 
+/// Keeps one of triangles with the same corners: faces of two blocks in one place. On a face that is there twice each side would be a border.
+void drop_twins(std::vector<Triangle>& triangles) {
+    std::set<Triangle> seen;
+    std::erase_if(triangles, [&](Triangle t) {
+        std::ranges::sort(t);
+        return !seen.insert(t).second;
+    });
+}
+
 } // namespace
 
 SurfaceMesh joined_surface(const std::vector<std::array<Vec3, 3>>& triangles, double tolerance) {
@@ -275,6 +289,7 @@ SurfaceMesh joined_surface(const std::vector<std::array<Vec3, 3>>& triangles, do
         const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(triangle[k])]; };
         if (least_height(at(0), at(1), at(2)) > tolerance) mesh.triangles.push_back(triangle);
     }
+    drop_twins(mesh.triangles);
     keep_triangles(mesh, std::vector<char>(mesh.triangles.size(), 1));
     return mesh;
 }
@@ -313,6 +328,7 @@ void cut_at_corners(SurfaceMesh& mesh, double tolerance) {
         else cut_polygon(mesh.points, std::move(polygon), tolerance, cut);
     }
     mesh.triangles = std::move(cut);
+    drop_twins(mesh.triangles);
 }
 
 void refine(SurfaceMesh& mesh, double edge) {

@@ -103,6 +103,22 @@ std::vector<Corners> turned(std::vector<Corners> triangles, unsigned seed) {
 
 } // namespace
 
+TEST(SurfaceMesh, RefinesAFaceThatIsThereTwiceAsOne) {
+    // Of two blocks in one place.
+    const std::array<Vec3, 3> face{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(2, 0.5, 0)};
+    for (const double edge : {3.0, 1.0, 0.1}) {
+        SurfaceMesh mesh = joined_surface({face, {face[1], face[2], face[0]}}, 1e-5);
+        refine(mesh, edge);
+        double area = 0;
+        for (const auto& t : mesh.triangles) {
+            const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k])]; };
+            area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_LE((at(k) - at((k + 1) % 3)).norm(), edge);
+        }
+        EXPECT_NEAR(area, 1, 1e-12);
+    }
+}
+
 TEST(SurfaceMesh, JoinsCornersThatAreNearlyTheSame) {
     const SurfaceMesh mesh = joined_surface(turned(wall(), 1), 1e-5);
     EXPECT_EQ(mesh.triangles.size(), wall().size());
