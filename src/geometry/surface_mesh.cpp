@@ -257,7 +257,7 @@ double longest_side(const SurfaceMesh& mesh) {
 }
 
 /// Keeps one of triangles with the same corners: faces of two blocks in one place. On a face that is there twice each side would be a border.
-void drop_twins(std::vector<Triangle>& triangles) {
+void keep_one_of_each(std::vector<Triangle>& triangles) {
     std::set<Triangle> seen;
     std::erase_if(triangles, [&](Triangle t) {
         std::ranges::sort(t);
@@ -289,7 +289,7 @@ SurfaceMesh joined_surface(const std::vector<std::array<Vec3, 3>>& triangles, do
         const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(triangle[k])]; };
         if (least_height(at(0), at(1), at(2)) > tolerance) mesh.triangles.push_back(triangle);
     }
-    drop_twins(mesh.triangles);
+    keep_one_of_each(mesh.triangles);
     keep_triangles(mesh, std::vector<char>(mesh.triangles.size(), 1));
     return mesh;
 }
@@ -328,7 +328,7 @@ void cut_at_corners(SurfaceMesh& mesh, double tolerance) {
         else cut_polygon(mesh.points, std::move(polygon), tolerance, cut);
     }
     mesh.triangles = std::move(cut);
-    drop_twins(mesh.triangles);
+    keep_one_of_each(mesh.triangles);
 }
 
 void refine(SurfaceMesh& mesh, double edge) {
