@@ -206,6 +206,7 @@ struct List {
         settings,
         tables,
         ranges,
+        frequencies,
         symbols
     };
     std::optional<What> what;                                 ///< none: `symbols` only

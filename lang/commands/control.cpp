@@ -1,11 +1,22 @@
 // Commands that steer the program: files, settings, the end.
+#include "base/lower_case.hpp"
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 
+#include <fmt/format.h>
+
 namespace kaya::lang {
 
 namespace {
+
+/// `3dec`, or `none`.
+void read_compatibility(Set& set, const std::string& with) {
+    const std::string word = lower_case(with);
+    if (word != "3dec" && word != "none")
+        throw Diagnostic(fmt::format("there are no conventions of '{}'", with), "expected: 3dec or none");
+    set.as_3dec = word == "3dec";
+}
 
 CommandSpec set() {
     Entry<Set> entry({"set"});
@@ -24,6 +35,9 @@ CommandSpec set() {
                   "time step as a fraction of the largest stable one");
     entry.keyword({"dt", "timestep"}, real("t").unit("time").at_least(0), &Set::time_step,
                   "time step; 0: a fraction of the largest stable one again");
+    entry.keyword({Spelling{"compatibility", 4}}, text("program"), read_compatibility,
+                  "3dec: joints of rigid blocks stand on their corners, and the time step is that of 3DEC where it is "
+                  "shorter; none: the default");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
     entry.keyword({"echo"}, on_off(), &Set::echo, "shows the commands while they run");
     entry.keyword({"autosave"}, real("m").unit("minutes").at_least(0), &Set::autosave,
@@ -81,11 +95,12 @@ CommandSpec set() {
         .right("set @load = 5e6");
     entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
     entry.right("set gravity 0 0 -9.81 random 7").right("set random").right("set units si");
-    entry.right("set pagination off").right("set atol 1e-4 echo off");
+    entry.right("set pagination off").right("set atol 1e-4 echo off").right("set compatibility 3dec");
     entry.wrong("set", "set has no setting");
     entry.wrong("set dyn maybe", "expected on or off, found 'maybe'");
     entry.wrong("set jmatdf 1.5", "jmatdf takes a whole number, not 1.5");
     entry.wrong("set fraction 0", "fraction must be greater than 0, not 0");
+    entry.wrong("set compatibility 3dce", "there are no conventions of '3dce'");
     entry.wrong("set thraeds 2", "'thraeds' is not a keyword of set");
     return entry;
 }

@@ -182,6 +182,12 @@ Family geometry() {
                 .right("range nrange top z 0.9 1.1")
                 .wrong("range name top", "the named range has no element")
                 .wrong("range z 0 1", "'z' is not a kind of range"),
+            Entry<NameRange>({"range"}, {"delete"})
+                .help("forgets a named range")
+                .start([](const Statement&, NameRange& named) { named.remove = true; })
+                .argument(text("name").help("name of the range"), &NameRange::name)
+                .right("range delete top")
+                .wrong("range delete", "a word is missing after 'delete'"),
             generate_edge(),
             generate_quad(),
             face_triangulation({"edge"}, FaceTriangulation::Style::edge)
@@ -215,9 +221,9 @@ Family geometry() {
                 .wrong("facetri off now", "'now' is not a keyword of facetri off"),
         }};
     auto& commands = family.commands;
-    auto cuts = cut_commands(), shapes = shape_commands(), selection = selection_commands();
-    commands.insert(commands.end(), selection.begin(), selection.end());
-    commands.insert(commands.end(), cuts.begin(), cuts.end());
+    auto cuts = cut_commands(), shapes = shape_commands(), selection = selection_commands(),
+         surfaces = surface_commands();
+    for (const auto& more : {selection, cuts, surfaces}) commands.insert(commands.end(), more.begin(), more.end());
     commands.insert(commands.begin(), shapes.begin(), shapes.end());
     return family;
 }

@@ -55,6 +55,7 @@ struct Set {
     std::optional<Vec3> gravity;
     std::optional<std::string> units;                ///< units SYSTEM
     std::optional<std::int64_t> seed;                ///< random n: of urand and grand
+    std::optional<bool> as_3dec;                     ///< compatibility 3dec|none
     std::vector<std::pair<std::string, Value>> fish; ///< set @name = value; the name is without @
 };
 
@@ -222,7 +223,8 @@ struct Group {
 struct NameRange {
     std::string name;
     RangePhrase range;
-}; ///< range name NAME elements
+    bool remove = false;
+}; ///< range name NAME elements, range delete NAME
 /// facetri radial | rad8 | edge f | off: triangles of faces of rigid blocks, for their contacts
 struct FaceTriangulation {
     enum class Style { fan, radial, radial_8, edge } style = Style::fan;
@@ -243,6 +245,34 @@ struct GenerateQuad {
     std::array<std::int64_t, 3> parts{1, 1, 1};
     std::array<double, 3> ratio{1, 1, 1}; ///< of each cell to the one before it
     bool given = false;                   ///< the line gives the number
+    RangePhrase range;
+    Place place;
+};
+
+// --- surfaces and fractures -----------------------------------------------------------------------
+/// geometry set|import|polygon create|delete: plane polygons under a name, for cuts.
+struct GeometryCommand {
+    enum class Action { choose, import, polygon, remove } action = Action::choose;
+    std::string set;  ///< "": the current one
+    std::string file; ///< of import
+    std::vector<Vec3> corners;
+    std::optional<Vec3> extrude; ///< closes a prism from the polygon to its copy, moved by this
+    Place place;
+};
+/// fracture create|delete: a disc of a network of fractures.
+struct FractureCommand {
+    bool remove = false;
+    std::string network; ///< "": the network without a name
+    Vec3 position = Vec3::Zero();
+    double dip = 0, dip_direction = 0, size = 1; ///< degrees; size: the diameter
+    Place place;
+};
+/// cut geometry SET | cut dfn NETWORK: by the plane of each polygon or fracture.
+struct CutPolygons {
+    bool fractures = false;
+    std::string set;
+    std::optional<std::int64_t> id; ///< joint set of the faces; none: the next that is free
+    bool join = false;              ///< the pieces of a block remain one body
     RangePhrase range;
     Place place;
 };

@@ -76,6 +76,10 @@ const std::vector<Listed>& listed() {
         {settings, {"settings"}, "settings of the model"},
         {tables, {"tables"}, "tables: number of pairs and their limits"},
         {ranges, {Spelling{"ranges", 6}}, "named ranges"},
+        {frequencies,
+         {Spelling{"frequencies", 4}},
+         "lowest frequencies of rigid blocks on their joints, 6 if no number follows; nothing moves",
+         Follows::number},
         {symbols, {"fish"}, "variables and functions of FISH"},
     };
     return words;
@@ -192,6 +196,7 @@ CommandSpec list() {
         .right("list block z 0 1 group wall")
         .right("print prop jmat")
         .right("print hist 2")
+        .right("list frequencies 10")
         .right("print cycle");
     entry.wrong("list", "list has no subject");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");

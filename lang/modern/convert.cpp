@@ -7,6 +7,7 @@
 #include "lang/interp/command_words.hpp"
 #include "lang/interp/deck.hpp"
 #include "lang/modern/language.hpp"
+#include "lang/modern/line_shapes.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -93,16 +94,17 @@ void replace_keyword(const Line& line, std::size_t at, const KeywordSpec& keywor
         replaced[at + 1 + k] = fmt::format("{} {}", words[k], line.statement.words[at + 1 + k].raw_text());
 }
 
-Replaced in_classic_words(const Line& line) {
+/// The words after the first `before` ones in classic words, below another beginning.
+Replaced in_classic_words(const Line& line, std::string beginning, std::size_t before) {
     Replaced replaced;
     const CommandSpec& spec = *line.bound.spec;
     const std::size_t range = line.range_at();
     for (const auto& [at, whole] : line.spelled) {
-        if (at <= spec.form.size()) continue;
+        if (at < before) continue;
         const auto& table = at < range ? spec.keywords : modern().range_elements;
         if (const KeywordSpec* keyword = with_first_word(table, whole)) replace_keyword(line, at, *keyword, replaced);
     }
-    replace_name(std::string(spec.classic), spec.form.size(), replaced);
+    replace_name(std::move(beginning), before - 1, replaced);
     return replaced;
 }
 
@@ -114,20 +116,14 @@ const KeywordSpec* silent_keyword(const CommandSpec& spec) {
     return found == spec.keywords.end() ? nullptr : &*found;
 }
 
-std::optional<Replaced> in_modern_words(const Line& line, const CommandSpec& target) {
-    const auto fixed = fixed_words(target, line.bound.spec->name());
-    if (!fixed) return std::nullopt;
+/// The words after the first `before` ones in those of a modern command, below its beginning.
+Replaced in_words_of(const Line& line, const CommandSpec& target, std::string beginning, std::size_t before) {
     const auto& words = line.statement.words;
-    std::size_t last = line.bound.spec->form.size();
-    for (const auto& word : *fixed) {
-        const auto whole = line.spelled.find(++last);
-        if (whole == line.spelled.end() || whole->second != word) return std::nullopt;
-    }
     Replaced replaced;
     const std::size_t range = line.range_at();
     const KeywordSpec* silent = silent_keyword(target);
     for (const auto& [at, whole] : line.spelled) {
-        if (at <= last) continue;
+        if (at < before) continue;
         const auto& table = at < range ? target.keywords : modern().range_elements;
         const KeywordSpec* keyword = with_classic(table, whole);
         if (keyword == nullptr) continue;
@@ -141,8 +137,30 @@ std::optional<Replaced> in_modern_words(const Line& line, const CommandSpec& tar
         const auto known = replaced.find(range);
         replaced[range] = "range " + (known != replaced.end() ? known->second : words[range].raw_text());
     }
-    replace_name(target.name(), last, replaced);
+    replace_name(std::move(beginning), before - 1, replaced);
     return replaced;
+}
+
+std::optional<Replaced> in_modern_words(const Line& line, const CommandSpec& target) {
+    const auto fixed = fixed_words(target, line.bound.spec->name());
+    if (!fixed) return std::nullopt;
+    std::size_t last = line.bound.spec->form.size();
+    for (const auto& word : *fixed) {
+        const auto whole = line.spelled.find(++last);
+        if (whole == line.spelled.end() || whole->second != word) return std::nullopt;
+    }
+    return in_words_of(line, target, target.name(), last + 1);
+}
+
+/// The modern command whose name begins a line.
+const CommandSpec* modern_command_of(std::string_view beginning) {
+    const CommandSpec* found = nullptr;
+    for_each_command(modern(), [&](const CommandSpec& command) {
+        const std::string name = command.name();
+        const bool begins = beginning == name || beginning.starts_with(name + " ");
+        if (begins && (found == nullptr || found->name().size() < name.size())) found = &command;
+    });
+    return found;
 }
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -188,6 +206,21 @@ std::vector<std::string> line_instead(const Statement& statement, const std::str
         else lines.push_back(old.substr(comment));
     }
     return lines;
+}
+
+/// The lines of a statement with the beginning that the shape has in the other dialect; nothing when it begins in another way.
+std::optional<std::vector<std::string>> in_shape(const Line& line, const LineShape& shape, To to) {
+    const auto& [from, target] =
+        to == To::modern ? std::pair(shape.classic, shape.modern) : std::pair(shape.modern, shape.classic);
+    const auto taken = take_beginning(from, line.statement, *line.bound.spec, line.spelled);
+    if (!taken) return std::nullopt;
+    std::string beginning = write_beginning(target, *taken);
+    // Commas after the last word belong to what it takes.
+    if (taken->count == line.statement.words.size()) return line_instead(line.statement, beginning);
+    if (to == To::classic) return rewritten(line.statement, in_classic_words(line, std::move(beginning), taken->count));
+    const CommandSpec* command = modern_command_of(target);
+    if (command == nullptr) return std::nullopt;
+    return rewritten(line.statement, in_words_of(line, *command, std::move(beginning), taken->count));
 }
 
 /// Stands for the value of an expression: the same number for the same text.
@@ -342,18 +375,23 @@ private:
         std::optional<std::vector<std::string>> found;
         if (const auto known = line.bound.late ? std::nullopt : known_line(meaning, to_))
             return line_instead(line.statement, *known);
-        const auto attempt = [&](const Replaced& replaced) {
-            if (found) return;
-            auto lines = rewritten(line.statement, replaced);
-            if (meaning_of(lines, target_) == meaning) found = std::move(lines);
+        const auto attempt = [&](std::vector<std::string> lines) {
+            if (!found && meaning_of(lines, target_) == meaning) found = std::move(lines);
         };
         if (to_ == To::classic) {
-            if (!line.bound.spec->classic.empty()) attempt(in_classic_words(line));
-            return found;
+            const CommandSpec& spec = *line.bound.spec;
+            const auto words = in_classic_words(line, std::string(spec.classic), spec.form.size() + 1);
+            if (!spec.classic.empty()) attempt(rewritten(line.statement, words));
+        } else {
+            for_each_command(modern(), [&](const CommandSpec& target) {
+                if (found || target.classic.empty()) return;
+                if (const auto replaced = in_modern_words(line, target)) attempt(rewritten(line.statement, *replaced));
+            });
         }
-        for_each_command(modern(), [&](const CommandSpec& target) {
-            if (found || target.classic.empty()) return;
-            if (const auto replaced = in_modern_words(line, target)) attempt(*replaced);
+        for_each_shape([&](const LineShape& shape) {
+            if (found) return true;
+            if (auto lines = in_shape(line, shape, to_)) attempt(std::move(*lines));
+            return found.has_value();
         });
         return found;
     }

@@ -113,7 +113,7 @@ CommandSpec gridpoint_initialize() {
 
 CommandSpec gridpoint_list() {
     Leaf<List> leaf("block gridpoint list");
-    leaf.help("gridpoints: place, velocity, displacement, force");
+    leaf.means("list gridpoints").help("gridpoints: place, velocity, displacement, force");
     leaf.start([](const Statement&, List& command) { command.what = List::What::gridpoints; });
     for (const char* word :
          {"position", "velocity", "displacement", "force", "information", "mass", "pore-pressure", "stress", "group"})

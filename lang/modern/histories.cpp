@@ -33,6 +33,14 @@ constexpr ModelField model_fields[] = {
     {"ratio-maximum", "maximum_ratio", "largest unbalanced over average force"},
 };
 
+/// After the word energy.
+constexpr Quantity of_energy[] = {
+    {"kinetic", "ekinetic", "kinetic energy"},
+    {"boundary-load", "eboundary", "work of loads, prescribed velocities and water on the blocks"},
+    {"mass-damping", "edamped", "energy dissipated by damping and dashpots"},
+    {"joint-friction", "efriction", "energy lost in slip and failure of joints"},
+};
+
 constexpr Quantity of_blocks[] = {
     {"displacement-x", "xdis", "displacement of the nearest gridpoint"},
     {"displacement-y", "ydis", "displacement of the nearest gridpoint"},
@@ -114,13 +122,18 @@ CommandSpec model_history() {
     for (const ModelField& row : model_fields) record(leaf, row.words, {ObjectKind::global, row.field, ""}, row.help);
     record(leaf, "timestep", {ObjectKind::global, "time_step", ""}, "time step");
     record(leaf, {"damping", "damp", "adaptive damping coefficient"});
-    leaf.not_yet({"energy"}, "energies: write hist ekinetic, egravity, edamped, ...");
+    leaf.no_effect("energy", "before the word of an energy");
+    for (const Quantity& row : of_energy) record(leaf, row);
+    leaf.not_yet({"potential", "block-strain", "plastic-strain", "boundary-viscous", "joint-strain", "strain-total",
+                  "released-total", "total-stored"},
+                 "other energies: list energy shows those that are kept");
     leaf.not_yet({"thermal", "fluid", "creep"}, "heat, flow and creep");
     leaf.not_yet({"convergence"}, "the ratio of each gridpoint to its own target: see ratio-local");
     needs_quantity(leaf, "model history mechanical unbalanced-maximum");
     leaf.right("model history mechanical unbalanced-maximum", "hist unbal");
     leaf.right("model history dynamic time-total", "hist time").right("model history mech unb-max", "hist unbal");
     leaf.right("model history name 'ratio' mechanical ratio-local");
+    leaf.right("model history energy kinetic", "hist ekinetic");
     leaf.wrong("model history", "the history has no quantity to record");
     leaf.wrong("model history name 'a'", "the history has no quantity to record");
     leaf.wrong("model history mechanical unbalanced-maximun", "'unbalanced-maximun' is not a keyword of model history");
@@ -234,7 +247,7 @@ std::vector<CommandSpec> model_history_commands() { return {model_history()}; }
 std::vector<CommandSpec> block_history_commands() { return {block_history(), contact_history()}; }
 std::vector<CommandSpec> history_commands() {
     Leaf<List> list("history list");
-    list.help("histories: number, name, least and greatest value");
+    list.means("list hist").help("histories: number, name, least and greatest value");
     list.start([](const Statement&, List& command) { command.what = List::What::histories; });
     list.right("history list", "list histories");
     return {history_interval(),

@@ -29,6 +29,7 @@ Family contact_family();
 Family gridpoint_family();
 Family zone_family();
 Family structure_family();
+Family surface_family(); ///< geometry, fracture
 Family other_family();
 Family unsupported_family(); ///< known words that are refused
 

@@ -69,7 +69,7 @@ CommandSpec ignored_line(std::string_view words, std::string_view help, const ch
 CommandSpec list_line(std::string_view words, List::What what, std::string_view help, std::string_view example,
                       std::string_view classic, std::initializer_list<const char*> columns, Example wrong) {
     Leaf<List> leaf(words);
-    leaf.help(help);
+    leaf.means(classic.substr(0, classic.find(" range"))).help(help);
     leaf.start([what](const Statement&, List& command) { command.what = what; });
     for (const char* column : columns) leaf.no_effect(column, "one table has all");
     leaf.ranged(&List::range);

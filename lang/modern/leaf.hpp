@@ -53,6 +53,12 @@ public:
     }
     /// The arguments before the keywords are those of the meaning.
     Leaf& arguments_of_meaning() { return this->spec_.arguments = meaning_->arguments, *this; }
+    /// The argument of a keyword of the meaning follows the name.
+    Leaf& argument_of(std::string_view classic) {
+        const KeywordSpec& keyword = classic_keyword(*meaning_, classic);
+        this->spec_.arguments = {{keyword.arguments.front(), keyword.read}};
+        return *this;
+    }
     /// So are the values that no word announces.
     Leaf& values_of_meaning() {
         this->spec_.otherwise = meaning_->otherwise;

@@ -240,12 +240,30 @@ CommandSpec time_step_automatic() {
 }
 
 CommandSpec time_step_safety() {
-    Leaf<Set> leaf("model mechanical|dynamic timestep safety-factor");
-    leaf.means("set fraction");
-    leaf.help("the time step as a fraction of the critical step");
-    leaf.argument(real("f").above(0).at_most(1), &Set::time_step_fraction);
-    leaf.right("model mechanical timestep safety-factor 0.5", "set fraction 0.5");
+    Leaf<Fraction> leaf("model mechanical|dynamic timestep safety-factor", "fraction");
+    leaf.arguments_of_meaning().help("the time step as a fraction of the critical step");
+    leaf.right("model mechanical timestep safety-factor 0.5", "fraction 0.5");
     leaf.wrong("model mechanical timestep safety-factor 2", "safety-factor must be at most 1, not 2");
+    return leaf;
+}
+
+CommandSpec compatibility() {
+    Leaf<Set> leaf("model compatibility", "set");
+    leaf.means("set compatibility");
+    leaf.help("3dec: joints of rigid blocks stand on their corners, and the time step is that of 3DEC where it is "
+              "shorter; none: the default");
+    leaf.argument_of("compatibility");
+    leaf.right("model compatibility 3dec", "set compatibility 3dec");
+    leaf.wrong("model compatibility", "a word is missing after 'compatibility'");
+    leaf.wrong("model compatibility 3dce", "there are no conventions of '3dce'");
+    return leaf;
+}
+
+CommandSpec range_delete() {
+    Leaf<NameRange> leaf("model range delete", "range delete");
+    leaf.arguments_of_meaning();
+    leaf.right("model range delete 'low'", "range delete low");
+    leaf.wrong("model range delete", "a word is missing after 'delete'");
     return leaf;
 }
 
@@ -264,6 +282,8 @@ std::vector<CommandSpec> model_commands() {
         model_cycle(),
         model_random(),
         range_create(),
+        range_delete(),
+        compatibility(),
         model_dynamic(),
         dynamic_time(),
         model_calm(),

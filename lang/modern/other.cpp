@@ -72,6 +72,39 @@ CommandSpec fish_history() {
     return leaf;
 }
 
+/// `block dynamic eigen modes n`: as 3DEC, of the joints as they are; the modes are shown at once.
+CommandSpec eigen_modes() {
+    Leaf<List> leaf("block dynamic eigen");
+    leaf.means("list frequencies");
+    leaf.help("lowest frequencies of rigid blocks on their joints, and the mass that each moves");
+    leaf.start([](const Statement&, List& command) { command.what = List::What::frequencies; });
+    leaf.keyword({"modes"}, integer("n").at_least(1), &List::number, "number of modes, 6 if not given");
+    leaf.no_effect("list", "they are always shown");
+    leaf.not_yet({"setmode"}, "the shape of a mode in extra variables of gridpoints");
+    leaf.right("block dynamic eigen modes 4", "list frequencies 4").right("block dynamic eigen", "list frequencies");
+    leaf.right("block dynamic eigen list", "list frequencies");
+    leaf.wrong("block dynamic eigen modes 0", "modes must be at least 1, not 0");
+    leaf.wrong("block dynamic eigen moeds 4", "'moeds' is not a keyword of block dynamic eigen");
+    return leaf;
+}
+
+/// `block vtk filename f`: one file has all fields.
+CommandSpec block_vtk() {
+    Leaf<VtkWrite> leaf("block vtk");
+    leaf.means("vtk write").help("writes blocks and joints for ParaView");
+    leaf.keyword({"filename"}, text("file"), &VtkWrite::file, "name of the files, without suffix");
+    for (const char* word : {"displacements", "velocities", "stresses", "groups", "forces", "pore-pressure", "binary"})
+        leaf.no_effect_switch(word, "the files have all fields");
+    leaf.not_yet({"range", "zone-extra", "gridpoint-extra", "temperature"}, "parts of the files");
+    leaf.finish([](const Reader& reader, VtkWrite& command) {
+        if (command.file.empty()) incomplete_line(reader, "the name of the file is missing", "write: filename 'name'");
+    });
+    leaf.right("block vtk filename 'settled' velocities on", "vtk write settled");
+    leaf.wrong("block vtk velocities on", "the name of the file is missing");
+    leaf.wrong("block vtk fielname 'a'", "'fielname' is not a keyword of block vtk");
+    return leaf;
+}
+
 } // namespace
 
 Family block_family() {
@@ -87,6 +120,12 @@ Family block_family() {
     family.commands.push_back(ignored_line("block tolerance", "lengths that cuts and blocks use",
                                            "cuts are exact; `jset tolerance` leaves out cuts near corners",
                                            "block tolerance 0.001"));
+    family.commands.push_back(
+        ignored_line("block dynamic eigen delete", "forgets modes", "kaya stores none", "block dynamic eigen delete"));
+    family.commands.push_back(eigen_modes());
+    family.commands.push_back(block_vtk());
+    family.commands.push_back(list_line("block list memory", memory, "memory of the tables of the model",
+                                        "block list memory", "list memory"));
     family.commands.push_back(list_line("block list contacts", contacts, "contacts: blocks, normal, area",
                                         "block list contacts", "list contacts"));
     family.commands.push_back(
@@ -106,6 +145,8 @@ Family other_family() {
     Family family{"history", "histories, tables and functions", history_commands()};
     family.commands.push_back(named_table());
     family.commands.push_back(fish_history());
+    family.commands.push_back(list_line("table list", List::What::tables, "tables: number of pairs and their limits",
+                                        "table list", "list tables"));
     family.commands.push_back(ignored_line("fish boolean-convert", "truths that are numbers", "kaya needs no switch",
                                            "fish boolean-convert on"));
     return family;

@@ -33,6 +33,8 @@ constexpr ElementWords elements[] = {
     {"rintersection", "rintersection"},
     {"volume", "volume"},
     {"edge-length", "edge-length"},
+    {"face-area", "face-area"},
+    {"aspect-ratio", "aspect-ratio"},
     {"deformable", "deformable"},
     {"excavated", "excavated"},
     {"surface", "surface"},
@@ -50,7 +52,6 @@ struct Unsupported {
 };
 
 constexpr Unsupported unsupported[] = {
-    {"aspect-ratio", "the greatest edge of a block over the cube root of its volume"},
     {"by", "testing the parts of an object, or the object of a part"},
     {"component-id", "numbers of parts of structures"},
     {"component-id-list", "numbers of parts of structures"},
@@ -62,7 +63,6 @@ constexpr Unsupported unsupported[] = {
     {"ellipse", "prisms on an ellipse"},
     {"extra", "extra variables in a range"},
     {"extra-list", "extra variables in a range"},
-    {"face-area", "areas of faces in a range"},
     {"fid", "fractures of a network"},
     {"fidlist", "fractures of a network"},
     {"fish", "functions of FISH in a range"},
@@ -70,9 +70,7 @@ constexpr Unsupported unsupported[] = {
     {"geometry-distance", "surfaces in a range"},
     {"geometry-space", "surfaces in a range"},
     {"index-list", "internal numbers"},
-    {"polygon", "prisms on a polygon"},
     {"project-range", "ranges of a project"},
-    {"rectangle", "prisms on a rectangle"},
     {"seed", "objects that are connected to a place"},
     {"selected", "selection on the screen"},
     {"set", "sets of surfaces"},
@@ -148,6 +146,25 @@ void position(Keywords<RangePhrase>& table) {
     table.said(classic_element("position").words.front().word);
 }
 
+/// A prism on a plane figure: there is no limit along its normal, which a classic element needs.
+void figure(Keywords<RangePhrase>& table, const char* word, std::size_t corners) {
+    const KeywordSpec& meaning = classic_element("polygon");
+    table.special(
+        {word}, meaning.arguments,
+        [&meaning, word, corners](Reader& reader, RangePhrase& phrase) {
+            meaning.read(reader, &phrase);
+            RangeElement& element = phrase.elements.back();
+            if (corners > 0 && element.vertices.size() != corners)
+                throw Diagnostic(fmt::format("the {} needs {} corners, not {}", word, corners, element.vertices.size()),
+                                 fmt::format("write: {} vertices x y z  x y z  x y z  x y z", word))
+                    .at(element.place);
+            constexpr double unlimited = 1e300;
+            if (element.distance == 0) element.distance = unlimited;
+        },
+        "inside the prism on a plane figure, of any length along its normal", meaning.keywords);
+    table.said(corners > 0 ? "" : word);
+}
+
 /// The tolerance of an orientation is 2 degrees in this dialect, 1 in the classic one.
 void orientation(Keywords<RangePhrase>& table) {
     const KeywordSpec& meaning = classic_element("orientation");
@@ -208,6 +225,8 @@ std::vector<KeywordSpec> all_elements() {
         table.add(std::move(element));
     }
     orientation(table);
+    figure(table, "polygon", 0);
+    figure(table, "rectangle", 4);
     named_range(table);
     for (const Unsupported& row : unsupported) table.not_yet(tree_words(row.words).front(), row.about);
     return std::move(table).list();

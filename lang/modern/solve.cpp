@@ -50,7 +50,7 @@ CommandSpec model_solve() {
 
 CommandSpec factor_of_safety() {
     Leaf<Solve> leaf("model factor-of-safety", "solve");
-    leaf.help("computes the factor of safety by strength reduction; the model is left unchanged");
+    leaf.means("solve fos").help("computes the factor of safety by strength reduction; the model is left unchanged");
     leaf.start([](const Statement& statement, Solve& solve) {
         solve.place = statement.words.front().place;
         solve.factor_of_safety = true;

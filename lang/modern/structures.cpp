@@ -125,12 +125,25 @@ CommandSpec liner_property() {
     return leaf;
 }
 
+CommandSpec structure_list() {
+    Leaf<List> leaf("structure cable|beam|liner list");
+    leaf.means("list structures").help("cables, beams and liners: size, largest forces, slip");
+    leaf.start([](const Statement&, List& command) { command.what = List::What::structures; });
+    for (const char* word : {"information", "force-axial", "force-node", "grout", "stress", "yield", "length"})
+        leaf.no_effect(word, "one table has all");
+    leaf.not_yet({"apply", "group", "property", "system-local", "range"}, "other lists of structures");
+    leaf.right("structure cable list", "list structures").right("structure beam list force-node", "list structures");
+    leaf.wrong("structure cable list froce-axial", "'froce-axial' is not a keyword of structure cable list");
+    return leaf;
+}
+
 } // namespace
 
 Family structure_family() {
     return {"structure",
             "cables, beams and liners",
-            {create_cable(), create_beam(), create_liner(), cable_property(), beam_property(), liner_property()}};
+            {create_cable(), create_beam(), create_liner(), cable_property(), beam_property(), liner_property(),
+             structure_list()}};
 }
 
 } // namespace kaya::lang

@@ -6,6 +6,7 @@
 #include "commands/keyboard.hpp"
 #include "commands/plausible.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "model/compatibility.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -53,6 +54,17 @@ void give_time_step(Session& session, double step) {
     ModelEdit(model, Change::properties);
 }
 
+/// Rigid blocks that have a spacing of sub-contacts keep it.
+void set_compatibility(Model& model, bool with_3dec) {
+    auto& blocks = model.blocks;
+    const double before = with_3dec ? 0 : at_corners_only, after = with_3dec ? at_corners_only : 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (!blocks.deformable[b] && blocks.face_edge[b] == before) blocks.face_edge[b] = after;
+    if (as_3dec(model.settings) != with_3dec) model.settings.given_time_step = with_3dec ? step_of_3dec_wanted : 0;
+    model.clock.time_step = 0;
+    ModelEdit(model, Change::surfaces);
+}
+
 } // namespace
 
 void run(Session& session, const lang::New&) { session.clear(); }
@@ -97,6 +109,7 @@ void run(Session& session, const lang::Set& command) {
         ModelEdit(session.model, Change::properties);
     }
     if (command.time_step) give_time_step(session, *command.time_step);
+    if (command.as_3dec) set_compatibility(session.model, *command.as_3dec);
     if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
     if (command.autosave)
@@ -122,7 +135,12 @@ void run(Session& session, const lang::Set& command) {
     }
 }
 
-void run(Session& session, const lang::NameRange& command) { session.ranges[lower_case(command.name)] = command.range; }
+void run(Session& session, const lang::NameRange& command) {
+    const std::string name = lower_case(command.name);
+    if (!command.remove) session.ranges[name] = command.range;
+    else if (session.ranges.erase(name) == 0)
+        throw Diagnostic(fmt::format("there is no range named '{}'", command.name), "list ranges shows them");
+}
 
 void add_handlers(HandlerTable& table, lang::ControlCommands list) { fill(table, list); }
 

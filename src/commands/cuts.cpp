@@ -5,6 +5,7 @@
 #include "commands/long_work.hpp"
 #include "commands/plausible.hpp"
 
+#include "base/lower_case.hpp"
 #include "geometry/block_cuts.hpp"
 #include "geometry/ground_cuts.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -206,6 +207,37 @@ void run(Session& session, const lang::CutGround& command) {
         for (std::size_t i = 0; i < pieces.size(); ++i)
             if (command.region && !cut.above[i])
                 model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::CutPolygons& command) {
+    const auto& sets = command.fractures ? session.surface_sets.fractures : session.surface_sets.surfaces;
+    const auto found = sets.find(lower_case(command.set));
+    const char* what = command.fractures ? "network of fractures" : "set of surfaces";
+    if (found == sets.end())
+        throw Diagnostic(fmt::format("there is no {} named '{}'", what, command.set),
+                         command.fractures ? "make it before: fracture create dfn 'name' ..."
+                                           : "make it before: geometry set 'name', geometry import 'file'")
+            .at(command.place);
+    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    if (rows.empty()) return;
+    try {
+        Model& model = session.model;
+        const double thinnest = thinnest_part * model_size(model);
+        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
+        const std::string name =
+            fmt::format("{} {}, joint set {}", command.fractures ? "dfn" : "geometry", command.set, id);
+        LongWork work(session, name);
+        const CutBlocks cut = cut_by_polygons(shapes_of(model, rows), found->second, id, thinnest, std::ref(work));
+        const auto pieces = apply(session, rows, cut, thinnest, name);
+        if (command.join) join_pieces(model, cut, pieces);
+        if (cut.parents.empty())
+            session.warn(Diagnostic(fmt::format("no block was cut by this {}", what),
+                                    cut.slivers > 0 ? too_thin(cut, thinnest) : "look at its place")
+                             .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

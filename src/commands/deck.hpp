@@ -4,6 +4,7 @@
 #include "base/units.hpp"
 #include "commands/given_properties.hpp"
 #include "commands/ranges.hpp"
+#include "commands/surface_sets.hpp"
 
 #include "lang/interp/interpreter.hpp"
 #include "lang/script/world.hpp"
@@ -30,6 +31,7 @@ public:
 
     lang::Interpreter interpreter;
     NamedRanges ranges;
+    SurfaceSets surface_sets;
     std::map<std::string, script::Value> parameters; ///< of `param` and `kaya --set`, by folded name; `new` keeps them
     GivenProperties given_properties;                ///< of `param` and `kaya --set`; they replace values of the deck
     std::string title;

@@ -40,6 +40,7 @@ void add_handlers(HandlerTable& table, lang::ControlCommands list);      // cont
 void add_handlers(HandlerTable& table, lang::FileCommands list);         // files.cpp
 void add_handlers(HandlerTable& table, lang::ShapeCommands list);        // shapes.cpp
 void add_handlers(HandlerTable& table, lang::CutCommands list);          // cuts.cpp
+void add_handlers(HandlerTable& table, lang::SurfaceCommands list);      // surfaces.cpp
 void add_handlers(HandlerTable& table, lang::ExchangeCommands list);     // exchange.cpp
 void add_handlers(HandlerTable& table, lang::SelectionCommands list);    // selection.cpp
 void add_handlers(HandlerTable& table, lang::GeometryCommands list);     // geometry.cpp

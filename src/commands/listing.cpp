@@ -9,6 +9,7 @@
 #include "commands/progress.hpp"
 #include "commands/time_step.hpp"
 #include "mechanics/contact_properties.hpp"
+#include "model/compatibility.hpp"
 #include "model/groups.hpp"
 #include "model/measure.hpp"
 #include "model/sampling.hpp"
@@ -97,6 +98,7 @@ ListText text_of(lang::List::What what) {
     case settings: return list_settings;
     case tables: return list_tables;
     case ranges: return list_ranges;
+    case frequencies: return list_frequencies;
     case symbols: break;
     }
     return list_symbols;
@@ -415,6 +417,7 @@ std::string list_settings(Session& session, const lang::List&) {
                                       : yes(s.mass_scaling == MassScaling::full)});
     table.add({"dynamic", yes(s.dynamic)});
     table.add({"large strain", yes(s.large_strain)});
+    table.add({"compatibility", as_3dec(s) ? "3dec" : "none"});
     table.add({"jmat of new contacts", std::to_string(s.default_joint_material)});
     table.add({"jcons of new contacts", std::to_string(s.default_joint_constitutive)});
     table.add({"threads", std::to_string(threads())});

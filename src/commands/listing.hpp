@@ -48,6 +48,7 @@ std::string list_settings(Session&, const lang::List&);
 std::string list_memory(Session&, const lang::List&);
 std::string list_version(Session&, const lang::List&);
 std::string list_modes(Session&, const lang::List&);
+std::string list_frequencies(Session&, const lang::List&);
 std::string list_boundary(Session&, const lang::List&);
 
 } // namespace kaya

@@ -272,6 +272,7 @@ void Session::clear() {
     if (by_script) scripts->refuse_while_awaited("new");
     model = Model{};
     ranges.clear();
+    surface_sets = {};
     if (by_script) scripts->change_model();
     else scripts->clear();
     title.clear();

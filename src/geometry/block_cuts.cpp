@@ -1,10 +1,12 @@
 #include "geometry/block_cuts.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/face_contact.hpp"
 #include "geometry/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -78,6 +80,33 @@ void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, i
     }
 }
 
+struct CuttingPolygon {
+    const std::vector<Vec3>* corners;
+    Plane plane;
+    double area;
+};
+
+CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t number) {
+    const Vec3 area = area_vector(polygon);
+    double size = 0;
+    for (const Vec3& corner : polygon) size = std::max(size, (corner - polygon.front()).norm());
+    constexpr double rounding = 1e-6;
+    if (!(area.norm() > rounding * rounding * size * size))
+        throw Diagnostic(fmt::format("polygon {} has no area", number + 1), "leave it out of the set");
+    CuttingPolygon result{&polygon, {area.normalized(), polygon.front()}, area.norm()};
+    for (const Vec3& corner : polygon)
+        if (std::abs(result.plane.distance(corner)) > rounding * size)
+            throw Diagnostic(fmt::format("the corners of polygon {} do not lie in one plane", number + 1),
+                             "divide it into triangles");
+    return result;
+}
+
+std::vector<Vec3> section_of(const Polyhedron& piece) {
+    std::vector<Vec3> section;
+    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
+    return section;
+}
+
 } // namespace
 
 TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
@@ -144,6 +173,41 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
         if (pieces.size() == 1) continue;
         result.parents.push_back(static_cast<int>(block));
         for (Piece& piece : pieces) result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+    }
+    return result;
+}
+
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+                          double thinnest, const ProgressCallback& progress) {
+    constexpr std::size_t most_pieces = 5000000;
+    constexpr double least = 1e-9; // of an area
+    std::vector<CuttingPolygon> cutting;
+    for (std::size_t i = 0; i < polygons.size(); ++i) cutting.push_back(cutting_polygon(polygons[i], i));
+    CutBlocks result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        std::vector<Polyhedron> pieces{blocks[block]};
+        for (std::size_t k = 0; k < cutting.size(); ++k) {
+            report_progress(progress, block, blocks.size(),
+                            static_cast<double>(k) / static_cast<double>(cutting.size()));
+            const std::size_t count = pieces.size();
+            for (std::size_t i = 0; i < count; ++i) {
+                Cut parts = cut(pieces[i], cutting[k].plane, id, thinnest);
+                if (parts.outcome == CutOutcome::sliver) ++result.slivers;
+                if (parts.outcome != CutOutcome::cut) continue;
+                const std::vector<Vec3> section = section_of(parts.below);
+                const Vec3 area = area_vector(section);
+                const std::vector<Vec3> common = common_part(*cutting[k].corners, section, area);
+                if (!(area_vector(common).norm() > least * std::min(cutting[k].area, area.norm()))) continue;
+                pieces[i] = std::move(parts.below);
+                pieces.push_back(std::move(parts.above));
+            }
+        }
+        if (pieces.size() == 1) continue;
+        if (result.pieces.size() + pieces.size() > most_pieces)
+            throw Diagnostic(fmt::format("the polygons would make more than {} blocks", most_pieces),
+                             "give fewer polygons or a smaller range");
+        result.parents.push_back(static_cast<int>(block));
+        for (Polyhedron& piece : pieces) result.pieces.push_back({std::move(piece), static_cast<int>(block)});
     }
     return result;
 }

@@ -1,4 +1,4 @@
-// Cuts many blocks without a joint set: by a tunnel outline, or into equal parts.
+// Cuts many blocks without a joint set: by a tunnel outline, by polygons, or into equal parts.
 #pragma once
 
 #include "geometry/joint_set.hpp"
@@ -30,5 +30,10 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
 /// Throws Diagnostic when a number is below 1.
 CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id = 0,
                   const ProgressCallback& progress = {});
+
+/// Cuts each block by the plane of each polygon that passes through it, over the whole width of the block, in the order of the polygons; what
+/// a polygon only touches stays whole. Throws Diagnostic when a polygon has no area or does not lie in a plane.
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+                          double thinnest = 0, const ProgressCallback& progress = {});
 
 } // namespace kaya

@@ -3,11 +3,14 @@
 #include "mechanics/remedy.hpp"
 #include "mechanics/density_scaling.hpp"
 #include "mechanics/member_lists.hpp"
+#include "model/compatibility.hpp"
+#include "model/measure.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <vector>
 
 namespace kaya {
 
@@ -28,6 +31,24 @@ double step_of_falling(const Model& model) {
     for (std::size_t b = 0; b < model.blocks.size(); ++b) size = std::min(size, std::cbrt(model.blocks.volume[b]));
     const double g = model.settings.gravity.norm();
     return 1e-3 * (g > 0 ? std::sqrt(2 * size / g) : 1.0);
+}
+
+/// Equation (11) of docs/theory/time-step.md; infinite when no rigid block that moves has a contact.
+double step_of_3dec(const Model& model) {
+    const auto& blocks = model.blocks;
+    std::vector<double> stiffest(blocks.size(), 0), surface(blocks.size(), 0);
+    const auto& subs = model.sub_contacts;
+    for (std::size_t s = 0; s < subs.size(); ++s)
+        for (const Row block : {model.contacts.block1[subs.contact[s]], model.contacts.block2[subs.contact[s]]})
+            stiffest[block] = std::max(stiffest[block], subs.normal_stiffness[s]);
+    for (Row f = 0; f < static_cast<Row>(model.faces.size()); ++f)
+        surface[model.faces.block[f]] += face_area_vector(model, f).norm();
+    double step = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.deformable[b] || blocks.fixed[b] == fix_all || !(stiffest[b] > 0)) continue;
+        step = std::min(step, std::sqrt(blocks.mass[b] / (2 * stiffest[b] * surface[b])));
+    }
+    return step;
 }
 
 /// Limit by the nodes of beams and liners: none where their masses follow the step, unless no other body limits it.
@@ -149,11 +170,12 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
     stable = std::min(stable, of_members);
     if (settings.given_time_step > 0) return take_given(model, adjacency, stable, of_members, all);
     const double before = clock.time_step;
-    if (before == 0)
-        clock.time_step = std::isinf(stable) ? step_of_falling(model) : time_step_fraction(settings) * stable;
+    const bool asks_3dec = as_3dec(settings) && !scaled && all;
+    const double wanted = std::min(time_step_fraction(settings) * stable,
+                                   asks_3dec ? step_of_3dec(model) : std::numeric_limits<double>::infinity());
+    if (before == 0) clock.time_step = std::isinf(wanted) ? step_of_falling(model) : wanted;
     double step = clock.time_step;
-    if (!std::isinf(stable)) {
-        const double wanted = time_step_fraction(settings) * stable;
+    if (!std::isinf(wanted)) {
         const double least = settings.mass_scaling == MassScaling::partial ? settings.scaled_time_step : 0;
         if (wanted < (1 - rounding) * step) step = std::max(shrink * wanted, std::min(wanted, least));
         else if (may_grow && wanted * shrink * shrink > step) step = wanted;

@@ -1,5 +1,6 @@
 #include "model/bounded.hpp"
 
+#include "model/compatibility.hpp"
 #include "model/plain.hpp"
 
 #include <algorithm>
@@ -93,7 +94,8 @@ std::string wrong_of_time(const Model& model) {
     for (const Number& number :
          {Number{"time", clock.time, true}, Number{"time step", clock.time_step},
           Number{"last time step", clock.last_step}, Number{"viscosity of global damping", clock.global_viscosity},
-          Number{"given time step", settings.given_time_step}, Number{"scaled time step", settings.scaled_time_step},
+          Number{"given time step", settings.given_time_step, settings.given_time_step == step_of_3dec_wanted},
+          Number{"scaled time step", settings.scaled_time_step},
           Number{"part of the stable time step", settings.time_step_fraction}}) {
         // A step of -0 is negative too: it would be neither computed nor moved by.
         const bool right =

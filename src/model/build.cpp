@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "geometry/mesh_plan.hpp"
 #include "model/bounded.hpp"
+#include "model/compatibility.hpp"
 #include "model/joined.hpp"
 #include "model/links.hpp"
 
@@ -228,6 +229,7 @@ Row add_block(Model& model, const Polyhedron& polyhedron, const NewBlock& option
     blocks.region[b] = options.region;
     blocks.group[b] = options.group;
     blocks.zone_properties[b] = options.zone_properties;
+    if (as_3dec(model.settings)) blocks.face_edge[b] = at_corners_only;
     give_shape(model, b, polyhedron, mass);
     return b;
 }

@@ -39,7 +39,7 @@ struct Settings {
     bool mixed_discretisation = true; ///< zones that flow average volume strain over neighbours: docs/theory/zones.md
     double contact_damping = 0;       ///< of critical damping, in a dashpot at every contact
     double time_step_fraction = 0;    ///< of the largest stable step; 0: by the damping, see time_step_fraction()
-    double given_time_step = 0;       ///< 0: computed
+    double given_time_step = 0;       ///< 0: computed; below 0: as_3dec(), compatibility.hpp
     MassScaling mass_scaling = MassScaling::none;
     double scaled_time_step = 0; ///< of partial density scaling
     Water water = Water::none;

@@ -114,7 +114,7 @@ TEST(Modern, MessagesNameTheWordsOfTheLine) {
     EXPECT_EQ(mistake("block hide range posit-x").message, "a number is missing after 'posit-x'");
     EXPECT_EQ(mistake("block hide range pozition-x 0 1").hint, "did you mean 'position-x'?");
     EXPECT_EQ(mistake("block hide range").hint, "write for example: range position-z 0 1");
-    EXPECT_EQ(mistake("block cut dfn name 'a'").message, "'block cut dfn' is known, but kaya does not support it yet");
+    EXPECT_EQ(mistake("block fragment dump").message, "'block fragment' is known, but kaya does not support it yet");
     EXPECT_THAT(mistake("block").hint, HasSubstr("kaya help block"));
     EXPECT_EQ(mistake("block hide range fish 'f'").code, "not-supported-yet");
 }
