@@ -276,6 +276,7 @@ void Line::expect_end(std::string_view after) {
     const Token& rest = peek();
     std::string hint = "one statement stands on one line";
     if (rest.is_name("and") || rest.is_name("or")) hint = "FISH writes & for and, | for or";
+    if (rest.is_name("mod")) hint = "the remainder is a - b * int(a / b)";
     if (rest.is_sign(",")) hint = "numbers have a point: 3.5; values of one call stand in its parentheses";
     throw Diagnostic(fmt::format("{} is left over after {}", shown(rest), after), std::move(hint)).at(rest.place);
 }

@@ -26,6 +26,21 @@ constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "<>", "
 /// Looked for first, in the modern dialect.
 constexpr std::array<std::string_view, 9> modern_signs{"->", "//", "+=", "-=", "*=", "/=", ":=", "%", "~"};
 
+/// What FISH writes in place of a sign of other languages; empty for others.
+const char* hint_for_sign(char sign) {
+    switch (sign) {
+    case '[':
+    case ']': return "elements of an array stand in parentheses: a(1)";
+    case '%': return "the remainder is a - b * int(a / b); `fish define` takes a % b";
+    case ':': return "FISH writes a = b; a colon has no place in a function";
+    case '{':
+    case '}': return "FISH writes end, endif and endloop in place of braces";
+    case '~': return "FISH writes # for unequal";
+    case '.': return "`fish define` reads names with points; `define` has b_mass(b) and the like";
+    default: return "";
+    }
+}
+
 /// More digits than any 32 bit integer has: the classic program makes a real number of it.
 constexpr std::size_t most_integer_digits = 10;
 
@@ -144,8 +159,7 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
         try_signs(signs);
         if (token.text == ":=") token.text = "=";
         if (token.text.empty())
-            throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c),
-                             c == '[' || c == ']' ? "elements of an array stand in parentheses: a(1)" : "")
+            throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c), hint_for_sign(c))
                 .at(place(cursor.line, from, 1));
         token.kind = TokenKind::sign;
         cursor.at += token.text.size() + (cursor.peek() == ':' ? 1 : 0); // of :=

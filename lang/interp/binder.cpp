@@ -1,6 +1,7 @@
 #include "lang/interp/binder.hpp"
 
 #include "lang/interp/command_words.hpp"
+#include "lang/interp/habits.hpp"
 #include "lang/interp/word_slips.hpp"
 #include "lang/interp/short_list.hpp"
 
@@ -85,6 +86,7 @@ std::string hint_for_unknown(const Language& language, const Statement& statemen
     if (auto slip = slip_hint(statement, 0); !slip.empty()) return slip;
     if (const auto ordered = in_other_order(language, statement); !ordered.empty())
         return fmt::format("did you mean '{}'?", ordered);
+    if (const auto habit = habit_hint("a command", word.folded); !habit.empty()) return std::string(habit);
     if (const auto apart = two_words(language, word); !apart.empty()) return fmt::format("did you mean '{}'?", apart);
     const bool letters = !word.folded.empty() && word.folded.front() >= 'a' && word.folded.front() <= 'z';
     const auto near = word.kind == WordKind::word && letters ? did_you_mean(word.folded, candidates) : "";

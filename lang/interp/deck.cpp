@@ -2,6 +2,7 @@
 
 #include "lang/interp/named_word.hpp"
 #include "lang/interp/other_languages.hpp"
+#include "lang/interp/script_files.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -73,7 +74,10 @@ private:
         BoundCommand& command = step.command;
         names_.learn(*command.spec, statement);
         if (checks_ && checks_->command && !command.late) run_check(command);
-        if (!command.spec->body_end.empty() || statement.words.front().late()) script_seen_ = true;
+        const Word& first = statement.words.front();
+        const std::string name = fold(first.text.substr(0, first.text.find('(')));
+        const bool of_deck = names_.is_function(name) || (name.find('.') != name.npos && !may_write_files(first.text));
+        if (!command.spec->body_end.empty() ? may_write_files(command) : first.late() && !of_deck) script_seen_ = true;
         if (command.spec->flow == Flow::call && !command.late) step.called = called(command);
         return step;
     }

@@ -31,6 +31,12 @@ constexpr Neighbour neighbours[] = {
     {R"((block\s+[-+.\d].*|crack\s+[-+.\d].*|round\s+[-+.\d].*|(jregion|jdelete|pgen)\b.*))",
      "this is a command of UDEC",
      "kaya is three-dimensional: a slice of one block's thickness does what UDEC does; poly prism makes it, jset cuts it"},
+    {R"(\*(heading|node|element|nset|elset|material|step|part|assembly|instance|boundary|include)\b.*)",
+     "this is a line of Abaqus", rock_hint},
+    {R"(/(prep7|solu|post1|clear|filname|title|units|batch|com)\b.*|finish)", "this is a line of Ansys", rock_hint},
+    {R"(<(!doctype|html|\?xml|svg)\b.*)", "this is a page or a drawing, not a deck",
+     "name the command file: kaya DECK"},
+    {R"(\{\s*(".*)?)", "this is a file of JSON, not a deck", "name the command file: kaya DECK"},
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "lang/interp/reader.hpp"
 
+#include "lang/interp/habits.hpp"
 #include "lang/interp/number_hints.hpp"
 #include "lang/interp/odd_letters.hpp"
 #include "lang/interp/word_slips.hpp"
@@ -147,6 +148,7 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     if (word.text == "&" || word.text == "...")
         throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
+    if (slip.empty()) slip = habit_hint(what, word.folded);
     if (!slip.empty())
         throw wrong("unknown-word", word.place, fmt::format("'{}' is not {}", word.text, what), std::move(slip));
     const auto near = did_you_mean(word.folded, candidates);
@@ -202,7 +204,8 @@ double Reader::real(const ArgumentSpec& argument) {
         throw wrong("not-a-number", word.place, fmt::format("expected a number, found {}", word.shown()),
                     hint_for_number(word, argument));
     if (std::isinf(word.number))
-        throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text));
+        throw wrong("out-of-limits", word.place, fmt::format("{} is too large for a number", word.text),
+                    "numbers end at 1.8e308: look at the exponent");
     check_limits(argument, word.number);
     return word.number;
 }

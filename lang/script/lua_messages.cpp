@@ -31,8 +31,8 @@ void add_names(lua_State* L, std::vector<std::string>& names, bool inner) {
     }
 }
 
-/// The nearest global name, or the nearest name in one of the global tables (string.format).
-std::string near_name(lua_State* L, std::string_view word, bool inner) {
+/// Sorted: the order of a table of Lua is not always the same.
+std::vector<std::string> names_in_reach(lua_State* L, bool inner) {
     const int level = lua_gettop(L);
     luaL_checkstack(L, 16, "for a message");
     std::vector<std::string> names;
@@ -44,7 +44,13 @@ std::string near_name(lua_State* L, std::string_view word, bool inner) {
         if (lua_rawget(L, -2) == LUA_TTABLE) add_names(L, names, inner);
     }
     lua_settop(L, level);
-    std::ranges::sort(names); // the order of a table of Lua is not always the same
+    std::ranges::sort(names);
+    return names;
+}
+
+/// The nearest global name, or the nearest name in one of the global tables (string.format).
+std::string near_name(lua_State* L, std::string_view word, bool inner) {
+    const auto names = names_in_reach(L, inner);
     return std::string(did_you_mean(word, {names.begin(), names.end()}));
 }
 
@@ -78,6 +84,15 @@ Diagnostic said(std::string message, std::string hint = {}) {
     return Diagnostic(std::move(message), std::move(hint), Fault::run);
 }
 
+/// The call of a command as if it were a function.
+std::string hint_of_call(const Attempt& attempt) {
+    constexpr std::array<std::string_view, 14> commands{"cycle", "step", "solve", "poly", "prop", "jmodel", "fix",
+                                                        "save",  "hist", "plot",  "list", "gen",  "model",  "bound"};
+    if (std::ranges::find(commands, attempt.name) == commands.end())
+        return "define it before: function name(...) ... end";
+    return fmt::format("a command is given as a text: command('{} ...')", attempt.name);
+}
+
 Diagnostic of_nil(lua_State* L, const Attempt& attempt) {
     const bool global = attempt.kind == "global", calls = attempt.action == "call";
     if (global && std::ranges::find(left_out, attempt.name) != left_out.end())
@@ -86,11 +101,13 @@ Diagnostic of_nil(lua_State* L, const Attempt& attempt) {
     if (global || (calls && attempt.kind == "field")) near = near_name(L, attempt.name, !global);
     const std::string hint = near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
     const std::string name = attempt.name.empty() ? "this value" : fmt::format("'{}'", attempt.name);
-    if (calls) return said(fmt::format("there is no function {} here", name), hint);
+    if (calls)
+        return said(fmt::format("there is no function {} here", name), hint.empty() ? hint_of_call(attempt) : hint);
     if (attempt.action == "index")
         return said(fmt::format("{} is nil here: it has no fields", name),
                     attempt.name.empty() ? "the call or look-up before it returned nothing" : hint);
-    return said(fmt::format("{} is nil here: nothing has set it", name), hint);
+    return said(fmt::format("{} is nil here: nothing has set it", name),
+                hint.empty() ? "set it before, or test it: if value ~= nil then ... end" : hint);
 }
 
 std::optional<Diagnostic> of_attempt(lua_State* L, const Attempt& attempt) {
@@ -106,6 +123,8 @@ std::optional<Diagnostic> of_attempt(lua_State* L, const Attempt& attempt) {
 }
 
 } // namespace
+
+std::vector<std::string> global_names(lua_State* L) { return names_in_reach(L, false); }
 
 Diagnostic in_plain_words(lua_State* L, std::string_view text) {
     if (const auto attempt = attempt_of(text))

@@ -5,6 +5,7 @@
 #include "lang/script/built_ins.hpp"
 #include "lang/script/chunks.hpp"
 #include "lang/script/guard.hpp"
+#include "lang/script/lua_messages.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/state_store.hpp"
 #include "lang/script/value_text.hpp"
@@ -164,6 +165,8 @@ std::vector<std::pair<std::string, bool>> Scripts::built_in_names() const {
     for (const auto& [name, built_in] : impl_->machine->fish.built_ins) names.emplace_back(name, built_in.writable);
     return names;
 }
+
+std::vector<std::string> Scripts::lua_names() const { return global_names(impl_->machine->lua); }
 
 std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const {
     return modern_names(impl_->machine->world);

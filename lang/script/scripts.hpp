@@ -79,6 +79,9 @@ public:
     /// Names that FISH knows without a definition, sorted; true for those that can also be set.
     std::vector<std::pair<std::string, bool>> built_in_names() const;
 
+    /// Names that Lua knows in this state, sorted.
+    std::vector<std::string> lua_names() const;
+
     /// Names of newer versions and the classic ones with the same meaning.
     std::vector<std::pair<std::string, std::string>> newer_names() const;
     /// Present meaning of a name of FISH in lower case.

@@ -39,7 +39,7 @@ constexpr Explanation explanations[] = {
      "All chunks between 'lua' and 'endlua', and the files of 'lua FILE', are read with the deck, before anything runs.\n"
      "The line is where Lua stopped reading; the mistake may be before it."},
     {"other-language", "a file of another program",
-     "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC or UDEC. The rest of the file is\n"
+     "The first line that kaya does not know looks like one of Python, MATLAB, FLAC3D, PFC, UDEC, Abaqus or Ansys. The rest of the file is\n"
      "not read. 'kaya help' lists the commands."},
     {"never-read", "a variable of FISH that is set and never read",
      "A name that differs by one letter is read: this one may be misspelt. Whole decks are checked, with the files that\n"
@@ -77,6 +77,11 @@ constexpr Explanation explanations[] = {
     {"wrong-type", "a value of a script of the wrong kind",
      "The expression after '@' or in '[ ]' has a value that cannot be used here: a text in place of a number, a\n"
      "pointer, or a number that is infinite or undefined."},
+    {"no-object", "a group, range, table or history that no earlier line makes",
+     "The whole deck is read before its first command runs. A name counts when a line before it makes the object; there\n"
+     "is no such message after a restored model, or when a script or an imported file may make it."},
+    {"no-effect", "a command that has nothing to act on",
+     "No line before it makes a block. 'kaya check' says so before the run, the run when it reaches the line."},
     {"no-file", "a missing file",
      "Decks are searched next to the deck that calls them, then in the folder where kaya was started. The endings\n"
      ".3dd .dat .3ddat .fis .txt may be left out."},

@@ -104,7 +104,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
-        doubt_dip(session, command.dip[0], command.place);
+        doubt_dip(session, command.dip[0], command.dip_direction[0], command.place);
         JointSet set;
         set.dip = command.dip[0];
         set.dip_deviation = command.dip[1];

@@ -1,5 +1,6 @@
 #include "commands/deck.hpp"
 
+#include "commands/materials.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/fish/compiler.hpp"
@@ -42,6 +43,8 @@ lang::Checks deck_checks() {
                            [](std::string_view) { return fish::Meaning{}; });
         else if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command))
             script::check_lua_text(chunk->text, chunk->place);
+        else if (const auto* set = std::any_cast<lang::Set>(&command); set != nullptr && set->units) Units(*set->units);
+        else if (const auto* change = std::any_cast<lang::Change>(&command)) refuse_unknown_number(*change);
     };
     return checks;
 }

@@ -176,8 +176,11 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
         if (by_command && !mentioned_.contains(use.name)) {
             if (last_error.source == use.place.source && last_error.line == use.place.line) continue;
             last_error = use.place;
-            Diagnostic d(fmt::format("there is no FISH variable or function '{}'", use.name),
-                         near.empty() ? "" : fmt::format("did you mean '@{}'?", near));
+            Diagnostic d(
+                fmt::format("there is no FISH variable or function '{}'", use.name),
+                near.empty()
+                    ? fmt::format("give it a value before, set @{0} = 1, or define it: def {0} ... end", use.name)
+                    : fmt::format("did you mean '@{}'?", near));
             d.code = "unknown-fish-name";
             found.push_back(d.at(use.place));
             continue;

@@ -1,6 +1,7 @@
 #include "commands/deck_review.hpp"
 
 #include "base/door.hpp"
+#include "commands/plot_views.hpp"
 #include "commands/save_session.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/named_word.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <any>
 #include <fmt/format.h>
+#include <optional>
 #include <sstream>
 
 namespace kaya {
@@ -31,6 +33,37 @@ bool reads(const lang::BoundCommand& command, std::string Command::*file, const 
     const auto* found = std::any_cast<Command>(&command.command);
     if (found != nullptr) read = {found->*file, kind, command.place};
     return found != nullptr;
+}
+
+/// A file that a command writes; empty when it writes none.
+std::string file_written_by(const lang::BoundCommand& command) {
+    using namespace lang;
+    FileRead written;
+    reads(command, &Save::file, "save", written) || reads(command, &HistoryWrite::file, "CSV", written) ||
+        reads(command, &VtkWrite::file, "ParaView", written) || reads(command, &Export::file, "geometry", written) ||
+        reads(command, &Solve::file, "save", written) || reads(command, &LimitEquilibrium::file, "picture", written);
+    const auto* plot = std::any_cast<Plot>(&command.command);
+    if (plot != nullptr && std::ranges::none_of(plot->words, &Plot::Item::script))
+        written.name = read_plot_line(plot->words, plot->range, PlotView()).file;
+    return written.name;
+}
+
+/// The place of the comment behind the words of a line; none when a blank is in front of it.
+std::optional<std::size_t> close_comment(const lang::Lexer& lexer, int line) {
+    const auto words = lexer.words_of_line(line);
+    if (words.empty()) return std::nullopt;
+    const Place& last = words.back().place;
+    const auto end = static_cast<std::size_t>(last.column - 1 + last.length);
+    const std::string& text = last.source->lines[static_cast<std::size_t>(line - 1)];
+    return end < text.size() && text[end] == ';' ? std::optional(end) : std::nullopt;
+}
+
+bool holds_numbers_only(const std::string& text) {
+    auto values = text;
+    std::ranges::replace(values, ';', ' ');
+    const auto words = lang::Lexer(lang::source_from_text("", values)).words_of_line(1);
+    return !words.empty() &&
+           std::ranges::all_of(words, [](const auto& word) { return word.kind == lang::WordKind::number; });
 }
 
 FileRead file_read_by(const lang::BoundCommand& command) {
@@ -65,13 +98,21 @@ void DeckReview::file(const lang::BoundFile& file) {
 
 void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
     names_.check(command, inside);
+    if (command.command.type() == typeid(lang::New)) defined_.clear();
+    if (command.command.type() != typeid(lang::FishDefinition)) unused_.clear(); // it may have run
     materials_.check(command);
     properties_.check(command, inside);
+    objects_.check(command, inside);
+    needs_.check(command, inside);
     if (on_statement) on_statement(command);
-    if (!inside) find_file(command);
+    if (!inside) {
+        find_file(command);
+        find_folder(command);
+        doubt_comment(command);
+    }
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
-    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) check_script(chunk->text);
+    if (const auto* chunk = std::any_cast<lang::LuaChunk>(&command.command)) check_lua(chunk->text, chunk->place);
     if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command)) this->inside(*function);
 }
 
@@ -79,6 +120,7 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
 void DeckReview::inside(const lang::FishDefinition& definition) {
     const auto function = fish::read_function(definition.text, definition.place);
     const auto doubts = fish::doubts(function);
+    doubt_second_definition(definition, function.name);
     materials_.check_script(definition.text);
     other_.insert(other_.end(), doubts.begin(), doubts.end());
     for (const auto& inner : fish::inner_commands(function)) {
@@ -102,11 +144,20 @@ void DeckReview::anything_may_be_made() {
     names_.anything_may_be_made();
     materials_.anything_may_be_given();
     properties_.anything_may_be_loaded();
+    objects_.anything_may_be_made();
+    needs_.anything_may_be_given();
+}
+
+void DeckReview::check_lua(std::string_view text, const Place& place) {
+    check_script(text);
+    lua_.check(text, place);
 }
 
 void DeckReview::check_script(std::string_view text) {
     materials_.check_script(text);
     properties_.check_script(text);
+    objects_.check_script(text);
+    needs_.check_script(text);
 }
 
 /// A continuation mark without a following line.
@@ -144,10 +195,68 @@ void DeckReview::doubt_values(const lang::Set& set, const lang::BoundCommand& co
     }
 }
 
+/// `poly brick 0,1;0,1;0,1` and `poly brick 0 1;cycle 10`: what is meant to be read is a comment.
+void DeckReview::doubt_comment(const lang::BoundCommand& command) {
+    if (command.spec->raw || !command.spec->body_end.empty()) return;
+    const lang::Lexer lexer(command.place.source);
+    for (int line = command.place.line; line <= command.last_line; ++line) {
+        const auto at = close_comment(lexer, line);
+        if (!at) continue;
+        const std::string text = command.place.source->lines[static_cast<std::size_t>(line - 1)].substr(*at + 1);
+        const Place place{command.place.source, line, static_cast<int>(*at) + 1, static_cast<int>(text.size()) + 1};
+        if (holds_numbers_only(text))
+            other_.push_back(
+                doubt("these numbers are not read: ; begins a comment", "blanks and commas separate numbers", place));
+        else if (reads_as_command(text))
+            other_.push_back(
+                doubt("this command is not read: ; begins a comment", "each command has its own line", place));
+    }
+}
+
+bool DeckReview::reads_as_command(const std::string& text) const {
+    lang::Lexer lexer(lang::source_from_text("", text));
+    lang::Statement statement;
+    if (!lexer.next(statement) || statement.words.size() < 2) return false;
+    try {
+        const auto command = lang::bind_with_names(lang::language(), statement, bare_);
+        return !command.spec->raw && command.spec->body_end.empty();
+    } catch (const Diagnostic&) { return false; }
+}
+
+void DeckReview::doubt_second_definition(const lang::FishDefinition& definition, const std::string& name) {
+    const auto [first, is_new] = defined_.try_emplace(name, definition.place);
+    if (is_new) unused_.insert(name);
+    if (is_new || !unused_.contains(name)) return;
+    other_.push_back(doubt(fmt::format("'{}' is defined a second time", name),
+                           fmt::format("from here on this one counts; the first is in line {}", first->second.line),
+                           definition.place));
+    first->second = definition.place;
+}
+
+/// A folder that is not there when a file is written is not made: the run would end hours later.
+void DeckReview::find_folder(const lang::BoundCommand& command) {
+    const std::string file = command.late ? std::string() : file_written_by(command);
+    const fs::path folder = fs::path(file).parent_path();
+    std::error_code failed;
+    if (folder.empty() || folder.is_absolute() || may_have_written_ || fs::exists(folder, failed)) return;
+    Diagnostic d(fmt::format("there is no folder '{}' for '{}'", folder.string(), file), "make the folder first");
+    d.code = "no-file";
+    lang::place_problem(d, lang::language(), command.place);
+    other_.push_back(std::move(d));
+}
+
+/// Functions of the deck are known, and those of FISH write where their names say so.
+bool DeckReview::may_write_when_called(const std::string& expression) const {
+    const std::string name = lang::fold(expression.substr(0, expression.find('(')));
+    if (defined_.contains(name)) return false;
+    const auto is_it = [&](const auto& known) { return known.first == name; };
+    const bool built_in =
+        std::ranges::any_of(scripts_.built_in_names(), is_it) || std::ranges::any_of(scripts_.newer_names(), is_it);
+    return !built_in || lang::may_write_files(expression);
+}
+
 void DeckReview::find_file(const lang::BoundCommand& command) {
     if (lang::may_write_files(command)) may_have_written_ = true;
-    if (const auto* function = std::any_cast<lang::FishDefinition>(&command.command))
-        defined_.insert(fish::read_function(function->text, function->place).name);
     const FileRead read = command.late ? FileRead{} : file_read_by(command);
     const bool is_save = command.command.type() == typeid(lang::Restore);
     const std::string in_full = is_save ? save_name(read.name) : read.name;
@@ -162,8 +271,7 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
             lang::may_write_files(command.text()); // hist write @name; @f may be one of an earlier deck
         for (const auto& word : words.words) {
             earlier_words_.insert(word.text);
-            if (word.late() && may_write && !defined_.contains(lang::fold(word.text.substr(0, word.text.find('(')))))
-                may_have_written_ = true;
+            if (word.late() && may_write && may_write_when_called(word.text)) may_have_written_ = true;
         }
     }
     if (read.name.empty()) return;
@@ -193,7 +301,7 @@ void DeckReview::check_lua_file(const fs::path& path, const std::string& name, c
     if (!fs::is_regular_file(path, failed) || !file || !read_all(file.number(), text))
         return anything_may_be_made(); // the run says why
     names_.check_lua(text);
-    check_script(text);
+    check_lua(text, {lang::source_from_text(name, text), 1, 1, 1});
     if (lang::may_write_files(text)) may_have_written_ = true;
     try {
         script::check_lua_text(text, {lang::source_from_text(name, text), 1, 1, 1});
@@ -209,8 +317,14 @@ std::vector<Diagnostic> DeckReview::findings() {
     all.insert(all.end(), of_names.begin(), of_names.end());
     const auto of_materials = materials_.findings();
     all.insert(all.end(), of_materials.begin(), of_materials.end());
-    const auto of_properties = properties_.findings(laws_);
+    const auto of_properties = properties_.findings(laws_, model_folders_);
     all.insert(all.end(), of_properties.begin(), of_properties.end());
+    const auto of_lua = lua_.findings(scripts_.lua_names());
+    all.insert(all.end(), of_lua.begin(), of_lua.end());
+    const auto of_objects = objects_.findings();
+    all.insert(all.end(), of_objects.begin(), of_objects.end());
+    const auto needs = needs_.findings();
+    all.insert(all.end(), needs.begin(), needs.end());
     return all;
 }
 

@@ -4,6 +4,7 @@
 #include "model/held.hpp"
 #include "model/measure.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -118,6 +119,32 @@ std::optional<FreeFall> free_fall(const Model& model) {
     found.ratio = acting > 0 ? rest.sum / acting : 0;
     found.force = rest.largest;
     return found;
+}
+
+std::vector<Row> blocks_that_left(const Model& model) {
+    const auto box_of = [&](Row b) {
+        Eigen::AlignedBox3d box;
+        const Span span = model.blocks.gridpoints[b];
+        for (Row g = span.first; g < span.end(); ++g) box.extend(model.gridpoints.position[g]);
+        return box;
+    };
+    std::vector<Row> alone;
+    Eigen::AlignedBox3d others;
+    const double none = 1e-6; // of the weight, or of the inertia of a unit acceleration
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
+        const double scale = model.blocks.mass[b] * std::max(model.settings.gravity.norm(), 1e-3);
+        const bool free = !is_held(model, b) && block_force(model, b).norm() <= none * scale;
+        if (free) alone.push_back(b);
+        else others.extend(box_of(b));
+    }
+    if (others.isEmpty()) return {};
+    const double far = others.diagonal().norm();
+    std::erase_if(alone, [&](Row b) {
+        const double distance = others.exteriorDistance(box_of(b));
+        // Some are far from the beginning.
+        return distance <= far || block_displacement(model, b).norm() < 0.5 * distance;
+    });
+    return alone;
 }
 
 } // namespace kaya

@@ -18,4 +18,7 @@ struct FreeFall {
 /// None while every body may still meet another one that does not fall.
 std::optional<FreeFall> free_fall(const Model& model);
 
+/// Free blocks without contact forces that have gone farther from all others than these are long. None while all blocks are like this.
+std::vector<Row> blocks_that_left(const Model& model);
+
 } // namespace kaya

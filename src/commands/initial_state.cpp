@@ -2,6 +2,7 @@
 #include "commands/all_or_nothing.hpp"
 #include "commands/bodies.hpp"
 #include "commands/handlers.hpp"
+#include "commands/plausible.hpp"
 
 #include "mechanics/cell_motion.hpp"
 #include "mechanics/contact_properties.hpp"
@@ -34,6 +35,7 @@ void put_stress(Session& session, const lang::InSitu& command) {
                          .at(command.range.place ? command.range.place : command.place));
         return;
     }
+    doubt_tension(session, command);
     forget_cell_motion(model, session.joints.zones, zones);
     if (command.stress) return set_insitu_stress(model, session.joints, zones, points, stress_field(command));
     try {

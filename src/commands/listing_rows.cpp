@@ -31,7 +31,13 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
     if (info_of(kind).found_late) find_joints(session);
-    return select(session.model, kind, session.test_of(kind, command.range));
+    auto rows = select(session.model, kind, session.test_of(kind, command.range));
+    const std::size_t all = select(session.model, kind, session.test_of(kind, command.range), true).size();
+    if (const std::size_t hidden = all - rows.size(); hidden > 0)
+        session.note_once(
+            fmt::format("the list leaves out {} of {} {}: they are hidden", hidden, all, info_of(kind).plural),
+            session.in_words("seek shows them", "block hide off shows them"));
+    return rows;
 }
 
 /// A line for each row, up to the longest table; the rest is counted.

@@ -249,11 +249,15 @@ void run(Session& session, const lang::Property& typed) {
     ModelEdit(session.model, Change::properties);
 }
 
-void run(Session& session, const lang::Change& command) {
-    auto& model = session.model;
+void refuse_unknown_number(const lang::Change& command) {
     if (command.constitutive && *command.constitutive > 2)
         throw Diagnostic(fmt::format("constitutive number {} means no zone model", *command.constitutive),
                          "1 is elastic, 2 is mohr-coulomb; others have names: `zone model NAME`");
+}
+
+void run(Session& session, const lang::Change& command) {
+    auto& model = session.model;
+    refuse_unknown_number(command);
     if (command.material || command.constitutive)
         for (const Row block : session.pick(ObjectKind::block, command.range)) {
             if (command.material) model.blocks.material[block] = static_cast<std::int32_t>(*command.material);

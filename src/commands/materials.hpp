@@ -9,6 +9,9 @@ namespace kaya {
 /// not the other; warns, once each, about joint properties that no joint model in use knows.
 void check_materials(Session& session);
 
+/// Throws Diagnostic for a constitutive number without a zone model.
+void refuse_unknown_number(const lang::Change& command);
+
 /// The value that `prop` gave to a material, by any spelling of the word: density, bulk, jkn, jfric, ...; 0 if not given. Throws Diagnostic
 /// for a word that `prop` does not know.
 double material_value(const Model& model, const JointRegistry& joints, std::int64_t number, std::string_view word);

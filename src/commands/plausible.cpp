@@ -1,5 +1,7 @@
 #include "commands/plausible.hpp"
 
+#include "base/counted.hpp"
+#include "commands/free_fall.hpp"
 #include "commands/materials.hpp"
 #include "commands/rest_monitor.hpp"
 #include "commands/session.hpp"
@@ -149,6 +151,13 @@ void doubt_joints(Session& session) {
                     "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
                     number_text(*stiffness), weight / *stiffness),
                 "about ten times the modulus of the rock over the size of a block is stiff enough");
+        constexpr double soft = 0.1; // MPa/m or GPa/m in a deck of Pa
+        if (stiffness && *stiffness > 0 && weight / *stiffness > soft * size)
+            say(fmt::format(
+                    "normal stiffness {}: the weight of the model closes the joint by {:.3g}, the model is {:.3g} "
+                    "long",
+                    number_text(*stiffness), weight / *stiffness, size),
+                "is it in MPa/m or GPa/m, and the rest in Pa?");
         constexpr double far_below = 0.01; // MPa for Pa is a factor of a million
         if (walls && *walls > 0 && *walls < far_below * weight)
             say(fmt::format("jcso {} is far below the stress of the model's weight, {:.3g}", number_text(*walls),
@@ -157,11 +166,54 @@ void doubt_joints(Session& session) {
     }
 }
 
-void doubt_dip(Session& session, double dip, const Place& place) {
-    if (!(dip > 90)) return;
-    session.warn(doubt(fmt::format("a dip of {} is more than vertical", number_text(dip)),
-                       fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)))
+void doubt_dip(Session& session, double dip, double direction, const Place& place) {
+    const auto is_radian = [](double angle, double most) {
+        return angle > 0 && angle <= most && angle != std::round(angle);
+    };
+    const auto warn = [&](std::string message, std::string hint) {
+        session.warn(doubt(std::move(message), std::move(hint)).at(place));
+    };
+    if (dip > 90)
+        warn(fmt::format("a dip of {} is more than vertical", number_text(dip)),
+             fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)));
+    if (std::abs(direction) > 360)
+        warn(fmt::format("a dip direction of {} is more than a full turn", number_text(direction)),
+             fmt::format("it is taken as {}", number_text(std::fmod(direction, 360))));
+    if (is_radian(dip, std::numbers::pi / 2) && is_radian(direction, 2 * std::numbers::pi))
+        warn(fmt::format("dip {} and dd {} are nearly 0: angles are in degrees", number_text(dip),
+                         number_text(direction)),
+             fmt::format("as radians they would be dip {:.4g} and dd {:.4g}", dip * 180 / std::numbers::pi,
+                         direction * 180 / std::numbers::pi));
+}
+
+void doubt_tension(Session& session, const lang::InSitu& command) {
+    const auto pulls = [](double stress) { return stress > 0; };
+    if (!command.stress || !std::all_of(command.stress->begin(), command.stress->begin() + 3, pulls)) return;
+    session.warn(doubt("all normal stresses are positive: the ground is pulled in all directions",
+                       "compression is negative: insitu stress -1e6 -1e6 -1e6 0 0 0")
+                     .at(command.place));
+}
+
+void doubt_undamped_search(Session& session, const Place& place) {
+    const Settings& s = session.model.settings;
+    if (s.damping != Damping::none || s.contact_damping != 0) return;
+    session.warn(doubt("nothing damps the motion: it does not come to rest",
+                       "damp local 0.8 before `solve`; cycle time T runs undamped motion")
                      .at(place));
+}
+
+void doubt_gone_blocks(Session& session, const Place& place) {
+    const Model& model = session.model;
+    const auto gone = blocks_that_left(model);
+    if (gone.empty()) return;
+    const Row first = gone.front();
+    if (!session.said_once.insert(fmt::format("left:{}", model.blocks.number[first])).second) return;
+    std::string text = body_text(model, {first});
+    if (gone.size() > 1) text += " and " + counted(gone.size() - 1, "other block");
+    Diagnostic d =
+        doubt(fmt::format("{} left all others: nothing touches it", text), "look at what drives it, or delete it");
+    if (model.settings.dynamic) session.show_note(d.at(place));
+    else session.warn(d.at(place));
 }
 
 void doubt_idle_model(Session& session, const Place& place) {

@@ -22,8 +22,18 @@ void doubt_units(Session& session);
 /// Joints that dilate more than they resist, that are too stiff for the digits of a place, or whose walls are weaker than the weight of the
 /// model: properties of contacts, when these have them.
 void doubt_joints(Session& session);
-/// Planes that dip by more than 90 degrees.
-void doubt_dip(Session& session, double dip, const Place& place);
+/// Zone models that need a strength and have none.
+void doubt_zone_strengths(Session& session);
+/// Zones that shrink to nothing under their weight, or carry waves faster than any solid.
+void doubt_zone_magnitudes(Session& session);
+/// Planes that dip by more than 90 degrees, directions beyond a full turn, angles that look like radians.
+void doubt_dip(Session& session, double dip, double direction, const Place& place);
+/// Stresses in the ground that pull in all directions.
+void doubt_tension(Session& session, const lang::InSitu& command);
+/// Undamped motion, which does not end in equilibrium.
+void doubt_undamped_search(Session& session, const Place& place);
+/// Blocks that have left all others while cycles were counted.
+void doubt_gone_blocks(Session& session, const Place& place);
 /// A search for equilibrium where no force acts and nothing moves.
 void doubt_idle_model(Session& session, const Place& place);
 /// Damping that removes all force from moving bodies.

@@ -142,6 +142,8 @@ void make_ready(Session& session) {
     session.cycle->prepare();
     if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
     doubt_joints(session);
+    doubt_zone_magnitudes(session);
+    doubt_zone_strengths(session);
 }
 
 /// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.

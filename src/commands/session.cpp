@@ -75,11 +75,16 @@ lang::Value Session::value(const std::string& expression, const Place& place) {
 
 void Session::deck_read(const lang::BoundFile& file, const lang::BareNames& names) {
     DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."}, options.own_joints);
+    if (!model.blocks.empty() || !ranges.empty() || !scripts->tables().empty() || !model.histories.all.empty())
+        review.continues_a_model();
+    review.models_are_in(options.joint_folders);
     review.file(file);
     std::vector<Diagnostic> errors;
     for (const auto& finding : review.findings()) {
-        if (finding.severity != Severity::error) warn(finding);
-        else if (errors.size() < lang::most_errors_shown) errors.push_back(finding);
+        if (finding.severity != Severity::error) {
+            // What the run says again when it reaches the line is said here alone, or there alone.
+            if (finding.code != said_by_the_run && said_once.insert(finding.message).second) warn(finding);
+        } else if (errors.size() < lang::most_errors_shown) errors.push_back(finding);
     }
     if (!errors.empty()) throw lang::DeckErrors(std::move(errors));
 }

@@ -87,7 +87,7 @@ void count_from_now(Limits& limits, const lang::Solve& command, const Clock& clo
 } // namespace
 
 /// Fewer cycles are run to inspect the model, not to move a boundary.
-constexpr std::int64_t many_cycles = 1000;
+constexpr std::int64_t many_cycles = 1000, some_cycles = 100;
 
 void run(Session& session, const lang::CycleCommand& command) {
     doubt_empty_model(session, session.interpreter.current_place());
@@ -96,6 +96,7 @@ void run(Session& session, const lang::CycleCommand& command) {
     limits.cycles = command.cycles;
     limits.time = command.time;
     session.world.stopped_by = advance_until(session, limits).why;
+    if (command.cycles.value_or(0) >= some_cycles) doubt_gone_blocks(session, session.interpreter.current_place());
 }
 
 void run(Session& session, const lang::Solve& command) {
@@ -119,6 +120,7 @@ void run(Session& session, const lang::Solve& command) {
         session.output.say(end_text("solve elastic", advance_until(session, limits)));
     }
     doubt_idle_model(session, command.place);
+    if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
     RestMonitor monitor(session.model);
     const RunEnd end = advance_until(session, limits, &monitor);
     session.world.stopped_by = end.why;

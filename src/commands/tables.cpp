@@ -92,8 +92,9 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& message) const {
-        throw Diagnostic(fmt::format("{}, line {}: {}", name_, word_.empty() ? lines_.size() : last_line_, message),
-                         "the table is unchanged");
+        throw Diagnostic(
+            fmt::format("{}, line {}: {}", name_, word_.empty() ? lines_.size() : last_line_, message),
+            "line 1 is a title, line 2 the number of values and their step (0: pairs x y), then come the values");
     }
 
     std::string name_;

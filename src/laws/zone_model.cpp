@@ -196,7 +196,14 @@ const ZoneModel& ZoneModels::get(std::string_view name) {
     }
     const std::string keyword = lower_case(name);
     if (const auto* model = find(keyword)) return *model;
-    if (const auto file = file_of(keyword)) return load(*file);
+    if (const auto file = file_of(keyword)) {
+        try {
+            return load(*file);
+        } catch (const Diagnostic& refusal) {
+            // A joint model has that name: the zone model is another one.
+            if (refusal.code != "zone-model-no-entry" || file->parent_path().filename() == "zones") throw;
+        }
+    }
     const auto names = available();
     const auto near = did_you_mean(keyword, {names.begin(), names.end()});
     Diagnostic error(fmt::format("there is no zone model '{}'", name),

@@ -5,12 +5,37 @@
 #include "pictures/half_space.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace kaya {
 
 namespace {
 
-void add_joint(Layer& layer, const Model& model, const Shown& shown, Row contact, Colouring& colouring) {
+/// From the picture to the eye.
+Vec3 toward_eye(const Scene& scene) {
+    constexpr double degree = std::numbers::pi / 180;
+    const double dip = scene.dip * degree, direction = scene.dip_direction * degree;
+    return {std::sin(dip) * std::sin(direction), std::sin(dip) * std::cos(direction), std::cos(dip)};
+}
+
+/// The outline of a face that is seen edge-on, where the face itself is a line without width.
+void add_edge_on(Layer& outlines, const Polygon& face, const Vec3& eye) {
+    constexpr double nearly = 0.1; // sine of 6 degrees
+    Vec3 area = Vec3::Zero();
+    for (std::size_t i = 2; i < face.size(); ++i)
+        area += (face[i - 1].place - face[0].place).cross(face[i].place - face[0].place);
+    if (std::abs(area.dot(eye)) > nearly * area.norm()) return;
+    for (std::size_t i = 0; i < face.size(); ++i) add_line(outlines, face[i], face[(i + 1) % face.size()]);
+}
+
+/// The layers of joints: their faces, and those seen edge-on as thick lines.
+struct JointLayers {
+    Layer faces, outlines;
+    Vec3 eye;
+};
+
+void add_joint(JointLayers& layers, const Model& model, const Shown& shown, Row contact, Colouring& colouring) {
     if (model.contacts.sub_contacts[contact].count == 0) return;
     for (const auto& corners : joint_polygons(model, contact)) {
         Polygon part;
@@ -25,7 +50,8 @@ void add_joint(Layer& layer, const Model& model, const Shown& shown, Row contact
             corner.value = colouring.gives_names()
                                ? value
                                : colouring.value(model, nearest_sub_contact(model, contact, corner.place));
-        add_polygon(layer, part);
+        add_polygon(layers.faces, part);
+        add_edge_on(layers.outlines, part, layers.eye);
     }
 }
 
@@ -33,15 +59,18 @@ void add_joint(Layer& layer, const Model& model, const Shown& shown, Row contact
 
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field) {
     Colouring colouring(field);
-    Layer layer;
+    JointLayers layers{{}, {}, toward_eye(scene)};
+    layers.outlines.kind = Layer::Kind::lines;
+    layers.outlines.width = 4;
     for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
         const bool both = std::ranges::binary_search(shown.blocks, model.contacts.block1[contact]) &&
                           std::ranges::binary_search(shown.blocks, model.contacts.block2[contact]);
-        if (both) add_joint(layer, model, shown, contact, colouring);
+        if (both) add_joint(layers, model, shown, contact, colouring);
     }
-    layer.bar = static_cast<std::int32_t>(scene.bars.size());
+    layers.faces.bar = layers.outlines.bar = static_cast<std::int32_t>(scene.bars.size());
     scene.bars.push_back(colouring.bar());
-    scene.layers.push_back(std::move(layer));
+    scene.layers.push_back(std::move(layers.faces));
+    if (!layers.outlines.points.empty()) scene.layers.push_back(std::move(layers.outlines));
 }
 
 void add_arrows(Scene& scene, const Model& model, const Shown& shown, bool velocity, double scale) {

@@ -422,7 +422,9 @@ Study read_study(const std::string& file, const std::string& text) {
     const toml::table table = parse_toml(source, text);
     TomlSection in(table, source, "", Place{source, 1, 1, 1});
     const auto deck = in.text("deck");
-    if (!deck) in.fail(in.place(), "a study needs its deck", "write deck = \"slope.3dd\" in its first lines");
+    if (!deck)
+        in.fail(in.place(), "a study needs its deck",
+                in.hint_for_missing("deck", "write deck = \"slope.3dd\" in its first lines"));
     study.deck = (fs::path(file).parent_path() / *deck).string();
     study.deck_place = in.place_of(*in.find("deck"));
     std::error_code ignored;

@@ -121,15 +121,25 @@ TomlSection TomlSection::section_of(const std::string& key, const toml::node& va
     return TomlSection(*value.as_table(), source_, key, place_of(key));
 }
 
+std::string TomlSection::hint_for_missing(std::string_view key, std::string otherwise) const {
+    for (const auto& [name, value] : *table_)
+        if (!did_you_mean(name.str(), {key}).empty()) return fmt::format("did you mean '{}' by '{}'?", key, name.str());
+    return otherwise;
+}
+
 double TomlSection::needed_number(std::string_view key) {
     const auto value = number(key);
-    if (!value) fail(place_, fmt::format("'{}' needs '{}'", name_, key));
+    if (!value)
+        fail(place_, fmt::format("'{}' needs '{}'", name_, key),
+             hint_for_missing(key, fmt::format("write {} = ...", key)));
     return *value;
 }
 
 std::string TomlSection::needed_text(std::string_view key) {
     const auto value = text(key);
-    if (!value) fail(place_, fmt::format("'{}' needs '{}'", name_, key));
+    if (!value)
+        fail(place_, fmt::format("'{}' needs '{}'", name_, key),
+             hint_for_missing(key, fmt::format("write {} = ...", key)));
     return *value;
 }
 

@@ -52,6 +52,8 @@ public:
     /// Throws Diagnostic at the first unknown key.
     void finish() const;
 
+    /// What to write for a key that is not there: the key of nearly this name may be meant.
+    std::string hint_for_missing(std::string_view key, std::string otherwise) const;
     [[noreturn]] void fail(const Place& place, const std::string& message, const std::string& hint = {}) const;
 
 private:

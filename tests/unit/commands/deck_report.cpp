@@ -74,11 +74,13 @@ TEST_F(DeckReportTest, NamesThatAreNeverDefinedAreUnknown) {
           "def build_wall(n)\n  height = n\n  command\n    gen edge @n\n  endcommand\nend\nset @load = 1\n[depth = 3]\n"
           "@bulid_wall(2)\nprint @height @load @time @depth\ngravity 0 0 @g\nprint @heigth\n");
     const DeckReport found = report("a.3dd");
-    EXPECT_EQ(found.text("a.3dd"),
-              "a.3dd:9:1: unknown: there is no FISH variable or function 'bulid_wall'; did you mean '@build_wall'?\n"
-              "a.3dd:11:13: unknown: there is no FISH variable or function 'g'\n"
-              "a.3dd:12:7: unknown: there is no FISH variable or function 'heigth'; did you mean '@height'?\n"
-              "a.3dd: 8 statements: 5 run, 3 unknown");
+    EXPECT_EQ(
+        found.text("a.3dd"),
+        "a.3dd:9:1: unknown: there is no FISH variable or function 'bulid_wall'; did you mean '@build_wall'?\n"
+        "a.3dd:11:13: unknown: there is no FISH variable or function 'g'; give it a value before, set @g = 1, or define it: "
+        "def g ... end\n"
+        "a.3dd:12:7: unknown: there is no FISH variable or function 'heigth'; did you mean '@height'?\n"
+        "a.3dd: 8 statements: 5 run, 3 unknown");
 }
 
 TEST_F(DeckReportTest, NamesOnlyReadOrOnlySetAreDoubtful) {

@@ -81,3 +81,23 @@ TEST(Crosses, AreAsLongAsStressesAreLarge) {
                                      testing::DoubleNear(0.5, 1e-6)));
     EXPECT_EQ(scene.bars.at(0).low, -4);
 }
+
+// The contact of the model is in the plane z = 0: seen from the side it is a line, from above it is not.
+TEST(Joints, SeenEdgeOnAreThickLines) {
+    const Model model = hand_made_model();
+    const ColourField slip{ObjectKind::sub_contact, "slip", [](const Model&, Row) -> FieldValue { return 1.0; }};
+    const auto layers_from = [&](double dip) {
+        Scene scene;
+        scene.dip = dip, scene.dip_direction = 180;
+        add_joints(scene, model, all_of(model), slip);
+        return scene.layers;
+    };
+    const auto side = layers_from(90), above = layers_from(0);
+    ASSERT_EQ(side.size(), 2U);
+    EXPECT_EQ(side[1].kind, Layer::Kind::lines);
+    EXPECT_GT(side[1].width, 1);
+    EXPECT_EQ(side[1].bar, side[0].bar);
+    EXPECT_EQ(side[1].values.size(), side[1].points.size() / 3);
+    ASSERT_EQ(above.size(), 1U);
+    EXPECT_EQ(above[0].points, side[0].points);
+}
