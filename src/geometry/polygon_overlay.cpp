@@ -93,36 +93,78 @@ void add(Overlay& result, const Vec2& place, double area) {
     point.area = area;
 }
 
-bool is_parallelogram(const std::vector<Vec2>& p, double tolerance) {
-    return p.size() == 4 && (p[0] - p[1] + p[2] - p[3]).norm() <= 4 * tolerance;
+/// Natural logarithm by exactly rounded operations: that of the C library has other last bits on some processors.
+double logarithm(double x) {
+    double factor = 2;
+    for (; x > 1.4 || x < 0.7; factor *= 2) x = std::sqrt(x);
+    const double z = (x - 1) / (x + 1), square = z * z;
+    double sum = 0;
+    for (int k = 17; k > 0; k -= 2) sum = sum * square + 1.0 / k;
+    return factor * z * sum;
 }
 
-/// How far the points' second moments are from the exact ones, in parts of these.
-double error_of(const Overlay& result, const Moments& exact) {
-    Eigen::Matrix2d second = -exact.second;
-    for (const auto& p : result.points)
-        second += p.area * (p.place - exact.centre) * (p.place - exact.centre).transpose();
-    return second.norm() / exact.second.norm();
-}
-
-/// Triangles from the centre to the edges; a rule with the corners and the centre of a triangle is exact for second
-/// moments: 1/12 of it at each corner, 3/4 at its centre.
-void add_fan(const std::vector<Vec2>& polygon, const Moments& exact, bool with_centres, Overlay& result) {
-    const std::size_t n = polygon.size();
-    for (const Vec2& p : polygon) add(result, p, 0);
-    double inside = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t next = i + 1 == n ? 0 : i + 1;
-        const double area = 0.5 * cross(polygon[i] - exact.centre, polygon[next] - exact.centre);
-        result.points[i].area += area / 12;
-        result.points[next].area += area / 12;
-        if (with_centres) add(result, (polygon[i] + polygon[next] + exact.centre) / 3, 0.75 * area);
-        inside += area * (with_centres ? 1.0 / 12 : 10.0 / 12);
+/// Mean distance of the polygon's area from its centre. In a triangle between the centre and an edge at the distance h the integral of the
+/// distance is h^3/6 times the difference of sec tan + asinh tan of the angles at its ends.
+double mean_distance(const std::vector<Vec2>& polygon, const Moments& exact) {
+    double sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 a = polygon[i] - exact.centre, b = polygon[i + 1 == polygon.size() ? 0 : i + 1] - exact.centre;
+        const double length = (b - a).norm(), h = cross(a, b) / length;
+        if (!(h > 0)) continue;
+        const double low = a.dot(b - a) / length, high = b.dot(b - a) / length;
+        const auto grown = [&](double x, double distance) { return x < 0 ? h * h / (distance - x) : distance + x; };
+        const double of_angles = logarithm(grown(high, b.norm()) / grown(low, a.norm()));
+        sum += h / 6 * (b.norm() * high - a.norm() * low + h * h * of_angles);
     }
-    add(result, exact.centre, inside);
+    return sum / exact.area;
 }
 
-/// The same triangles cut in smaller ones; each corner of a small one has a third of it.
+/// A unit vector along a principal axis of a symmetric matrix, or along `wanted` where there is none.
+Vec2 principal_axis(const Eigen::Matrix2d& m, const Vec2& wanted) {
+    constexpr double isotropic = 1e-6;
+    const double mixed = 2 * m(0, 1), differs = m(0, 0) - m(1, 1), size = std::sqrt(mixed * mixed + differs * differs);
+    if (size <= isotropic * m.trace()) return wanted.normalized();
+    const double cosine = differs / size; // of twice the angle
+    return {std::sqrt(std::max(0.0, 0.5 * (1 + cosine))),
+            std::copysign(std::sqrt(std::max(0.0, 0.5 * (1 - cosine))), mixed)};
+}
+
+/// The largest x for which a - x b has no negative eigenvalue; b is positive definite.
+double largest_multiple(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) {
+    const Eigen::Matrix2d ratio = a.inverse() * b;
+    const double half = 0.5 * ratio.trace();
+    return 1 / (half + std::sqrt(std::max(0.0, half * half - ratio.determinant())));
+}
+
+/// The corners share the part f of the area, and four places inside the rest: on the principal axes of what the corners leave of the second
+/// moments, at equal distances from the centre. f is the part with which the mean distance from the centre, the resistance of friction
+/// against twisting, is that of the polygon: docs/theory/contacts.md, (3) and (3a).
+void add_corners_and_four(const std::vector<Vec2>& polygon, const Moments& exact, Overlay& result) {
+    constexpr double most = 0.95; // of the part that leaves nothing to the four in one direction
+    corners_of_polygon(polygon, result);
+    const Eigen::Matrix2d second = exact.second / exact.area;
+    Eigen::Matrix2d of_corners = Eigen::Matrix2d::Zero();
+    double distance = 0;
+    for (const auto& p : result.points) {
+        const Vec2 arm = p.place - exact.centre;
+        distance += p.area / exact.area * arm.norm();
+        of_corners += p.area / exact.area * arm * arm.transpose();
+    }
+    const double wanted = mean_distance(polygon, exact), square = second.trace();
+    const double a = of_corners.trace() - distance * distance, b = square + of_corners.trace() - 2 * wanted * distance,
+                 c = square - wanted * wanted; // a f^2 - b f + c = 0, none of them negative
+    const double f = std::min(2 * c / (b + std::sqrt(std::max(0.0, b * b - 4 * a * c))),
+                              most * largest_multiple(second, of_corners));
+    const Eigen::Matrix2d rest = (second - f * of_corners) / (1 - f);
+    const Vec2 u = principal_axis(rest, polygon[1] - polygon[0]), v(-u.y(), u.x());
+    const Vec2 along = std::sqrt(std::max(0.0, u.dot(rest * u))) * u,
+               across = std::sqrt(std::max(0.0, v.dot(rest * v))) * v;
+    for (auto& p : result.points) p.area *= f;
+    for (const Vec2& place : {Vec2(along + across), Vec2(across - along), Vec2(-along - across), Vec2(along - across)})
+        add(result, exact.centre + place, 0.25 * (1 - f) * exact.area);
+}
+
+/// Triangles from the centre to the edges, cut in smaller ones; each corner of a small one has a third of it.
 void add_fine(const std::vector<Vec2>& polygon, const Moments& exact, double edge, double tolerance, Overlay& result,
               OverlayScratch& scratch) {
     PlaneMesh mesh;
@@ -163,20 +205,7 @@ void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tol
     result.points.clear();
     const Moments exact(polygon);
     if (edge > 0) return add_fine(polygon, exact, edge, tolerance, result, scratch);
-    if (polygon.size() == 3 || is_parallelogram(polygon, tolerance)) {
-        for (const Vec2& p : polygon) add(result, p, exact.area / 12);
-        add(result, exact.centre, exact.area * (1 - static_cast<double>(polygon.size()) / 12));
-        return;
-    }
-    constexpr double exact_enough = 1e-9;
-    if (polygon.size() > 4) {
-        add_fan(polygon, exact, false, result);
-        result.second_moment = exact.second + exact.area * exact.centre * exact.centre.transpose();
-        balance_areas(result, scratch);
-        if (error_of(result, exact) <= exact_enough) return;
-        result.points.clear();
-    }
-    add_fan(polygon, exact, true, result);
+    add_corners_and_four(polygon, exact, result);
 }
 
 void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result) {

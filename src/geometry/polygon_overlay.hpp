@@ -12,9 +12,10 @@ namespace kaya {
 void common_polygon(const std::vector<Vec2>& one, const std::vector<Vec2>& two, double tolerance,
                     std::vector<Vec2>& common, OverlayScratch& scratch);
 
-/// Places and areas of a polygon: its corners, and the centre or more places inside. Sums of area, area x and area x x' are the integrals
-/// over the polygon to rounding. So linear springs on the areas resist closing and tilting as the continuous joint does, for any polygon
-/// and any order of its corners. With `edge` above 0 the distance of places is about `edge`. Only place and area of the points are set.
+/// Places and areas of a polygon: its corners, and four places inside. Sums of area, area x and area x x' are the integrals over the polygon
+/// to rounding, and so is the sum of area and distance from the centre. So linear springs on the areas resist closing and tilting as the
+/// continuous joint does, and friction resists twisting, for any polygon and any order of its corners. With `edge` above 0 the distance of
+/// places is about `edge`. Only place and area of the points are set.
 void points_of_polygon(const std::vector<Vec2>& polygon, double edge, double tolerance, Overlay& result,
                        OverlayScratch& scratch);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/eight.hpp"
+#include "mechanics/overlap_patch.hpp"
 #include "model/model.hpp"
 
 namespace kaya {
@@ -31,8 +32,11 @@ struct ContactLoad {
             shear += whole[3];
             shear_sum += Vec3(whole[4], whole[5], whole[6]);
         }
-        if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain)
+        if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain) {
             energy = model.contacts.energy_taken[c];
+            if (const double area = shear_area(model.contacts, c); area > 0)
+                shear_energy *= model.contacts.area[c] / area;
+        }
     }
     double stored() const { return energy + shear_energy; }
 

@@ -17,7 +17,7 @@ struct Springs {
     double stiffer() const { return std::max(normal, shear); }
 };
 
-/// Ratio of the area that counts for the normal stiffness of a contact to that of its sub-contacts. Of an overlap, loaded sub-contacts
+/// Ratio of the area that counts for the stiffness of a contact to that of its sub-contacts. Of an overlap, loaded sub-contacts
 /// count: they may have nearly no area, while the others still have that of the former joint.
 struct NormalAreaFactor {
     double of_carriers = 1;
@@ -35,7 +35,8 @@ struct NormalAreaFactor {
 
 /// `factor`: that of its contact.
 inline Springs springs_of(const SubContacts& subs, Row s, const NormalAreaFactor& factor) {
-    return {subs.normal_stiffness[s] * subs.area[s] * factor.of(s), subs.shear_stiffness[s] * subs.area[s]};
+    const double area = subs.area[s] * factor.of(s);
+    return {subs.normal_stiffness[s] * area, subs.shear_stiffness[s] * area};
 }
 
 /// Sum over the contact's sub-contacts of the larger stiffness, force/length.

@@ -1,6 +1,7 @@
 #include "mechanics/overlap_contact.hpp"
 #include "mechanics/growth.hpp"
 #include "mechanics/overlap_gap.hpp"
+#include "mechanics/overlap_shear.hpp"
 
 #include "mechanics/closure_search.hpp"
 #include "mechanics/contact_geometry.hpp"
@@ -87,12 +88,6 @@ bool is_idle(const Model& model, Row c) {
 /// Frictional work of idle contacts counts before and after a step, as for all others.
 void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
-/// Energy in the shear springs of a row.
-double shear_energy(const SubContacts& subs, Row s) {
-    const double stiffness = subs.shear_stiffness[s] * subs.area[s];
-    return stiffness > 0 ? 0.5 * Vec3(subs.shear_force[s]).squaredNorm() / stiffness : 0;
-}
-
 /// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy lost or created: the
 /// blocks move under the force before the rotation, the springs under the one after it.
 double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
@@ -115,36 +110,15 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     return lost;
 }
 
-/// Changes the area of the carriers of a contact. Normal tractions are kept. Shear forces are kept between parallel faces: if they followed
-/// the area, a joint that opens and closes at its edge would lose some each time and creep. On rolling corners and edges, shear force is
-/// lost with the area that separates. Springs that keep their force on a smaller area hold more energy. In an impact this is paid from
-/// `taken`, the energy that growing areas have taken before, or all forces are reduced in proportion; a joint that opens slowly gains next
-/// to nothing, and reducing its forces would make it creep. Returns the energy lost from the shear springs.
-double change_areas(SubContacts& subs, Span rows, double area, bool lies, double& taken) {
-    constexpr double slow = 0.99;                         // of the area left after a step
-    double before = 0, quick_before = 0, quick_after = 0; // energy: of all, of areas that shrink in an impact
-    std::array<double, carriers> ratios;
-    const Row count = std::min(carriers, rows.count);
-    for (Row k = 0; k < count; ++k) {
-        const Row s = rows.first + k;
-        const double energy = shear_energy(subs, s), ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
-        ratios[k] = ratio;
-        before += energy;
-        if (ratio < slow) quick_before += energy, quick_after += energy / ratio;
+/// Changes the area of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
+/// the shear area; on rolling corners and edges, shear force is lost with the area that separates.
+void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
+    for (Row s = rows.first; s < rows.first + std::min(carriers, rows.count); ++s) {
+        const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
         subs.normal_force[s] *= ratio;
         subs.area[s] = area;
+        if (ratio < 1 && !lies) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
     }
-    if (!(before > 0)) return 0;
-    const double quick = quick_before > 0 ? std::min(1.0, std::sqrt((quick_before + taken) / quick_after)) : 1;
-    double after = 0;
-    for (Row k = 0; k < count; ++k) {
-        const Row s = rows.first + k;
-        const double scale = ratios[k] < 1 && !lies ? ratios[k] : ratios[k] < slow ? quick : 1;
-        if (scale != 1) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
-        after += shear_energy(subs, s);
-    }
-    if (lies) taken = std::max(0.0, taken + before - after);
-    return before - after;
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -167,14 +141,15 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
 }
 
 /// Writes places, areas and increments for the present common volume.
-double write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
+void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
-    const bool closed = patch.carried > 0;
+    const bool closed = patch.carried > 0, was_closed = contacts.depth[c] > 0;
     const Vec3 n = patch.normal;
+    const RelativeMotion start = motion.at_start();
     std::array<Vec3, carriers> places{};
-    double lost = 0, whole = 0; // area of the joint; its open part belongs to the unloaded rows
+    double whole = 0; // area of the joint; its open part belongs to the unloaded rows
     for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
     if (closed) {
         contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
@@ -185,7 +160,7 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
     contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
     const Vec3 apart = motion.at(contacts.position[c]);
-    if (closed) lost = change_areas(subs, span, contacts.area[c] / carriers, patch.lies, contacts.withdrawn_energy[c]);
+    if (closed) change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         if (k >= carriers) {
@@ -200,8 +175,10 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
         }
         Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
         if (closed) {
-            subs.position.set(s, places[k]);
+            // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
             shift = motion.at(places[k]);
+            if (was_closed) shift = 0.5 * (shift + start.at(subs.position[s]));
+            subs.position.set(s, places[k]);
         } else {
             subs.position.set(s, contacts.position[c]);
         }
@@ -211,7 +188,6 @@ double write_rows(Model& model, Row c, const OverlapPatch& patch, const Relative
             closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
         subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
     }
-    return lost;
 }
 
 /// The tilt of an offset turns with block 1. It is reduced by the tilt of the blocks in the same direction.
@@ -244,12 +220,9 @@ double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
 double scale_force(Model& model, Row c, double scale) {
     auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
-    double before = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        before += shear_energy(subs, s);
-        subs.normal_force[s] *= scale;
-        subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
-    }
+    const double before = shear_energy(model, c);
+    for (Row s = span.first; s < span.end(); ++s) subs.normal_force[s] *= scale;
+    scale_shear(subs, span, scale);
     return before * (1 - scale * scale);
 }
 
@@ -262,6 +235,15 @@ double withheld_shear_work(const Model& model, Row c, double scale, const Relati
     double work = 0;
     for (Row s = span.first; s < span.end(); ++s) work += Vec3(subs.shear_force[s]).dot(motion.at(subs.position[s]));
     return -0.5 * (1 / scale - 1) * work;
+}
+
+/// Work of a contact on motions below the precision of coordinates: a block at rest moves by less in a step.
+double rounding_of_work(const Model& model, Row c, double force) {
+    constexpr double precision = 0x1p-50;
+    const auto& blocks = model.blocks;
+    const Vec3 &one = blocks.centroid[model.contacts.block1[c]], &two = blocks.centroid[model.contacts.block2[c]];
+    const Vec3 size = (two - one).cwiseAbs();
+    return precision * force * (size + one.cwiseAbs().cwiseMax(two.cwiseAbs())).maxCoeff();
 }
 
 /// Steps are finite: a contact that closes and opens within a few steps would return a little more or less than it took. On corners and
@@ -297,7 +279,8 @@ double keep_passive(Model& model, Row c, double worn) {
     }
     taken = std::min(taken, surplus * of_overlap);
     contacts.withheld[c] = 1 - scale;
-    const double lost = before - scale * work - taken + of_shear;
+    double lost = before - scale * work - taken + of_shear;
+    if (std::abs(lost) < rounding_of_work(model, c, normal_force_of(model, c))) lost = 0;
     // The withheld part of the work of the shear springs comes from the account of the contact, and friction dissipates less.
     const double not_worn = (1 - 0.5 * (scale_before + scale)) * worn;
     taken = std::max(0.0, taken + not_worn - withheld_shear_work(model, c, scale, motion));
@@ -431,14 +414,16 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     }
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
-    const double lost = of_scale + of_turn + write_rows(model, c, patch, motion);
+    const double in_springs = shear_energy(model, c);
+    write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
-    // It decreases only when all bodies are checked; otherwise a rattling contact would need a check each time it closes.
+    // It decreases only while the contact carries nothing, as it is the area of the shear springs too: on a smaller one they would hold more
+    // energy, or less force. And only when all bodies are checked; otherwise a rattling contact would need a check each time it closes.
     double& rung = contacts.stiffness_area[c];
-    if (rung < stiff || (step_may_grow(model.clock) && rung > 1.18 * stiff))
+    if (rung < stiff || (!(patch.carried > 0) && step_may_grow(model.clock) && rung > 1.18 * stiff))
         rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
-    return lost;
+    return of_scale + of_turn + pay_for_area(model, c, in_springs);
 }
 
 CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model, c)) {
@@ -447,6 +432,9 @@ CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model
     for (Row s = first; s < first + carriers; ++s) {
         force += subs.normal_force[s];
         stiffness += subs.normal_stiffness[s] * subs.area[s];
+        const auto k = static_cast<std::size_t>(s - first);
+        shear[k] = subs.shear_force[s];
+        worn_by_row[k] = subs.frictional_work[s];
     }
 }
 
@@ -455,9 +443,10 @@ double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, J
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
     double lost = 0;
+    stiffen_shear(model, c, carried);
     if (contacts.depth[c] == 0) {
+        lost += shear_energy(model, c);
         for (Row s = span.first; s < span.end(); ++s) {
-            lost += shear_energy(subs, s);
             subs.normal_force[s] = 0;
             subs.shear_force.set(s, Vec3::Zero());
         }

@@ -22,11 +22,13 @@ double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapS
 /// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
 void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
 
-/// Normal force, stiffness and frictional work of the carriers of an overlap before a joint model sees them.
+/// Normal force, stiffness, frictional work and shear forces of the carriers of an overlap before a joint model sees them.
 struct CarriedLoad {
     double force = 0, stiffness = 0, worn = 0;
+    std::array<Vec3, carriers> shear;
+    std::array<double, carriers> worn_by_row{};
 
-    CarriedLoad() = default;
+    CarriedLoad() { shear.fill(Vec3::Zero()); }
     CarriedLoad(const Model& model, Row contact);
 };
 

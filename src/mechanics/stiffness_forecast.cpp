@@ -218,7 +218,7 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
         auto columns = copy.batch(*batch.model, model.joint_properties[batch.properties].values, step);
         const bool failed = run_batch(*batch.model, columns).has_value();
         const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor.of(s);
-        const double shear = failed ? springs.shear : copy.shear_stiffness * copy.area;
+        const double shear = failed ? springs.shear : copy.shear_stiffness * copy.area * factor.of(s);
         if (normal <= harmless * springs.normal && shear <= harmless * springs.shear) continue;
         springs = {std::max(springs.normal, normal), std::max(springs.shear, shear)};
         grows = true;
@@ -292,7 +292,7 @@ bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, d
             if (!in_varying_[c]) springs_[s] = springs_of(model.sub_contacts, s, factor);
             if (!(growth_[c] > 1) || s >= span.first + carriers) continue;
             springs_[s].normal *= growth_[c];
-            springs_[s].shear *= growth_[c] * factor.of_carriers;
+            springs_[s].shear *= growth_[c];
         }
     }
     return true;
