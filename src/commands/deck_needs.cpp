@@ -31,10 +31,10 @@ template <class... Listed> bool is_one_of(const std::any& command, lang::Command
 
 template <class... Made> std::optional<std::int64_t> material_of(const std::any& command, lang::CommandList<Made...>) {
     std::optional<std::int64_t> number;
-    const auto look = [&](const auto* made) {
+    const auto read = [&](const auto* made) {
         if (made != nullptr) number = made->options.material;
     };
-    (look(std::any_cast<Made>(&command)), ...);
+    (read(std::any_cast<Made>(&command)), ...);
     return number;
 }
 
@@ -43,7 +43,7 @@ bool is_density(const std::string& word) {
     return property && *property == lang::BlockProperty::density;
 }
 
-bool any_touch(const std::vector<Eigen::AlignedBox3d>& boxes) {
+bool any_intersect(const std::vector<Eigen::AlignedBox3d>& boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (boxes[i].intersects(boxes[k])) return true;
@@ -75,8 +75,8 @@ void DeckNeeds::check(const lang::BoundCommand& command, bool inside) {
         *this = DeckNeeds();
         found_ = std::move(found);
     }
-    if (open_ || looked_up_) return;
-    if (is_one_of(any, Cycles{})) return look_up(command.place);
+    if (open_ || checked_) return;
+    if (is_one_of(any, Cycles{})) return check_needs(command.place);
     learn(command);
     learn_materials(command);
 }
@@ -120,8 +120,8 @@ void DeckNeeds::learn_materials(const lang::BoundCommand& command) {
     if (number) used_.try_emplace(*number, command.place);
 }
 
-void DeckNeeds::look_up(const Place& cycle) {
-    looked_up_ = true;
+void DeckNeeds::check_needs(const Place& cycle) {
+    checked_ = true;
     if (!blocks_) return;
     const auto hint = [](std::int64_t number) { return fmt::format("give it before: prop mat {} dens 2600", number); };
     if (!dense_by_range_ && dense_.empty() && !all_held_) {
@@ -136,7 +136,7 @@ void DeckNeeds::look_up(const Place& cycle) {
                                      hint(number), Severity::warning, place));
         }
     }
-    if (joint_properties_ || joined_ || !(cut_ || any_touch(bricks_))) return;
+    if (joint_properties_ || joined_ || !(cut_ || any_intersect(bricks_))) return;
     found_.push_back(finding("no line gives the joints a stiffness before these cycles",
                              "give it before: jmodel jkn 1e10 jks 1e10 jfric 30", Severity::warning, cycle));
 }

@@ -26,16 +26,16 @@ public:
 private:
     void learn(const lang::BoundCommand& command);
     void learn_materials(const lang::BoundCommand& command);
-    void look_up(const Place& cycle);
+    void check_needs(const Place& cycle);
 
     std::set<std::int64_t> dense_;       ///< materials with a density
     std::map<std::int64_t, Place> used_; ///< materials of blocks, and the line that gives each first
     std::vector<Eigen::AlignedBox3d> bricks_;
     bool blocks_ = false, cut_ = false;         ///< there are blocks, several of one shape
     bool some_held_ = false, all_held_ = false; ///< they need no density
-    bool dense_by_range_ = false;               ///< blocks have a density of their own
+    bool dense_by_range_ = false;               ///< blocks have separate densities
     bool joint_properties_ = false, joined_ = false;
-    bool looked_up_ = false, open_ = false;
+    bool checked_ = false, open_ = false;
     std::vector<Diagnostic> found_;
 };
 

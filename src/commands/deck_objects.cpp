@@ -134,7 +134,7 @@ void DeckObjects::check(const lang::BoundCommand& command, bool inside) {
     if (is<lang::LuaFile>(any)) return anything_may_be_made();
     if (is<lang::FishCall>(any)) idle_histories_.clear(); // it may cycle
     if (is<lang::New>(any)) forget();
-    if (!inside) look_up(command);
+    if (!inside) check_names(command);
     make(command);
     make_history(command);
     if (inside && is<lang::HistoryAdd>(any)) histories_open_ = true;
@@ -186,7 +186,7 @@ void DeckObjects::make_history(const lang::BoundCommand& command) {
     }
 }
 
-void DeckObjects::look_up(const lang::BoundCommand& command) {
+void DeckObjects::check_names(const lang::BoundCommand& command) {
     const auto& any = command.command;
     // The ranges of these are read when they are used.
     const bool later = is<lang::NameRange>(any) || is<lang::JointRuleCommand>(any);
@@ -203,9 +203,9 @@ void DeckObjects::look_up(const lang::BoundCommand& command) {
             use(Kind::table, table->name.empty() ? std::to_string(table->table) : table->name, multiplier->place);
     if (const auto* limit = std::any_cast<lang::LimitEquilibrium>(&any); limit != nullptr && limit->water_table)
         use(Kind::table, std::to_string(*limit->water_table), command.place);
-    if (!command.late) look_up_histories(command);
-    if (const auto* plot = std::any_cast<lang::Plot>(&any)) look_up_plot(*plot, command);
-    look_up_order(command);
+    if (!command.late) check_histories(command);
+    if (const auto* plot = std::any_cast<lang::Plot>(&any)) check_plot(*plot, command);
+    check_order(command);
 }
 
 void DeckObjects::use(Kind kind, const std::string& name, const Place& place) {
@@ -228,7 +228,7 @@ void DeckObjects::use_history(std::int64_t number, const lang::BoundCommand& com
     found_.push_back(std::move(d));
 }
 
-void DeckObjects::look_up_histories(const lang::BoundCommand& command) {
+void DeckObjects::check_histories(const lang::BoundCommand& command) {
     const auto& any = command.command;
     std::vector<std::int64_t> numbers;
     if (const auto* write = std::any_cast<lang::HistoryWrite>(&any)) {
@@ -250,7 +250,7 @@ void DeckObjects::look_up_histories(const lang::BoundCommand& command) {
     for (const auto number : numbers) use_history(number, command, Severity::error);
 }
 
-void DeckObjects::look_up_plot(const lang::Plot& plot, const lang::BoundCommand& command) {
+void DeckObjects::check_plot(const lang::Plot& plot, const lang::BoundCommand& command) {
     auto words = plot.words;
     if (std::ranges::any_of(words, &lang::Plot::Item::script)) return;
     if (words.size() > 1 && words.front().quoted && !words[1].quoted) words.erase(words.begin());
@@ -271,7 +271,7 @@ void DeckObjects::look_up_plot(const lang::Plot& plot, const lang::BoundCommand&
 }
 
 /// What acts on blocks before the first of them.
-void DeckObjects::look_up_order(const lang::BoundCommand& command) {
+void DeckObjects::check_order(const lang::BoundCommand& command) {
     if (blocks_ || !is_one_of(command.command, OnBlocks{})) return;
     blocks_ = true; // said once
     found_.push_back(finding("there are no blocks yet: this has no effect", "make them first: poly brick ...",

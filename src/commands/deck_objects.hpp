@@ -38,10 +38,10 @@ private:
     };
     void make(const lang::BoundCommand& command);
     void make_history(const lang::BoundCommand& command);
-    void look_up(const lang::BoundCommand& command);
-    void look_up_histories(const lang::BoundCommand& command);
-    void look_up_plot(const lang::Plot& plot, const lang::BoundCommand& command);
-    void look_up_order(const lang::BoundCommand& command);
+    void check_names(const lang::BoundCommand& command);
+    void check_histories(const lang::BoundCommand& command);
+    void check_plot(const lang::Plot& plot, const lang::BoundCommand& command);
+    void check_order(const lang::BoundCommand& command);
     void use(Kind kind, const std::string& name, const Place& place);
     void use_history(std::int64_t number, const lang::BoundCommand& command, Severity severity);
     void forget();

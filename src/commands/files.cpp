@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Parts of a save file that belong to the session.
-constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges", part_joints = "joint models";
+constexpr std::string_view part_scripts = "scripts", part_ranges = "named ranges", part_joints = "joint models",
+                           part_surfaces = "sets of surfaces";
 
 /// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
@@ -44,6 +45,12 @@ const std::string& part(const SaveExtras& extras, std::string_view name) {
 std::vector<JointFile> saved_joint_files(const SaveExtras& extras) {
     const auto found = std::ranges::find(extras.scripts, part_joints, &SaveExtras::Item::name);
     return found == extras.scripts.end() ? std::vector<JointFile>{} : joint_files_from_text(found->content);
+}
+
+/// Saves of sessions without such sets have no such part.
+SurfaceSets saved_surfaces(const SaveExtras& extras) {
+    const auto found = std::ranges::find(extras.scripts, part_surfaces, &SaveExtras::Item::name);
+    return found == extras.scripts.end() ? SurfaceSets{} : surfaces_from_text(found->content);
 }
 
 /// Objects of joint models were restored as bytes; the models turn them into objects.
@@ -126,6 +133,8 @@ SaveExtras session_extras(Session& session) {
     keep_units(extras, session.units);
     if (const auto files = joint_files(session); !files.empty())
         extras.scripts.push_back({std::string(part_joints), joint_files_text(files)});
+    if (!session.surface_sets.empty())
+        extras.scripts.push_back({std::string(part_surfaces), surfaces_text(session.surface_sets)});
     for (const auto& source : session.sources)
         extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
     return extras;
@@ -134,7 +143,7 @@ SaveExtras session_extras(Session& session) {
 std::uint64_t script_hash(Session& session) {
     script::ScriptState state = session.scripts->state();
     if (state.fish_globals.empty() && state.lua_globals.empty() && state.extras.empty() && state.sources.empty() &&
-        state.hooks.empty() && state.tables.empty() && session.ranges.empty())
+        state.hooks.empty() && state.tables.empty() && session.ranges.empty() && session.surface_sets.empty())
         return 0;
     for (auto& source : state.sources) {
         source.name.clear();
@@ -143,6 +152,7 @@ std::uint64_t script_hash(Session& session) {
     Hash hash;
     hash.add(script::to_bytes(state));
     hash.add(ranges_text(session.ranges));
+    if (!session.surface_sets.empty()) hash.add(surfaces_text(session.surface_sets));
     return hash.value();
 }
 
@@ -169,6 +179,7 @@ void run(Session& session, const lang::Restore& command) {
     const SaveExtras extras = restore_state(model, file);
     load_joint_models(session, model, saved_joint_files(extras), file);
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
+    SurfaceSets surfaces = saved_surfaces(extras);
     const script::ScriptState scripts = script::from_bytes(part(extras, part_scripts));
 
     if (by_script) {
@@ -179,6 +190,7 @@ void run(Session& session, const lang::Restore& command) {
         restore_scripts(session, model, scripts);
     }
     session.ranges = std::move(ranges);
+    session.surface_sets = std::move(surfaces);
     session.title = extras.title;
     session.units = units_of(extras);
     if (!extras.missing.empty())

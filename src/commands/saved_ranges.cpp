@@ -1,8 +1,9 @@
 #include "commands/saved_ranges.hpp"
 
-#include <cstdlib>
+#include "commands/saved_text.hpp"
+
 #include <fmt/format.h>
-#include <sstream>
+#include <limits>
 
 namespace kaya {
 
@@ -32,50 +33,20 @@ std::string element_text(const RangeElement& e) {
     return text + fmt::format(" {} {} {} {}\n", e.name.size(), e.name, e.second_name.size(), e.second_name);
 }
 
-[[noreturn]] void refuse() { throw Diagnostic("the named ranges of the save file cannot be read", {}, Fault::run); }
-
-/// strtod reads what {:a} writes; streams do not.
-double read_number(std::istream& stream) {
-    std::string word;
-    stream >> word;
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0') refuse();
-    return value;
-}
-
-std::string read_name(std::istream& stream) {
-    std::size_t length = 0;
-    stream >> length;
-    stream.get();
-    if (!stream || length > 1 << 20) refuse();
-    std::string name(length, '\0');
-    stream.read(name.data(), static_cast<std::streamsize>(length));
-    if (!stream) refuse();
-    return name;
-}
-
-RangeElement read_element(std::istream& stream) {
+RangeElement read_element(SavedText& text) {
     RangeElement e;
-    int kind = -1, negated = 0, both = 0;
-    stream >> kind >> e.side >> negated >> both;
-    if (!stream || kind < 0 || kind > static_cast<int>(RangeElement::last_kind)) refuse();
-    e.kind = static_cast<RangeElement::Kind>(kind);
-    e.negated = negated != 0;
-    e.both = both != 0;
-    visit_numbers(e, [&](double& value) { value = read_number(stream); });
-    std::size_t count = 0;
-    stream >> count;
-    if (!stream || count > 1 << 20) refuse();
-    e.numbers.resize(count);
-    for (auto& number : e.numbers) stream >> number;
-    stream >> count;
-    if (!stream || count > 1 << 20) refuse();
-    e.vertices.resize(count);
-    for (Vec3& vertex : e.vertices)
-        for (int k = 0; k < 3; ++k) vertex[k] = read_number(stream);
-    e.name = read_name(stream);
-    e.second_name = read_name(stream);
+    e.kind = static_cast<RangeElement::Kind>(text.whole(0, static_cast<int>(RangeElement::last_kind)));
+    e.side = static_cast<int>(text.whole(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+    e.negated = text.flag();
+    e.both = text.flag();
+    visit_numbers(e, [&](double& value) { value = text.number(); });
+    for (std::size_t left = text.count(); left > 0; --left) e.numbers.push_back(text.whole());
+    for (std::size_t left = text.count(); left > 0; --left) {
+        const double x = text.number(), y = text.number(), z = text.number();
+        e.vertices.emplace_back(x, y, z);
+    }
+    e.name = text.name();
+    e.second_name = text.name();
     return e;
 }
 
@@ -91,22 +62,16 @@ std::string ranges_text(const NamedRanges& ranges) {
     return text;
 }
 
-NamedRanges ranges_from_text(const std::string& text) {
-    std::istringstream stream(text);
-    std::size_t count = 0;
-    stream >> count;
-    if (!stream) refuse();
+NamedRanges ranges_from_text(const std::string& saved) {
+    SavedText text(saved, "named ranges");
     NamedRanges ranges;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::size_t elements = 0;
-        int any = 0, whole = 0;
-        stream >> elements >> any >> whole;
-        if (!stream) refuse();
+    for (std::size_t left = text.count(); left > 0; --left) {
+        const std::size_t elements = text.count();
         lang::RangePhrase phrase;
-        phrase.any = any != 0;
-        phrase.whole = whole != 0;
-        const std::string name = read_name(stream);
-        for (std::size_t k = 0; k < elements; ++k) phrase.elements.push_back(read_element(stream));
+        phrase.any = text.flag();
+        phrase.whole = text.flag();
+        const std::string name = text.name();
+        for (std::size_t k = 0; k < elements; ++k) phrase.elements.push_back(read_element(text));
         ranges[name] = std::move(phrase);
     }
     return ranges;

@@ -1,4 +1,4 @@
-// Plane polygons that a deck names: surfaces of `geometry`, discs of `fracture`. They are for cuts; save files do not hold them.
+// Plane polygons that a deck names: surfaces of `geometry`, discs of `fracture`. They are for cuts.
 #pragma once
 
 #include "base/vector.hpp"
@@ -14,6 +14,14 @@ using PolygonSet = std::vector<std::vector<Vec3>>;
 struct SurfaceSets {
     std::map<std::string, PolygonSet> surfaces, fractures; ///< by name in lower case
     std::string current;                                   ///< the set of the last `geometry set`; "": none yet
+
+    bool empty() const { return surfaces.empty() && fractures.empty() && current.empty(); }
 };
+
+/// A text for save files; numbers keep all their bits.
+std::string surfaces_text(const SurfaceSets& sets);
+
+/// Throws Diagnostic when the text is truncated or malformed.
+SurfaceSets surfaces_from_text(const std::string& text);
 
 } // namespace kaya

@@ -34,7 +34,7 @@ local function checked(given)
     if not (run.to > 0) then error("pushover.run: to, the displacement at the end, must be above 0", 3) end
     if run.every < 1 or run.every ~= math.floor(run.every) then error("pushover.run: every must be a whole number of cycles", 3) end
     if run.below < 0 or run.below >= 1 then error("pushover.run: below is a share of the peak, from 0 to less than 1", 3) end
-    if not (model.gravity:length() > 0) then error("pushover.run: there is no gravity, of which the load is a share", 3) end
+    if not (model.gravity:length() > 0) then error("pushover.run: there is no gravity, and the load is a share of it", 3) end
     if math.abs(model.gravity:dot(run.along)) > 1e-9 * model.gravity:length() then
         error("pushover.run: along must be normal to gravity", 3)
     end
@@ -105,7 +105,7 @@ function pushover.run(given)
         end
         before = speed
         way = way + speed * dt
-        -- It begins slowly: a jump of the speed would be a blow.
+        -- It begins slowly: a jump of the speed would be an impact.
         local wanted = run.speed * math.min(1, 0.01 + way / (0.02 * run.to))
         acting = (wanted - speed) / dt - others
         model.gravity = gravity + along * acting
