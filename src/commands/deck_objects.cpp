@@ -255,11 +255,12 @@ void DeckObjects::check_plot(const lang::Plot& plot, const lang::BoundCommand& c
     if (std::ranges::any_of(words, &lang::Plot::Item::script)) return;
     if (words.size() > 1 && words.front().quoted && !words[1].quoted) words.erase(words.begin());
     const PlotLine line = read_plot_line(words, plot.range, PlotView());
+    const std::size_t before = found_.size();
     if (!line.unknown.empty()) {
         Diagnostic d = finding(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
                                line.meant.empty() ? "docs/commands/plot.md lists what it draws"
                                                   : fmt::format("did you mean '{}'?", line.meant),
-                               "unknown-word", Severity::warning);
+                               said_by_the_run, Severity::warning);
         lang::place_problem(d, lang::language(), command.place);
         found_.push_back(std::move(d));
     }
@@ -268,6 +269,7 @@ void DeckObjects::check_plot(const lang::Plot& plot, const lang::BoundCommand& c
         for (const auto number : item.numbers) use_history(std::abs(number), command, Severity::warning);
         if (item.versus && *item.versus > 0) use_history(*item.versus, command, Severity::warning);
     }
+    for (std::size_t k = before; k < found_.size(); ++k) found_[k].code = said_by_the_run;
 }
 
 /// What acts on blocks before the first of them.

@@ -121,6 +121,10 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     const char *o = "10 0 0", *x = "11 0 0", *y = "10 1 0", *z = "10 0 1";
     write("vault.stl",
           "solid vault\n" + facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z) + "endsolid vault\n");
+    write("fault.stl", "solid fault\n" + facet(o, y, x) + "endsolid fault\n");
+    write(
+        "fault.dxf",
+        "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n");
     write("shear.csv", "normal_stress,shear_displacement\n1,0\n1,0.001\n");
     write("average.lua", "average = 1\n");
 }
@@ -138,6 +142,14 @@ std::string before(std::string_view example) {
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
     if (example.starts_with("block contact material-table") && example.find("table add") == std::string_view::npos)
         return "block contact material-table add property friction 30 range position-z 0 9\n";
+    if (example.starts_with("geometry ")) return "geometry set 'fault'\n";
+    if (example.find("cut geometry") != example.npos)
+        return "geometry set 'fault'\ngeometry polygon create by-positions (-9,-9,0.4) (9,-9,0.4) (9,9,0.4) (-9,9,0.4)\n";
+    if (example.find("frequencies") != example.npos || example.find("dynamic eigen") != example.npos)
+        return "new\npoly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 density 2000\nfix range z 0 1\njmodel model mohr\njmodel jkn 1e9 jks 1e9\n";
+    if (example.starts_with("range delete")) return "range name low z 0 1\n";
+    if (example.starts_with("fracture delete") || example.find("cut dfn") != example.npos)
+        return "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n";
     if (example.find("vs step") != std::string_view::npos)
         return "block history name 'crown' velocity-z position 0 0 1\n";
     return {};
@@ -146,6 +158,7 @@ std::string before(std::string_view example) {
 /// Joined blocks are rigid, and only rigid blocks rotate.
 bool of_rigid_blocks(std::string_view example) {
     return example.starts_with("join") || example.find("rzvel") != example.npos ||
+           example.find("frequencies") != example.npos || example.find("dynamic eigen") != example.npos ||
            example.find("xrvel") != example.npos;
 }
 

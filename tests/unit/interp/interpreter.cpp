@@ -137,7 +137,7 @@ TEST_F(Decks, MissingCalledFile) {
 
 TEST_F(Decks, ScriptMayWriteTheFileThatIsCalled) {
     on_call = [&](const std::string&) { write("made.dat", "title made\n"); };
-    write("a.3dd", "def make\n x = 1\nend\n@make\ncall made.dat\n");
+    write("a.3dd", "def make\n status = open('made.dat', 1, 1)\nend\n@make\ncall made.dat\n");
     interpreter.run_file("a.3dd");
     EXPECT_EQ(done, Done{"made"});
 
