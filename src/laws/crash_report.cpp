@@ -31,7 +31,8 @@ thread_local const CrashReport::Call* volatile at_work = nullptr; // a signal ar
 std::atomic<bool> reporting = false;
 std::atomic<void (*)()> act_before_end = nullptr;
 
-/// The desk of a thread in a record; none where there are more threads than desks.
+/// The desk of a thread in a record; none where there are more threads than desks. A forked process has a copy of the lease and shares the
+/// desk: it leaves it to the process that took it.
 struct DeskLease {
     RunRecord::Desk* desk = nullptr;
     explicit DeskLease(RunRecord& record) : record_(record) {
@@ -43,7 +44,7 @@ struct DeskLease {
         }
     }
     ~DeskLease() {
-        if (desk == nullptr) return;
+        if (desk == nullptr || ::getpid() != process_) return;
         desk->who = nullptr;
         desk->taken = false;
     }
@@ -51,6 +52,7 @@ struct DeskLease {
 
 private:
     const RunRecord& record_;
+    const pid_t process_ = ::getpid();
 };
 
 RunRecord::Desk* own_desk() {
