@@ -1,8 +1,10 @@
 // Lists of the structs of commands. The index of a struct in the list of all commands identifies the command.
 #pragma once
 
+#include <any>
 #include <cstddef>
 #include <type_traits>
+#include <typeinfo>
 
 namespace kaya::lang {
 
@@ -18,6 +20,10 @@ struct JoinedLists<CommandList<A...>, CommandLists<CommandList<B...>, List...>>
 
 template <class Command, class... Listed> constexpr bool is_in(CommandList<Listed...>) {
     return (std::is_same_v<Command, Listed> || ...);
+}
+
+template <class... Listed> bool is_one_of(const std::any& command, CommandList<Listed...>) {
+    return ((command.type() == typeid(Listed)) || ...);
 }
 
 /// The place of a command in a list.

@@ -1,5 +1,7 @@
 #include "commands/deck_lua.hpp"
 
+#include "commands/deck_finding.hpp"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -94,12 +96,11 @@ std::vector<Diagnostic> DeckLua::findings(const std::vector<std::string>& names)
     for (const auto& [name, place] : called_) {
         if (mentioned_.contains(name) || std::ranges::find(names, name) != names.end()) continue;
         const auto near = did_you_mean(name, known);
-        Diagnostic d(fmt::format("Lua has no function '{}'", name), near.empty()
-                                                                        ? "define it before: function name(...) ... end"
-                                                                        : fmt::format("did you mean '{}'?", near));
-        d.severity = Severity::warning;
-        d.code = "unknown-word";
-        found.push_back(d.at(place));
+        found.push_back(finding(fmt::format("Lua has no function '{}'", name),
+                                near.empty() ? "define it before: function name(...) ... end"
+                                             : fmt::format("did you mean '{}'?", near),
+                                "unknown-word", Severity::warning)
+                            .at(place));
     }
     return found;
 }

@@ -1,5 +1,6 @@
 #include "commands/deck_needs.hpp"
 
+#include "commands/deck_finding.hpp"
 #include "commands/property_meaning.hpp"
 
 #include <algorithm>
@@ -13,21 +14,16 @@ namespace kaya {
 
 namespace {
 
-using Makers =
-    lang::CommandList<lang::PolyBrick, lang::PolyPrism, lang::PolyFace, lang::PolyTet, lang::PolyCube, lang::PolyDrum>;
 /// Lines that make several blocks.
 using Cutters = lang::CommandList<lang::PolyTunnel, lang::JointSetCommand, lang::TunnelCommand, lang::CutGround,
                                   lang::Densify, lang::Copy>;
 using Joiners = lang::CommandList<lang::Join, lang::JoinContact>;
-using Cycles = lang::CommandList<lang::CycleCommand, lang::Solve>;
+constexpr std::string_view missing = "property-missing";
+
 /// Held blocks need no density.
 using Holders = lang::CommandList<lang::Fix, lang::Boundary, lang::Apply>;
 /// The material of what these make is not in the deck, or each block gets its own.
 using Unknown = lang::CommandList<lang::Restore, lang::Import, lang::LuaFile>;
-
-template <class... Listed> bool is_one_of(const std::any& command, lang::CommandList<Listed...>) {
-    return ((command.type() == typeid(Listed)) || ...);
-}
 
 template <class... Made> std::optional<std::int64_t> material_of(const std::any& command, lang::CommandList<Made...>) {
     std::optional<std::int64_t> number;
@@ -41,20 +37,6 @@ template <class... Made> std::optional<std::int64_t> material_of(const std::any&
 bool is_density(const std::string& word) {
     const auto property = find_block_property(word);
     return property && *property == lang::BlockProperty::density;
-}
-
-bool any_intersect(const std::vector<Eigen::AlignedBox3d>& boxes) {
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (boxes[i].intersects(boxes[k])) return true;
-    return false;
-}
-
-Diagnostic finding(std::string message, std::string hint, Severity severity, const Place& place) {
-    Diagnostic d(std::move(message), std::move(hint));
-    d.severity = severity;
-    d.code = "property-missing";
-    return d.at(place);
 }
 
 } // namespace
@@ -76,21 +58,21 @@ void DeckNeeds::check(const lang::BoundCommand& command, bool inside) {
         found_ = std::move(found);
     }
     if (open_ || checked_) return;
-    if (is_one_of(any, Cycles{})) return check_needs(command.place);
+    if (is_one_of(any, CyclingCommands{})) return check_needs(command.place);
     learn(command);
     learn_materials(command);
 }
 
 void DeckNeeds::learn(const lang::BoundCommand& command) {
     const auto& any = command.command;
-    if (is_one_of(any, Makers{}) || is_one_of(any, Cutters{})) blocks_ = true;
+    if (is_one_of(any, lang::ShapeCommands{}) || is_one_of(any, Cutters{})) blocks_ = true;
     if (is_one_of(any, Cutters{})) cut_ = true;
     const auto* fix = std::any_cast<lang::Fix>(&any);
     if (fix != nullptr && !fix->range.place) all_held_ = true;
     if (is_one_of(any, Holders{})) some_held_ = true;
     if (any.type() == typeid(lang::BlockDensity)) dense_by_range_ = true;
     if (const auto* brick = std::any_cast<lang::PolyBrick>(&any); brick != nullptr && !command.late)
-        bricks_.emplace_back(Vec3(brick->x[0], brick->y[0], brick->z[0]), Vec3(brick->x[1], brick->y[1], brick->z[1]));
+        bricks_.push_back({Vec3(brick->x[0], brick->y[0], brick->z[0]), Vec3(brick->x[1], brick->y[1], brick->z[1])});
     if (is_one_of(any, Joiners{})) joined_ = true;
     if (any.type() == typeid(lang::JointRuleCommand)) joint_properties_ = true;
     if (const auto* joint = std::any_cast<lang::JointModelCommand>(&any); joint != nullptr && !joint->items.empty())
@@ -113,8 +95,7 @@ void DeckNeeds::learn_materials(const lang::BoundCommand& command) {
         if (command.command.type() == typeid(lang::Change)) open_ = true;
         return;
     }
-    auto number = material_of(command.command, Makers{});
-    if (const auto* tunnel = std::any_cast<lang::PolyTunnel>(&command.command)) number = tunnel->options.material;
+    auto number = material_of(command.command, lang::ShapeCommands{});
     if (const auto* change = std::any_cast<lang::Change>(&command.command); change != nullptr && change->material)
         number = change->material;
     if (number) used_.try_emplace(*number, command.place);
@@ -126,19 +107,22 @@ void DeckNeeds::check_needs(const Place& cycle) {
     const auto hint = [](std::int64_t number) { return fmt::format("give it before: prop mat {} dens 2600", number); };
     if (!dense_by_range_ && dense_.empty() && !all_held_) {
         const std::int64_t number = used_.empty() ? 1 : used_.begin()->first;
-        found_.push_back(finding("no block has a density here", hint(number),
-                                 some_held_ ? Severity::warning : Severity::error, cycle));
+        found_.push_back(finding("no block has a density here", hint(number), missing,
+                                 some_held_ ? Severity::warning : Severity::error)
+                             .at(cycle));
     } else if (!dense_by_range_ && !all_held_) {
         for (const auto& [number, place] : used_) {
             // All blocks may have changed from material 1 to another one.
             if (dense_.contains(number) || (number == 1 && used_.size() > 1)) continue;
             found_.push_back(finding(fmt::format("material {} has no density when the cycles begin", number),
-                                     hint(number), Severity::warning, place));
+                                     hint(number), missing, Severity::warning)
+                                 .at(place));
         }
     }
-    if (joint_properties_ || joined_ || !(cut_ || any_intersect(bricks_))) return;
+    if (joint_properties_ || joined_ || !(cut_ || !overlapping_boxes(bricks_).empty())) return;
     found_.push_back(finding("no line gives the joints a stiffness before these cycles",
-                             "give it before: jmodel jkn 1e10 jks 1e10 jfric 30", Severity::warning, cycle));
+                             "give it before: jmodel jkn 1e10 jks 1e10 jfric 30", missing, Severity::warning)
+                         .at(cycle));
 }
 
 } // namespace kaya

@@ -1,10 +1,9 @@
 // What blocks and joints need before the first cycle of a deck, and no line gives them.
 #pragma once
 
+#include "geometry/box_pairs.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/interp/bare_names.hpp"
-
-#include <Eigen/Geometry>
 
 #include <map>
 #include <set>
@@ -30,7 +29,7 @@ private:
 
     std::set<std::int64_t> dense_;       ///< materials with a density
     std::map<std::int64_t, Place> used_; ///< materials of blocks, and the line that gives each first
-    std::vector<Eigen::AlignedBox3d> bricks_;
+    std::vector<Box> bricks_;
     bool blocks_ = false, cut_ = false;         ///< there are blocks, several of one shape
     bool some_held_ = false, all_held_ = false; ///< they need no density
     bool dense_by_range_ = false;               ///< blocks have separate densities

@@ -1,5 +1,6 @@
 #include "commands/deck_objects.hpp"
 
+#include "commands/deck_finding.hpp"
 #include "commands/plot_views.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/named_word.hpp"
@@ -48,10 +49,6 @@ template <class... Command> std::vector<std::string> groups_of(const std::any& c
     return names;
 }
 
-template <class... Listed> bool is_one_of(const std::any& command, lang::CommandList<Listed...>) {
-    return ((command.type() == typeid(Listed)) || ...);
-}
-
 template <class Command> bool is(const std::any& command) { return command.type() == typeid(Command); }
 
 bool holds_any(const std::string& text, std::initializer_list<std::string_view> words) {
@@ -90,22 +87,12 @@ using OnBlocks =
                       lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation, lang::Fix, lang::Free,
                       lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu, lang::Excavate, lang::Hide,
                       lang::Delete, lang::Mark, lang::CycleCommand, lang::Solve, lang::LimitEquilibrium>;
-using MakesBlocks = lang::CommandList<lang::PolyBrick, lang::PolyPrism, lang::PolyFace, lang::PolyTet, lang::PolyCube,
-                                      lang::PolyDrum, lang::PolyTunnel, lang::Import>;
-using Cycles = lang::CommandList<lang::CycleCommand, lang::Solve>;
 /// What may follow in another deck: histories that record nothing here are not in vain.
 using HandsOver = lang::CommandList<lang::Save, lang::LuaFile>;
 
 constexpr std::array nouns{"group", "named range", "table"};
 constexpr std::array makers{"`group block NAME range ...` makes one", "`range name NAME ...` makes one",
                             "make it before: table n x y ..., or table n read file"};
-
-Diagnostic finding(std::string message, std::string hint, std::string_view code, Severity severity) {
-    Diagnostic d(std::move(message), std::move(hint));
-    d.severity = severity;
-    d.code = code;
-    return d;
-}
 
 } // namespace
 
@@ -166,8 +153,8 @@ void DeckObjects::make(const lang::BoundCommand& command) {
     }
     if (const auto* limit = std::any_cast<lang::LimitEquilibrium>(&any); limit != nullptr && limit->table)
         made_here(Kind::table, std::to_string(*limit->table));
-    if (is_one_of(any, MakesBlocks{})) blocks_ = true;
-    if (is_one_of(any, Cycles{})) cycled_ = true, idle_histories_.clear();
+    if (is_one_of(any, lang::ShapeCommands{}) || is<lang::Import>(any)) blocks_ = true;
+    if (is_one_of(any, CyclingCommands{})) cycled_ = true, idle_histories_.clear();
     if (is_one_of(any, HandsOver{})) idle_histories_.clear();
 }
 

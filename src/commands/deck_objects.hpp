@@ -14,9 +14,6 @@
 
 namespace kaya {
 
-/// Code of findings that the run reports as well when it reaches their line.
-inline constexpr std::string_view said_by_the_run = "no-effect";
-
 /// Fed with the statements of a deck in their order, before any of it runs.
 class DeckObjects {
 public:

@@ -1,6 +1,7 @@
 #include "commands/deck_review.hpp"
 
 #include "base/door.hpp"
+#include "commands/deck_finding.hpp"
 #include "commands/plot_views.hpp"
 #include "commands/save_session.hpp"
 #include "lang/modern/language.hpp"
@@ -77,10 +78,7 @@ FileRead file_read_by(const lang::BoundCommand& command) {
 }
 
 Diagnostic doubt(std::string message, std::string hint, const Place& place) {
-    Diagnostic d(std::move(message), std::move(hint));
-    d.severity = Severity::warning;
-    d.code = "implausible";
-    return d.at(place);
+    return finding(std::move(message), std::move(hint), "implausible", Severity::warning).at(place);
 }
 
 } // namespace

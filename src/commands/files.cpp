@@ -33,24 +33,27 @@ std::string saved_file(const Session& session, const std::string& name) {
     return save_name(name);
 }
 
-const std::string& part(const SaveExtras& extras, std::string_view name) {
+const std::string* find_part(const SaveExtras& extras, std::string_view name) {
     const auto found = std::ranges::find(extras.scripts, name, &SaveExtras::Item::name);
-    if (found == extras.scripts.end())
-        throw Diagnostic(fmt::format("the save file has no part '{}'", name), "it was not written by this program",
-                         Fault::run);
-    return found->content;
+    return found == extras.scripts.end() ? nullptr : &found->content;
+}
+
+const std::string& part(const SaveExtras& extras, std::string_view name) {
+    if (const std::string* found = find_part(extras, name)) return *found;
+    throw Diagnostic(fmt::format("the save file has no part '{}'", name), "it was not written by this program",
+                     Fault::run);
 }
 
 /// Saves of format 10, and those of models whose laws are all found by name, have no such part.
 std::vector<JointFile> saved_joint_files(const SaveExtras& extras) {
-    const auto found = std::ranges::find(extras.scripts, part_joints, &SaveExtras::Item::name);
-    return found == extras.scripts.end() ? std::vector<JointFile>{} : joint_files_from_text(found->content);
+    const std::string* text = find_part(extras, part_joints);
+    return text == nullptr ? std::vector<JointFile>{} : joint_files_from_text(*text);
 }
 
 /// Saves of sessions without such sets have no such part.
 SurfaceSets saved_surfaces(const SaveExtras& extras) {
-    const auto found = std::ranges::find(extras.scripts, part_surfaces, &SaveExtras::Item::name);
-    return found == extras.scripts.end() ? SurfaceSets{} : surfaces_from_text(found->content);
+    const std::string* text = find_part(extras, part_surfaces);
+    return text == nullptr ? SurfaceSets{} : surfaces_from_text(*text);
 }
 
 /// Objects of joint models were restored as bytes; the models turn them into objects.

@@ -32,6 +32,7 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
     if (info_of(kind).found_late) find_joints(session);
     auto rows = select(session.model, kind, session.test_of(kind, command.range));
+    if (std::ranges::none_of(session.model.blocks.hidden, [](auto hidden) { return hidden != 0; })) return rows;
     const std::size_t all = select(session.model, kind, session.test_of(kind, command.range), true).size();
     if (const std::size_t hidden = all - rows.size(); hidden > 0)
         session.note_once(

@@ -1,5 +1,6 @@
 #include "commands/session.hpp"
 
+#include "commands/deck_finding.hpp"
 #include "commands/deck_review.hpp"
 #include "commands/handlers.hpp"
 #include "commands/law_conduct.hpp"

@@ -1,4 +1,5 @@
 // add_joints and add_arrows.
+#include "geometry/plane.hpp"
 #include "model/joint_polygons.hpp"
 #include "model/measure.hpp"
 #include "pictures/colouring.hpp"
@@ -6,18 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace kaya {
 
 namespace {
-
-/// From the picture to the eye.
-Vec3 toward_eye(const Scene& scene) {
-    constexpr double degree = std::numbers::pi / 180;
-    const double dip = scene.dip * degree, direction = scene.dip_direction * degree;
-    return {std::sin(dip) * std::sin(direction), std::sin(dip) * std::cos(direction), std::cos(dip)};
-}
 
 /// The outline of a face that is seen edge-on, where the face itself is a line without width.
 void add_edge_on(Layer& outlines, const Polygon& face, const Vec3& eye) {
@@ -32,7 +25,7 @@ void add_edge_on(Layer& outlines, const Polygon& face, const Vec3& eye) {
 /// The layers of joints: their faces, and those seen edge-on as thick lines.
 struct JointLayers {
     Layer faces, outlines;
-    Vec3 eye;
+    Vec3 eye; ///< from the picture to it
 };
 
 void add_joint(JointLayers& layers, const Model& model, const Shown& shown, Row contact, Colouring& colouring) {
@@ -59,7 +52,7 @@ void add_joint(JointLayers& layers, const Model& model, const Shown& shown, Row 
 
 void add_joints(Scene& scene, const Model& model, const Shown& shown, const ColourField& field) {
     Colouring colouring(field);
-    JointLayers layers{{}, {}, toward_eye(scene)};
+    JointLayers layers{{}, {}, normal_from_dip(scene.dip, scene.dip_direction)};
     layers.outlines.kind = Layer::Kind::lines;
     layers.outlines.width = 4;
     for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {

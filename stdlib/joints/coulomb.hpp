@@ -309,15 +309,20 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
 // --- the frame of a model -------------------------------------------------------------------------------------------------
 
+/// Distance between the sides of a new row; a gap up to a small part of the size of the sub-contact is rounding of coordinates and counts as
+/// closed.
+inline double gap_between(const kaya_jbatch& batch, std::size_t i) {
+    constexpr double rounding = 1e-9;
+    return batch.normal_disp[i] > rounding * std::sqrt(batch.area[i]) ? batch.normal_disp[i] : 0;
+}
+
 /// New rows: open sides have a gap, and no bond that could pull them together.
 inline ptrdiff_t initialise(kaya_jbatch* batch) {
-    // A gap up to this part of the size of the sub-contact is rounding of coordinates and counts as closed.
-    constexpr double rounding = 1e-9;
     double* gaps = batch->history[gap];
     for (std::size_t i = 0; i < batch->n; ++i) {
         batch->normal_stiffness[i] = batch->properties[stiffness_normal];
         batch->shear_stiffness[i] = batch->properties[stiffness_shear];
-        const double apart = batch->normal_disp[i] > rounding * std::sqrt(batch->area[i]) ? batch->normal_disp[i] : 0;
+        const double apart = gap_between(*batch, i);
         const bool loaded = batch->normal_force[i] != 0;
         const double opened = gaps[i] > 0 ? gaps[i] : apart;
         gaps[i] = loaded ? 0 : opened;

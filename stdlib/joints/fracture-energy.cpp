@@ -54,6 +54,8 @@ constexpr kaya_jproperty properties[] = {
      0},
 };
 static_assert(std::size(properties) == property_count);
+static_assert(stiffness_normal == std::size_t{coulomb::stiffness_normal} &&
+              stiffness_shear == std::size_t{coulomb::stiffness_shear});
 
 enum History : std::size_t { opening, softening, slip, crushed, history_count };
 
@@ -240,7 +242,6 @@ ptrdiff_t run(kaya_jbatch* batch) {
 /// New rows: open sides have no bond; a tension that was set from outside gets its opening.
 ptrdiff_t initialise(kaya_jbatch* batch) {
     const Bond bond(batch->properties);
-    constexpr double rounding = 1e-9; // of coordinates, over the size of the sub-contact
     for (std::size_t i = 0; i < batch->n; ++i) {
         batch->normal_stiffness[i] = bond.kn;
         batch->shear_stiffness[i] = bond.ks;
@@ -252,8 +253,8 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
             opened = stiffness > 0 ? -force / area / stiffness : 0;
         } else if (force > 0) {
             opened = 0;
-        } else if (!(opened > 0) && batch->normal_disp[i] > rounding * std::sqrt(area)) {
-            opened = batch->normal_disp[i];
+        } else if (const double gap = coulomb::gap_between(*batch, i); !(opened > 0) && gap > 0) {
+            opened = gap;
             x = bond.curve.end;
         }
     }
@@ -312,10 +313,7 @@ constexpr kaya_jmodel descriptor = {
     initialise,
     run,
     check,
-    [](const double* p, double* normal, double* shear) {
-        *normal = p[stiffness_normal];
-        *shear = p[stiffness_shear];
-    },
+    coulomb::max_stiffness,
 };
 
 } // namespace

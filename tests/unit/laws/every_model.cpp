@@ -11,6 +11,7 @@ namespace {
 using test::shipped;
 using test::TestJoint;
 using test::Values;
+using test::with;
 
 /// A model with values that use all its features. MPa, m, s; stiffnesses about 1e4 MPa/m.
 struct Case {
@@ -19,11 +20,6 @@ struct Case {
     Values values;
     friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 };
-
-Values with(Values base, const Values& more) {
-    for (const auto& [word, value] : more) base[word] = value;
-    return base;
-}
 
 const Values springs = {{"stiffness-normal", 1e4}, {"stiffness-shear", 5e3}};
 const Values coulomb = with(springs, {{"friction", 35}, {"cohesion", 0.3}, {"tension", 0.1}});

@@ -12,6 +12,7 @@ using test::shipped;
 using test::TestJoint;
 using test::Values;
 using test::values_of;
+using test::with;
 using testing::HasSubstr;
 
 // MPa and m: values of masonry.
@@ -20,10 +21,6 @@ constexpr double ft = 0.25, g1 = 1.8e-5, c = 0.35, g2 = 1.25e-4, whole = 37, bro
 const Values mortar = {{"kn", kn},      {"ks", ks}, {"tension", ft},     {"g1", g1},
                        {"cohesion", c}, {"g2", g2}, {"friction", whole}, {"friction-residual", broken}};
 
-Values with(Values base, const Values& more) {
-    for (const auto& [word, value] : more) base[word] = value;
-    return base;
-}
 TestJoint joint_of(const Values& more) { return TestJoint(shipped("fracture-energy"), with(mortar, more), area); }
 double tan_degrees(double angle) { return std::tan(angle * std::numbers::pi / 180); }
 double lost(const TestJoint& joint) { return joint.frictional_work[0] / area; }

@@ -36,6 +36,11 @@ const JointModel& compat(const std::string& name) {
     return registry.get(name);
 }
 
+Values with(Values base, const Values& more) {
+    for (const auto& [word, value] : more) base[word] = value;
+    return base;
+}
+
 std::vector<double> values_of(const JointModel& model, const Values& given) {
     std::vector<double> values;
     for (const auto& property : model.properties) values.push_back(property.initial);

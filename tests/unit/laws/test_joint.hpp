@@ -28,6 +28,9 @@ const JointModel& compat(const std::string& name);
 /// The values in the order of the model's table, the others initial. Fails the test for an unknown name.
 std::vector<double> values_of(const JointModel& model, const Values& given);
 
+/// The values, with `more` added or in place of them.
+Values with(Values base, const Values& more);
+
 /// Rows of one joint, all with the same motion unless a test writes to the columns. Copies are independent, so a test can try a step.
 class TestJoint {
 public:
