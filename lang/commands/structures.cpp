@@ -155,7 +155,7 @@ CommandSpec liner() {
 }
 
 struct PropertyWord {
-    std::vector<Spelling> words; ///< the first is the name in src/model/structure_properties.cpp
+    std::vector<Spelling> words; ///< the first is the name in src/model/tables/structure_properties.cpp
     const char* unit;
     const char* help;
     double most = 0; ///< 0: any

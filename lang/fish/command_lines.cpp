@@ -1,7 +1,6 @@
 #include "lang/fish/command_lines.hpp"
 
 #include "base/lower_case.hpp"
-#include "lang/fish/parser.hpp"
 
 namespace kaya::fish {
 
@@ -31,7 +30,8 @@ bool is_blank(std::string_view text) {
 
 class CommandLineReader {
 public:
-    CommandLineReader(const RawLine& raw, Dialect dialect) : raw_(raw), dialect_(dialect) {
+    CommandLineReader(const RawLine& raw, Dialect dialect, ExpressionReader read_expression)
+        : raw_(raw), dialect_(dialect), read_expression_(read_expression) {
         result_.line = raw.place.line;
     }
 
@@ -81,7 +81,7 @@ private:
         if (result_.evaluated) plain_.clear();
         flush();
         const std::string inner = raw_.text.substr(at_ + 1, end - at_ - 2);
-        ExpressionTree tree = parse_expression_line(inner, place_of(at_ + 1, inner.size()), dialect_);
+        ExpressionTree tree = read_expression_(inner, place_of(at_ + 1, inner.size()), dialect_);
         CommandPiece piece;
         if (tree.assignment.empty()) {
             piece.expression.push_back(std::move(tree.value));
@@ -112,6 +112,7 @@ private:
 
     const RawLine& raw_;
     Dialect dialect_;
+    ExpressionReader read_expression_;
     std::size_t at_ = 0;
     std::string plain_;
     CommandLine result_;
@@ -119,7 +120,9 @@ private:
 
 } // namespace
 
-CommandLine read_command_line(const RawLine& raw, Dialect dialect) { return CommandLineReader(raw, dialect).read(); }
+CommandLine read_command_line(const RawLine& raw, Dialect dialect, ExpressionReader read_expression) {
+    return CommandLineReader(raw, dialect, read_expression).read();
+}
 
 std::string first_word(std::string_view text) {
     std::size_t from = text.find_first_not_of(" \t\r");

@@ -6,10 +6,12 @@
 
 namespace kaya::fish {
 
+using ExpressionReader = ExpressionTree (*)(const std::string& text, const Place& place, Dialect dialect);
+
 /// Cuts the line at every `[expression]` and `@name` outside of quotes. A piece made from `@name` keeps its text too: only names of local
 /// variables are replaced here. All other names have a meaning for the command itself (`hist @x` records the variable and not its present
-/// value).
-CommandLine read_command_line(const RawLine& raw, Dialect dialect);
+/// value). `read_expression` reads the text of an expression at a place.
+CommandLine read_command_line(const RawLine& raw, Dialect dialect, ExpressionReader read_expression);
 
 /// First word in lower case; empty for a blank line.
 std::string first_word(std::string_view text);

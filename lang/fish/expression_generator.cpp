@@ -20,13 +20,6 @@ constexpr std::size_t most_shared = 150;
 /// How tightly Lua binds: an operand that binds less needs parentheses.
 enum Strength { weakest = 0, truth = 1, compare = 3, sum = 6, product = 7, sign = 8 };
 
-struct ClassicConstant {
-    std::string_view name;
-    std::string_view lua;
-};
-constexpr std::array<ClassicConstant, 5> constants{
-    {{"true", "1"}, {"false", "0"}, {"on", "1"}, {"off", "0"}, {"null", "0"}}};
-
 bool is_plain_name(std::string_view name) {
     return std::all_of(name.begin(), name.end(),
                        [](char c) {
@@ -60,24 +53,6 @@ std::string real_text(double value) {
 std::string in_parentheses(const std::string& text, bool wanted) { return wanted ? fmt::format("({})", text) : text; }
 
 } // namespace
-
-bool is_constant(std::string_view name) {
-    return std::ranges::find(constants, name, &ClassicConstant::name) != constants.end();
-}
-
-bool makes_value(std::string_view name) {
-    constexpr std::array<std::string_view, 4> makers{"list", "map", "tensor", "boolean"};
-    return std::ranges::find(makers, name) != makers.end();
-}
-
-void check_arguments(const std::string& name, int given, const Meaning& meaning, const Place& place) {
-    if (given >= meaning.least && given <= meaning.most) return;
-    const std::string wanted = meaning.least == meaning.most ? fmt::format("{}", meaning.least)
-                                                             : fmt::format("{} to {}", meaning.least, meaning.most);
-    throw Diagnostic(fmt::format("'{}' takes {} argument{}, here it is given {}", name, wanted,
-                                 meaning.most == 1 ? "" : "s", given == 0 ? "none" : std::to_string(given)))
-        .at(place);
-}
 
 std::string member(std::string_view name) {
     return is_plain_name(name) ? fmt::format(".{}", name) : fmt::format("[{}]", lua_string(name));
@@ -254,7 +229,7 @@ std::string ExpressionGenerator::name(const Node& node) const {
                            list(node.children));
     }
     if (!node.parentheses)
-        for (const auto& constant : constants)
+        for (const auto& constant : classic_constants)
             if (node.text == constant.name) return std::string(constant.lua);
     return node.parentheses ? indexed(node) : variable(node);
 }

@@ -1,7 +1,7 @@
 // Expressions of FISH as Lua expressions.
 #pragma once
 
-#include "lang/fish/compiler.hpp"
+#include "lang/fish/meaning.hpp"
 #include "lang/fish/syntax.hpp"
 
 #include <set>

@@ -1,7 +1,7 @@
 // Lua source from the syntax tree of FISH.
 #pragma once
 
-#include "lang/fish/compiler.hpp"
+#include "lang/fish/meaning.hpp"
 #include "lang/fish/syntax.hpp"
 
 #include <string>

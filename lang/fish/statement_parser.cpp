@@ -317,7 +317,7 @@ void Parser::command(Statement& made) {
         if (!lexer_.next_raw_line(raw)) throw Diagnostic("this 'command' has no 'endcommand'").at(made.place);
         const std::string word = first_word(raw.text);
         if (word == "endcommand" || word == "end_command") break;
-        if (!word.empty()) made.commands.push_back(read_command_line(raw, line_.dialect));
+        if (!word.empty()) made.commands.push_back(read_command_line(raw, line_.dialect, parse_expression_line));
     }
     made.last_line = raw.place.line;
 }

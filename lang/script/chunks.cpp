@@ -1,6 +1,7 @@
 #include "lang/script/chunks.hpp"
 
 #include "base/whole_file.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/modules.hpp"

@@ -1,6 +1,7 @@
 #include "lang/script/context.hpp"
 
 #include "lang/script/machine.hpp"
+#include "lang/script/random.hpp"
 
 namespace kaya::script {
 

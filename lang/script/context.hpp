@@ -1,7 +1,6 @@
 // The parts of the machine that libraries of functions use: each gets the part that it needs from the Lua state that calls it.
 #pragma once
 
-#include "base/door.hpp"
 #include "lang/script/lua_headers.hpp"
 #include "lang/script/tables.hpp"
 #include "lang/script/world.hpp"
@@ -11,12 +10,7 @@
 namespace kaya::script {
 
 class Random;
-
-/// FISH's `open`, `read`, `write`, `close`: one file at a time.
-struct OpenFile {
-    door::Stream reading, writing;
-};
-
+struct OpenFile;
 struct Machine;
 struct Options;
 

@@ -4,8 +4,10 @@
 #include "base/lower_case.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/context.hpp"
+#include "lang/script/fish_library.hpp"
 #include "lang/script/guard.hpp"
-#include "lang/script/scripts.hpp"
+#include "lang/script/open_file.hpp"
+#include "lang/script/options.hpp"
 #include "lang/script/values.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "lang/fish/nearest.hpp"
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"

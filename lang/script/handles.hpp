@@ -1,7 +1,6 @@
 // Handles in Lua: one 64 bit number each (a light userdata), so that walking over a model makes no garbage.
 #pragma once
 
-#include "lang/script/lua_headers.hpp"
 #include "lang/script/world.hpp"
 
 #include <cstdint>
@@ -29,8 +28,5 @@ bool is_handle(const World& world, const Handle& handle);
 
 /// Throws Diagnostic (own fault) when a number does not fit.
 void* pack_handle(const Handle& handle);
-
-/// The type of all handles: fields, methods, text, and errors for arithmetic.
-void open_handles(lua_State* L);
 
 } // namespace kaya::script

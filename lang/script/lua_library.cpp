@@ -1,7 +1,9 @@
 #include "lang/script/lua_library.hpp"
 
 #include "lang/script/chunks.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/files.hpp"
+#include "lang/script/fish_library.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"

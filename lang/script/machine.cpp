@@ -1,13 +1,6 @@
 #include "lang/script/machine.hpp"
 
 #include "base/terminal_text.hpp"
-#include "lang/script/arithmetic.hpp"
-#include "lang/script/built_ins.hpp"
-#include "lang/script/fish_values.hpp"
-#include "lang/script/guard.hpp"
-#include "lang/script/handles.hpp"
-#include "lang/script/lua_library.hpp"
-#include "lang/script/runtime.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,12 +9,6 @@
 namespace kaya::script {
 
 namespace {
-
-/// Stores a new table in the registry.
-int new_table(lua_State* L) {
-    lua_newtable(L);
-    return luaL_ref(L, LUA_REGISTRYINDEX);
-}
 
 /// Small pieces are given beyond the limit as well, so that there is room for the error message.
 constexpr std::size_t small_piece = 4096, spare_room = 1 << 20;
@@ -62,35 +49,6 @@ Machine::Machine(World& the_world, Options the_options)
                           static_cast<std::size_t>(lua_gc(lua, LUA_GCCOUNTB));
         memory = {used, options.memory};
         lua_setallocf(lua, limited_memory, &memory);
-    }
-    try {
-        luaL_openlibs(lua);
-        anchors.globals = new_table(lua);
-        anchors.functions = new_table(lua);
-        anchors.readers = new_table(lua);
-        anchors.writers = new_table(lua);
-        anchors.extras = new_table(lua);
-        anchors.modules = new_table(lua);
-        open_diagnostics(lua);
-        open_handles(lua);
-        open_vectors(lua);
-        open_text_arithmetic(lua);
-        open_runtime(*this);
-        add_mathematics(*this);
-        add_texts(*this);
-        add_tables(*this);
-        add_run_functions(*this);
-        add_ranges(*this);
-        add_files(*this);
-        add_accessors(*this);
-        add_traversals(*this);
-        add_materials(*this);
-        add_modern_names(*this);
-        add_value_functions(*this);
-        open_library(*this);
-    } catch (...) {
-        lua_close(lua);
-        throw;
     }
 }
 

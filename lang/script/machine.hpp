@@ -2,14 +2,16 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "lang/script/context.hpp"
 #include "lang/script/field_index.hpp"
-#include "lang/script/fish_library.hpp"
+#include "lang/script/fish_names.hpp"
 #include "lang/script/lua_headers.hpp"
+#include "lang/script/open_file.hpp"
+#include "lang/script/options.hpp"
 #include "lang/script/random.hpp"
-#include "lang/script/scripts.hpp"
 #include "lang/script/source_list.hpp"
+#include "lang/script/tables.hpp"
 #include "lang/script/traversal.hpp"
+#include "lang/script/world.hpp"
 
 #include <functional>
 #include <map>
@@ -48,6 +50,7 @@ struct Memory {
 };
 
 struct Machine {
+    /// The state alone: open_libraries gives it the names that scripts know.
     Machine(World& the_world, Options the_options);
     ~Machine();
     Machine(const Machine&) = delete;

@@ -1,5 +1,6 @@
 // Names of newer versions of FISH that mean the same as a classic one: math.sqrt, block.contact.pos.
 #include "lang/script/built_ins.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/field_index.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"

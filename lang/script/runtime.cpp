@@ -3,6 +3,7 @@
 #include "lang/fish/nearest.hpp"
 #include "lang/fish/reserved.hpp"
 #include "lang/script/arithmetic.hpp"
+#include "lang/script/context.hpp"
 #include "lang/script/fish_values.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/machine.hpp"

@@ -4,7 +4,10 @@
 #include "lang/fish/lexer.hpp"
 #include "lang/script/built_ins.hpp"
 #include "lang/script/chunks.hpp"
+#include "lang/script/context.hpp"
+#include "lang/script/fish_library.hpp"
 #include "lang/script/guard.hpp"
+#include "lang/script/libraries.hpp"
 #include "lang/script/lua_messages.hpp"
 #include "lang/script/machine.hpp"
 #include "lang/script/state_store.hpp"
@@ -24,6 +27,7 @@ public:
     void renew(World& world, Options options) {
         lua.store(nullptr);
         machine = std::make_unique<Machine>(world, std::move(options));
+        open_libraries(*machine);
         lua.store(machine->lua);
     }
 

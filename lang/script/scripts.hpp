@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "base/gate.hpp"
 #include "lang/fish/compiler.hpp"
+#include "lang/script/options.hpp"
 #include "lang/script/state.hpp"
 #include "lang/script/tables.hpp"
 #include "lang/script/world.hpp"
@@ -18,17 +18,6 @@
 #include <vector>
 
 namespace kaya::script {
-
-struct Options {
-    bool trusted = false;       ///< true: os.execute, io.popen, files anywhere, debug, load libraries
-    std::shared_ptr<Gate> gate; ///< decides which files may be opened; without it only those of the working folder
-    std::uint64_t seed = 1;     ///< of urand, grand and Lua's math.random
-    std::size_t memory = 0;     ///< bytes that all scripts together may use; 0: unlimited
-    std::vector<std::filesystem::path> module_folders; ///< searched by `require` after the deck's folder
-};
-
-/// Where a script may run: in a cycle, or before and after a `solve`. A FISH whilestepping function runs at after_cycle.
-enum class Moment { before_cycle, after_forces, after_cycle, solve_start, solve_complete };
 
 /// Throws Diagnostic at the first mistake in the text of a Lua chunk, without running it; `place` is where it begins.
 void check_lua_text(const std::string& text, const Place& place);

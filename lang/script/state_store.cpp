@@ -2,6 +2,7 @@
 
 #include "lang/script/chunks.hpp"
 #include "lang/script/context.hpp"
+#include "lang/script/fish_library.hpp"
 #include "lang/script/fish_values.hpp"
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"

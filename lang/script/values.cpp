@@ -1,5 +1,6 @@
 #include "lang/script/values.hpp"
 
+#include "lang/script/context.hpp"
 #include "lang/script/fish_values.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"

@@ -1,0 +1,12 @@
+// The file of FISH's `open`, `read`, `write` and `close`: one at a time.
+#pragma once
+
+#include "base/door.hpp"
+
+namespace kaya::script {
+
+struct OpenFile {
+    door::Stream reading, writing;
+};
+
+} // namespace kaya::script
