@@ -74,11 +74,12 @@ function(kaya_files_run_once)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${KAYA_RUN_ONCE_PER_COMMAND}")
 endfunction()
 
-# kaya_library(NAME [ONCE] [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder.
+# kaya_library(NAME [ONCE] [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder and of its
+# rooms, the folders in it.
 # The link line defines which folders may be included. ONCE: kaya_runs_once.
 function(kaya_library name)
   cmake_parse_arguments(arg "ONCE" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp */*.cpp)
   add_library(${name} STATIC ${sources})
   kaya_compile_together(${name} "${arg_GROUPS}" "${arg_APART}" ${sources})
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)

@@ -1,7 +1,7 @@
 #include "app/command_line.hpp"
 
 #include "base/door.hpp"
-#include "commands/save_session.hpp"
+#include "commands/session/save_session.hpp"
 #include "io/difference.hpp"
 #include "lang/interp/source.hpp"
 

@@ -1,7 +1,7 @@
 // Completion at the prompt: words of the language, and names that the session knows.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <string>
 #include <vector>

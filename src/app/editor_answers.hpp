@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/open_deck.hpp"
-#include "commands/deck_report.hpp"
-#include "commands/session.hpp"
+#include "commands/session/deck_report.hpp"
+#include "commands/session/session.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/stop_point.hpp"
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <array>
 #include <csignal>

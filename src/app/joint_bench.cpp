@@ -2,8 +2,8 @@
 
 #include "base/diagnostic.hpp"
 #include "base/whole_file.hpp"
-#include "commands/lua_joint_models.hpp"
-#include "commands/output.hpp"
+#include "commands/world/lua_joint_models.hpp"
+#include "commands/program/output.hpp"
 #include "jointtest/bench.hpp"
 #include "study/command_output.hpp"
 #include "zonetest/zone_bench.hpp"

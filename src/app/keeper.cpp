@@ -1,5 +1,6 @@
 #include "app/keeper.hpp"
 
+#include "commands/session/autosave.hpp"
 #include "laws/crash_report.hpp"
 
 #include <csignal>
@@ -48,7 +49,7 @@ Keeper::~Keeper() {
 void Keeper::write() {
     while (::sem_wait(&wanted_) != 0) {}
     if (ends_) return;
-    session_.autosave.keep_copy();
+    session_.autosave->keep_copy();
     written_ = true;
 }
 

@@ -1,7 +1,7 @@
 // Saves the model of a prompt when the program ends inside a command.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <atomic>
 #include <semaphore.h>

@@ -3,7 +3,7 @@
 #include "app/editor_answers.hpp"
 #include "app/message_stream.hpp"
 #include "app/run.hpp"
-#include "commands/deck_report.hpp"
+#include "commands/session/deck_report.hpp"
 #include "lang/interp/format.hpp"
 #include "lang/modern/language.hpp"
 

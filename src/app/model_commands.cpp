@@ -5,8 +5,8 @@
 #include "app/permissions.hpp"
 #include "base/diagnostic.hpp"
 #include "base/terminal_text.hpp"
-#include "commands/lua_joint_models.hpp"
-#include "commands/output.hpp"
+#include "commands/world/lua_joint_models.hpp"
+#include "commands/program/output.hpp"
 #include "laws/joint_model.hpp"
 
 #include <CLI/CLI.hpp>

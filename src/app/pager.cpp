@@ -1,8 +1,8 @@
 #include "app/pager.hpp"
 
 #include "base/terminal_text.hpp"
-#include "commands/fitted.hpp"
-#include "commands/keyboard.hpp"
+#include "commands/program/fitted.hpp"
+#include "commands/program/keyboard.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,7 +1,7 @@
 // Long texts at the prompt, by pages.
 #pragma once
 
-#include "commands/output.hpp"
+#include "commands/program/output.hpp"
 
 #include <string>
 

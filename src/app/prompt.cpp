@@ -8,6 +8,7 @@
 #include "app/tools.hpp"
 #include "base/door.hpp"
 #include "base/terminal_text.hpp"
+#include "commands/session/autosave.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/help.hpp"
 
@@ -192,8 +193,8 @@ int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // characters beyond ASCII take one column on the screen
     session.output.say(fmt::format(
         "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
-    session.autosave.find_earlier();
-    session.autosave.set_typed();
+    session.autosave->find_earlier();
+    session.autosave->set_typed();
     const PromptSignals signals;
     const Keeper keeper(session);
     LineEditor editor(session);
@@ -201,7 +202,7 @@ int from_keyboard(Session& session) {
     for (;;) {
         const auto read = PromptSignals::is_to_end() ? LineEditor::Read::end : editor.read(text, line);
         if (read == LineEditor::Read::end) {
-            session.autosave.keep(); // before anything is said: the terminal may have gone
+            session.autosave->keep(); // before anything is said: the terminal may have gone
             return PromptSignals::is_to_end() ? static_cast<int>(Fault::run) : 0;
         }
         if (read == LineEditor::Read::interrupted) {
@@ -210,7 +211,7 @@ int from_keyboard(Session& session) {
         }
         text += line + '\n';
         if (lang::needs_more(lang::language(), text)) continue;
-        session.autosave.before_typed();
+        session.autosave->before_typed();
         try {
             if (run_text(session, std::exchange(text, {})) == lang::Ended::quit) return 0;
         } catch (...) { show(session); }

@@ -1,7 +1,7 @@
 // Commands from the keyboard, or from a pipe.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 namespace kaya {
 

@@ -8,8 +8,10 @@
 #include "app/sandbox.hpp"
 #include "base/counted.hpp"
 #include "base/door.hpp"
-#include "commands/journal.hpp"
-#include "commands/progress.hpp"
+#include "commands/session/autosave.hpp"
+#include "commands/session/journal.hpp"
+#include "commands/monitors/progress.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -126,7 +128,7 @@ int run_decks(Session& session, const RunOrder& order) {
     int status = 0;
     if (!order.journal.empty()) {
         const InterruptGuard guard(session);
-        session.autosave.set_interval(std::nullopt); // the journal can be run again
+        session.autosave->set_interval(std::nullopt); // the journal can be run again
         status = replay_journal(session, order.journal);
     } else if (order.decks.empty()) {
         if (journal) journal->deck("prompt");
@@ -143,7 +145,7 @@ int run_decks(Session& session, const RunOrder& order) {
     }
     doubt_parameters(session, order, words ? &*words : nullptr);
     if (journal) journal->finish();
-    session.autosave.done();
+    session.autosave->done();
     const auto& clock = session.model.clock;
     if (clock.cycle > 0)
         session.output.say(fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"),
@@ -253,7 +255,7 @@ int run(RunOrder& order, const fs::path& program) {
         return static_cast<int>(problem.fault);
     }
     int status = run_session(session, order);
-    if (status != 0) session.autosave.keep();
+    if (status != 0) session.autosave->keep();
     try {
         report->write();
         if (status == 0) session.output.flush();

@@ -1,7 +1,7 @@
 // One run of the program: decks from the command line, a journal, or the prompt.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "app/thinned.hpp"
 
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The course of a run by cycles: convergence, and the behaviour of its joints.
 #pragma once
 
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 #include "report/report.hpp"
 
 #include <cstdint>

@@ -2,7 +2,8 @@
 
 #include "app/thinned.hpp"
 
-#include "commands/save_session.hpp"
+#include "commands/session/save_session.hpp"
+#include "report/scene_data.hpp"
 #include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "app/page_server.hpp"
 #include "app/run_course.hpp"
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 #include "report/report.hpp"
 
 #include <chrono>

@@ -9,7 +9,7 @@
 #include "app/scope.hpp"
 #include "app/shell_completion.hpp"
 #include "app/tools.hpp"
-#include "commands/deck_report.hpp"
+#include "commands/session/deck_report.hpp"
 #include "io/difference.hpp"
 #include "io/info.hpp"
 

@@ -1,7 +1,7 @@
 // Tools for decks other than running them.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <filesystem>
 #include <string>

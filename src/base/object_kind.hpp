@@ -1,4 +1,4 @@
-// Kinds of objects of a model, for the engine and for the languages; src/model/kinds.hpp has a row for each of them.
+// Kinds of objects of a model, for the engine and for the languages; src/model/kinds/kinds.hpp has a row for each of them.
 #pragma once
 
 #include <cstdint>

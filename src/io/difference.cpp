@@ -1,7 +1,7 @@
 #include "io/difference.hpp"
 
 #include "io/save.hpp"
-#include "model/state.hpp"
+#include "model/whole/state.hpp"
 
 #include <algorithm>
 #include <cmath>

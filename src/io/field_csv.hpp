@@ -1,7 +1,7 @@
 // Objects of the model as tables: all of their fields.
 #pragma once
 
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 
 #include <span>
 #include <string>

@@ -3,8 +3,8 @@
 #include "base/csv.hpp"
 #include "base/diagnostic.hpp"
 #include "base/whole_file.hpp"
-#include "model/field.hpp"
-#include "model/sampling.hpp"
+#include "model/fields/field.hpp"
+#include "model/fields/sampling.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/units.hpp"
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include "io/history_csv.hpp"
 #include "io/save.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,8 +4,9 @@
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
 #include "base/whole_file.hpp"
-#include "model/consistency.hpp"
-#include "model/state.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/whole/state.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,7 +47,7 @@ struct RowCheck final : ColumnArchive {
     std::size_t there = 0, missing = 0; ///< bytes of a row
 };
 
-/// Fills the walk of model/state.hpp from a tree. A value that the tree lacks keeps its initial value: the file is older than that column,
+/// Fills the walk of model/whole/state.hpp from a tree. A value that the tree lacks keeps its initial value: the file is older than that column,
 /// value or table.
 class RestoreArchive final : public Archive {
 public:

@@ -5,7 +5,8 @@
 #include "io/save_archive.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "model/state.hpp"
+#include "model/whole/state.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/units.hpp"
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 
 #include <cstdint>
 #include <string>
@@ -44,7 +44,7 @@ std::string save_image(Model& model, const SaveExtras& extras);
 /// Writes it whole or not at all (base/whole_file.hpp). Throws Diagnostic (Fault::run).
 void save_state(Model& model, const std::string& path, const SaveExtras& extras);
 
-/// Reads an image. The model is built separately, checked (model/consistency.hpp, state hash) and moved at the end: on any error Diagnostic
+/// Reads an image. The model is built separately, checked (model/whole/consistency.hpp, state hash) and moved at the end: on any error Diagnostic
 /// is thrown and `model` is unchanged. `name` is for messages.
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name);
 SaveExtras restore_state(Model& model, const std::string& path);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "io/hdf5_tree.hpp"
-#include "model/archive.hpp"
+#include "model/whole/archive.hpp"
 
 namespace kaya {
 
-/// Leads the walk of model/state.hpp into a tree.
+/// Leads the walk of model/whole/state.hpp into a tree.
 class SaveArchive final : public Archive {
 public:
     explicit SaveArchive(TreeWriter& tree) : tree_(tree) {}

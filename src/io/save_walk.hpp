@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/save.hpp"
-#include "model/archive.hpp"
+#include "model/whole/archive.hpp"
 
 namespace kaya {
 

@@ -5,7 +5,8 @@
 #include "base/whole_file.hpp"
 #include "io/vtk_arrays.hpp"
 #include "io/vtu_grid.hpp"
-#include "model/joint_polygons.hpp"
+#include "model/measure/joint_polygons.hpp"
+#include "model/measure/structure_rows.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Files of the model for ParaView and similar programs: VTK's XML files of unstructured grids, and series of them with the model time.
 #pragma once
 
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 
 #include <functional>
 #include <map>
@@ -13,7 +13,7 @@ namespace kaya {
 /// Values of joint models at sub-contacts, by the name of the joint model and of the value; NaN where the model does not have it.
 using OwnValues = std::map<std::string, std::map<std::string, std::function<double(const Model&, Row)>>>;
 
-/// Files of unstructured grids as bytes. Arrays are the fields of model/field.hpp by their names, each with its kind of quantity where
+/// Files of unstructured grids as bytes. Arrays are the fields of model/fields/field.hpp by their names, each with its kind of quantity where
 /// VTK keeps units (docs/results.md). Field data: time, cycle, and NAME_names for each array NAME of texts.
 /// NAME_blocks_N.vtu: tetrahedra for zones, a polyhedron for each rigid block. Point data: gridpoints. Cell data: zones (NaN, or -1 in
 /// whole numbers, for a rigid block), `stress` (XX YY ZZ XY YZ XZ, compression negative), and block_NAME of the block.

@@ -3,8 +3,8 @@
 
 #include "io/vtk.hpp"
 #include "io/vtu_grid.hpp"
-#include "model/field.hpp"
-#include "model/model.hpp"
+#include "model/fields/field.hpp"
+#include "model/tables/model.hpp"
 
 #include <span>
 #include <string_view>

@@ -4,7 +4,6 @@
 #include "base/diagnostic.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
-#include "laws/stiffness_trial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +20,6 @@ std::string text_or_empty(const char* text) { return text ? text : ""; }
 bool are_a_vector(std::string_view x, std::string_view y, std::string_view z) {
     const auto stem = x.substr(0, x.size() - std::min<std::size_t>(x.size(), 2));
     return x.ends_with("-x") && y == fmt::format("{}-y", stem) && z == fmt::format("{}-z", stem);
-}
-
-/// A model stiffer than it reports makes the run unstable. A factor of two is beyond any step of a curved law.
-std::string too_soft(const JointModel& model, const std::vector<double>& values) {
-    const auto trial = try_stiffness(model, values);
-    if (!trial || trial->found <= 2 * trial->reported) return {};
-    return fmt::format("it resists {} with a stiffness of {:.4g}, and reports {:.4g}", trial->resists, trial->found,
-                       trial->reported);
 }
 
 } // namespace
@@ -111,29 +102,6 @@ std::string JointModel::check(const std::vector<double>& values) const {
     } catch (const std::exception& thrown) {
         return fmt::format("joint model {} threw an exception from check(): {}", name, thrown.what());
     } catch (...) { return fmt::format("joint model {} threw an exception from check()", name); }
-}
-
-JointStiffness JointModel::initial_stiffness(const std::vector<double>& values) const {
-    JointStiffness stiffness{std::nan(""), std::nan("")};
-    std::string reason;
-    try {
-        const AtWork at_work(who(), "max_stiffness");
-        ArithmeticGuard arithmetic;
-        functions_.max_stiffness(values.data(), &stiffness.normal, &stiffness.shear);
-        note_arithmetic(arithmetic.put_back());
-    } catch (const std::exception& thrown) {
-        reason = fmt::format("it threw an exception: {}", thrown.what());
-    } catch (...) { reason = "it threw an exception"; }
-    if (reason.empty() && !(std::isfinite(stiffness.normal) && stiffness.normal > 0))
-        reason = fmt::format("the normal stiffness is {}; it must be above 0", stiffness.normal);
-    if (reason.empty() && !(std::isfinite(stiffness.shear) && stiffness.shear >= 0))
-        reason = fmt::format("the shear stiffness is {}; it must not be below 0", stiffness.shear);
-    if (reason.empty()) reason = too_soft(*this, values);
-    if (reason.empty()) return stiffness;
-    Diagnostic error(fmt::format("joint model {} gives no stiffness to compute a time step from", name),
-                     "give the joint its stiffnesses, or correct max_stiffness() of the model", Fault::run);
-    error.code = "joint-model-stiffness";
-    throw error.add(reason);
 }
 
 namespace {

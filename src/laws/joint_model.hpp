@@ -17,11 +17,6 @@
 
 namespace kaya {
 
-/// The tangent stiffnesses that a sub-contact of a joint model starts with, stress/length.
-struct JointStiffness {
-    double normal, shear;
-};
-
 /// Functions of a joint model. For a library they are those of its descriptor; a model from another source (a script) has its own. They
 /// correspond to the members of kaya_jmodel.
 struct JointFunctions {
@@ -55,10 +50,6 @@ public:
 
     /// The reason why the values are invalid, or empty.
     std::string check(const std::vector<double>& values) const;
-
-    /// Throws Diagnostic (Fault::run) when the model throws, or returns a stiffness that is not finite or negative, or a normal
-    /// stiffness of 0. Also when it returns less than half of the stiffness measured in closing and shear up to a moderate load.
-    JointStiffness initial_stiffness(const std::vector<double>& values) const;
 
     /// Whether it stores an object per sub-contact: then a batch needs the column of objects.
     bool keeps_objects() const { return descriptor_.restore != nullptr; }

@@ -1,6 +1,8 @@
 #include "laws/stiffness_trial.hpp"
 
 #include "base/diagnostic.hpp"
+#include "laws/arithmetic.hpp"
+#include "laws/crash_report.hpp"
 #include "laws/lone_row.hpp"
 
 #include <algorithm>
@@ -56,6 +58,41 @@ std::optional<StiffnessTrial> try_stiffness(const JointModel& model, const std::
             if (!advance("shear", row.shear_disp[0], row.shear_disp_inc[0], shift, row.shear_force[0])) return worst;
         }
     return worst;
+}
+
+namespace {
+
+/// A model stiffer than it reports makes the run unstable. A factor of two is beyond any step of a curved law.
+std::string too_soft(const JointModel& model, const std::vector<double>& values) {
+    const auto trial = try_stiffness(model, values);
+    if (!trial || trial->found <= 2 * trial->reported) return {};
+    return fmt::format("it resists {} with a stiffness of {:.4g}, and reports {:.4g}", trial->resists, trial->found,
+                       trial->reported);
+}
+
+} // namespace
+
+JointStiffness initial_stiffness(const JointModel& model, const std::vector<double>& values) {
+    JointStiffness stiffness{std::nan(""), std::nan("")};
+    std::string reason;
+    try {
+        const AtWork at_work(model.who(), "max_stiffness");
+        ArithmeticGuard arithmetic;
+        model.functions().max_stiffness(values.data(), &stiffness.normal, &stiffness.shear);
+        model.note_arithmetic(arithmetic.put_back());
+    } catch (const std::exception& thrown) {
+        reason = fmt::format("it threw an exception: {}", thrown.what());
+    } catch (...) { reason = "it threw an exception"; }
+    if (reason.empty() && !(std::isfinite(stiffness.normal) && stiffness.normal > 0))
+        reason = fmt::format("the normal stiffness is {}; it must be above 0", stiffness.normal);
+    if (reason.empty() && !(std::isfinite(stiffness.shear) && stiffness.shear >= 0))
+        reason = fmt::format("the shear stiffness is {}; it must not be below 0", stiffness.shear);
+    if (reason.empty()) reason = too_soft(model, values);
+    if (reason.empty()) return stiffness;
+    Diagnostic error(fmt::format("joint model {} gives no stiffness to compute a time step from", model.name),
+                     "give the joint its stiffnesses, or correct max_stiffness() of the model", Fault::run);
+    error.code = "joint-model-stiffness";
+    throw error.add(reason);
 }
 
 } // namespace kaya

@@ -1,5 +1,5 @@
 // add_blocks: surfaces, the faces that a cut makes, and edges.
-#include "model/held.hpp"
+#include "model/measure/held.hpp"
 #include "pictures/colouring.hpp"
 #include "pictures/half_space.hpp"
 

@@ -1,5 +1,5 @@
 // add_cables.
-#include "model/cables.hpp"
+#include "model/structures/cables.hpp"
 #include "pictures/colouring.hpp"
 
 #include <algorithm>

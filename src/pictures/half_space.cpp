@@ -1,6 +1,6 @@
 #include "pictures/half_space.hpp"
 
-#include "geometry/kept_part.hpp"
+#include "geometry/polyhedra/kept_part.hpp"
 
 #include <Eigen/Geometry>
 

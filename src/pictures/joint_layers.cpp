@@ -1,7 +1,7 @@
 // add_joints and add_arrows.
-#include "geometry/plane.hpp"
-#include "model/joint_polygons.hpp"
-#include "model/measure.hpp"
+#include "geometry/polyhedra/plane.hpp"
+#include "model/measure/joint_polygons.hpp"
+#include "model/measure/measure.hpp"
 #include "pictures/colouring.hpp"
 #include "pictures/half_space.hpp"
 

@@ -1,6 +1,6 @@
 // Directions of joints on an equal-area net. Schmidt's projection of the lower hemisphere: a direction with plunge p is at the distance
 // sqrt(2) sin(45 - p/2) from the centre.
-#include "model/measure.hpp"
+#include "model/measure/measure.hpp"
 #include "pictures/model_picture.hpp"
 
 #include <algorithm>

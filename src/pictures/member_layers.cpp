@@ -1,6 +1,6 @@
 // add_members.
-#include "model/members.hpp"
-#include "model/model.hpp"
+#include "model/structures/members.hpp"
+#include "model/tables/model.hpp"
 #include "pictures/colouring.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The model as drawings: blocks, joints, arrows.
 #pragma once
 
-#include "model/field.hpp"
-#include "model/selection.hpp"
+#include "model/fields/field.hpp"
+#include "model/kinds/selection.hpp"
 #include "scene/scene.hpp"
 
 #include <array>

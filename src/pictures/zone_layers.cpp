@@ -1,5 +1,5 @@
 // add_crosses and add_iso_surfaces.
-#include "model/measure.hpp"
+#include "model/measure/measure.hpp"
 #include "pictures/colouring.hpp"
 #include "pictures/half_space.hpp"
 

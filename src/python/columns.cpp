@@ -1,6 +1,6 @@
 #include "python/columns.hpp"
 
-#include "model/archive.hpp"
+#include "model/whole/archive.hpp"
 
 #include <optional>
 #include <pybind11/stl.h>

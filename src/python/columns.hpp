@@ -1,7 +1,7 @@
 // The columns of the model's tables as arrays of numpy, without a copy.
 #pragma once
 
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 
 #include <atomic>
 #include <memory>

@@ -1,7 +1,7 @@
 // The fields of objects (docs/fields.md) as arrays of numpy, copied.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <pybind11/numpy.h>
 #include <string>

@@ -1,5 +1,7 @@
 #include "python/running.hpp"
 
+#include "commands/session/autosave.hpp"
+
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -58,7 +60,7 @@ PythonSession::PythonSession(const py::function& out, const py::function& messag
     const py::gil_scoped_release others;
     session_ = std::make_unique<Session>(options, out_.get(), messages_.get());
     session_->deck = "python";
-    session_->autosave.set_interval(std::nullopt); // the caller keeps the model
+    session_->autosave->set_interval(std::nullopt); // the caller keeps the model
 }
 
 PythonSession::~PythonSession() {

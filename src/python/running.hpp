@@ -1,7 +1,7 @@
 // A session that Python owns: commands with the interpreter lock released, stopped by Ctrl-C, and functions of Python in its cycles.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 #include "python/columns.hpp"
 #include "python/streams.hpp"
 

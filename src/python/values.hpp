@@ -1,7 +1,7 @@
 // Values of FISH and Lua in Python.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <pybind11/pybind11.h>
 

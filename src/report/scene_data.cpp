@@ -1,11 +1,10 @@
 #include "report/scene_data.hpp"
 
 #include "io/history_csv.hpp"
-#include "model/field.hpp"
-#include "model/joint_polygons.hpp"
-#include "model/measure.hpp"
+#include "model/fields/field.hpp"
+#include "model/measure/joint_polygons.hpp"
+#include "model/measure/measure.hpp"
 #include "report/packed.hpp"
-#include "report/report.hpp"
 
 #include <algorithm>
 #include <array>

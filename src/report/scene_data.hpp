@@ -2,13 +2,18 @@
 #pragma once
 
 #include "base/units.hpp"
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
+#include "report/report_order.hpp"
 
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace kaya {
+
+/// `centre` is the origin of places: the same for all states of a page (report_centre of one of them).
+ReportState report_state(const Model& model, const Vec3& centre);
+Vec3 report_centre(const Model& model);
 
 /// A JSON object: blocks with their numbers, corners, triangles and edges, and the fields of blocks and corners with their units.
 std::string scene_json(const Model& model, const Vec3& centre);

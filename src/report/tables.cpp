@@ -2,8 +2,9 @@
 
 #include "base/counted.hpp"
 #include "base/markup_text.hpp"
-#include "model/groups.hpp"
-#include "model/measure.hpp"
+#include "model/kinds/groups.hpp"
+#include "model/measure/measure.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,9 @@
 // The model in tables of HTML.
 #pragma once
 
-#include "report/report.hpp"
+#include "io/save.hpp"
+#include "model/tables/model.hpp"
+#include "report/report_order.hpp"
 
 #include <string>
 

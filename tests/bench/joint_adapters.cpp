@@ -1,6 +1,6 @@
 // Sub-contact updates per second of one joint law written in three ways: native, in the dialect of 3DEC 9 through the adapter, and in Lua.
 // Rows slip back and forth under constant closure, in batches like those of the engine.
-#include "commands/lua_joint_models.hpp"
+#include "commands/world/lua_joint_models.hpp"
 #include "laws/batch.hpp"
 
 #include <array>

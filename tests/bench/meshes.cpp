@@ -5,10 +5,10 @@
 // blocks have edges above a fifth of the requested one, angles above 20 degrees and a thickness above 0.3 of it.
 #include "tests/unit/geometry/cut_rock.hpp"
 #include "base/diagnostic.hpp"
-#include "geometry/cut.hpp"
-#include "geometry/joint_set.hpp"
-#include "geometry/mesh_plan.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/surface/joint_set.hpp"
+#include "geometry/mesh/mesh_plan.hpp"
+#include "geometry/polyhedra/random.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

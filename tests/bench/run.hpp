@@ -1,7 +1,7 @@
 // A deck's model, ready for timing.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 #include "../unit/steps/hostile_model.hpp"
 
-#include "commands/save_session.hpp"
+#include "commands/session/save_session.hpp"
 #include "io/save_trailer.hpp"
 #include "base/whole_file.hpp"
 

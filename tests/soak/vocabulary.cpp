@@ -1,6 +1,6 @@
 #include "vocabulary.hpp"
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <algorithm>
 #include <cstdio>

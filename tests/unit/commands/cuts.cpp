@@ -1,6 +1,7 @@
 // jset in a deck: conservation, dependence on the seed, properties of pieces.
-#include "geometry/polyhedron.hpp"
-#include "model/build.hpp"
+#include "geometry/polyhedra/polyhedron.hpp"
+#include "model/edit/build.hpp"
+#include "model/whole/state_hash.hpp"
 #include "running.hpp"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // kaya check, and that the decks of the tests use every command.
-#include "commands/deck_report.hpp"
+#include "commands/session/deck_report.hpp"
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/fish/inner_commands.hpp"

@@ -1,5 +1,5 @@
 // Every right example of the command tables runs, in a small model that has the objects of the examples.
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/modern/language.hpp"

@@ -1,5 +1,5 @@
 // Modes of failure of known motions: each body unchanged, mirrored, rotated about the vertical and far away.
-#include "commands/failure_mode.hpp"
+#include "commands/stability/failure_mode.hpp"
 
 #include "running.hpp"
 

@@ -1,5 +1,5 @@
 // What `kaya check` finds in decks with one fault that their text tells, and that it finds nothing in right ones.
-#include "commands/deck_report.hpp"
+#include "commands/session/deck_report.hpp"
 
 #include "tests/unit/scratch_folder.hpp"
 

@@ -2,7 +2,7 @@
 // it again.
 #include "running.hpp"
 
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

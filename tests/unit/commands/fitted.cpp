@@ -1,5 +1,5 @@
 // Messages on a narrow terminal.
-#include "commands/fitted.hpp"
+#include "commands/program/fitted.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // list interfaces, list reactions: resultants of random assemblies balance weights and loads.
 #include "running.hpp"
 
-#include "geometry/random.hpp"
-#include "commands/reactions.hpp"
-#include "commands/interfaces.hpp"
-#include "model/joined.hpp"
+#include "geometry/polyhedra/random.hpp"
+#include "commands/list/reactions.hpp"
+#include "commands/list/interfaces.hpp"
+#include "model/edit/joined.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "commands/given_properties.hpp"
+#include "commands/session/given_properties.hpp"
 
 #include "base/diagnostic.hpp"
 

@@ -1,7 +1,7 @@
 // Joined blocks: their common motion, and their separation.
 #include "running.hpp"
 
-#include "model/joined.hpp"
+#include "model/edit/joined.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

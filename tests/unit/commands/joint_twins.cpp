@@ -1,7 +1,8 @@
 // The same joint model three times: native, in the dialect of 3DEC 9, in Lua; and errors of Lua files.
 #include "base/diagnostic.hpp"
-#include "commands/lua_joint_models.hpp"
+#include "commands/world/lua_joint_models.hpp"
 #include "laws/batch.hpp"
+#include "laws/stiffness_trial.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <array>
@@ -189,7 +190,7 @@ TEST(JointInLua, KeepsItsHistory) {
     EXPECT_EQ(model.history.at(0).name, "wear-depth");
     EXPECT_EQ(model.check({6}), "too stiff");
     EXPECT_EQ(model.check({4}), "");
-    EXPECT_EQ(model.initial_stiffness({4}).shear, 4);
+    EXPECT_EQ(initial_stiffness(model, {4}).shear, 4);
     EXPECT_THAT(model.missing({std::nan("")}), testing::ElementsAre("stiffness"));
 }
 

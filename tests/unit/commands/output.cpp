@@ -1,4 +1,4 @@
-#include "commands/output.hpp"
+#include "commands/program/output.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,7 @@
-#include "commands/ranges.hpp"
+#include "commands/ranges/ranges.hpp"
 
 #include "base/diagnostic.hpp"
-#include "model/build.hpp"
+#include "model/edit/build.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

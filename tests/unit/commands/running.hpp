@@ -1,7 +1,7 @@
 // A session that runs lines of a deck and stores its output.
 #pragma once
 
-#include "commands/session.hpp"
+#include "commands/session/session.hpp"
 
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "commands/saved_ranges.hpp"
+#include "commands/ranges/saved_ranges.hpp"
 
 #include "base/diagnostic.hpp"
 

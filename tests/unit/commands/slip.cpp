@@ -1,5 +1,5 @@
 // Residual shear from loading in joints, and the effect of sliding on a model.
-#include "commands/slip.hpp"
+#include "commands/stability/slip.hpp"
 
 #include "running.hpp"
 

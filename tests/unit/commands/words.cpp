@@ -2,8 +2,8 @@
 #include "lang/commands/language.hpp"
 #include "lang/commands/property_words.hpp"
 #include "laws/joint_model.hpp"
-#include "model/cables.hpp"
-#include "model/field.hpp"
+#include "model/structures/cables.hpp"
+#include "model/fields/field.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The decks of tests/wrong: every error with its exact position, message and hint.
-#include "commands/deck_review.hpp"
-#include "commands/session.hpp"
+#include "commands/review/deck_review.hpp"
+#include "commands/session/session.hpp"
 #include "lang/modern/language.hpp"
 #include "tests/unit/commands/running.hpp"
 

@@ -1,8 +1,8 @@
-#include "geometry/block_cuts.hpp"
+#include "geometry/surface/block_cuts.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Requirements of every polyhedron: each half-edge has exactly one partner, and it is convex.
 #pragma once
 
-#include "geometry/polyhedron.hpp"
+#include "geometry/polyhedra/polyhedron.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,10 +1,10 @@
 // Concave bodies by families: nothing is refused by chance, and the split depends on the shape alone.
-#include "geometry/surface_files.hpp"
+#include "geometry/read/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
-#include "geometry/random.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/polyhedra/random.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

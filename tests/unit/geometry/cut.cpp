@@ -1,7 +1,7 @@
-#include "geometry/cut.hpp"
+#include "geometry/polyhedra/cut.hpp"
 
 #include "closed.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/random.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

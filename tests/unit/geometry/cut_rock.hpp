@@ -1,8 +1,8 @@
 // Blocks cut repeatedly.
 #pragma once
 
-#include "geometry/cut.hpp"
-#include "geometry/joint_set.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/surface/joint_set.hpp"
 
 #include <algorithm>
 #include <vector>

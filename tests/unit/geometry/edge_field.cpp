@@ -1,7 +1,7 @@
-#include "geometry/edge_field.hpp"
+#include "geometry/mesh/edge_field.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

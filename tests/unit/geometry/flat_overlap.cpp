@@ -1,5 +1,5 @@
 // Overlapping faces: the wedge over a polygon compared with the clip of whole bodies, and its gradient.
-#include "geometry/flat_overlap.hpp"
+#include "geometry/overlay/flat_overlap.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

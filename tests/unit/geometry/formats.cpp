@@ -1,9 +1,9 @@
 // Readers of further formats: what they hold, the messages of wrong files, and damaged files.
-#include "geometry/grid3d.hpp"
-#include "geometry/surface_files.hpp"
+#include "geometry/grid/grid3d.hpp"
+#include "geometry/read/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/random.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Meshes with variable edges: fields, coarse blocks adjacent to fine ones, rows of growing cells.
-#include "geometry/graded_points.hpp"
-#include "geometry/mesh_plan.hpp"
+#include "geometry/mesh/graded_points.hpp"
+#include "geometry/mesh/mesh_plan.hpp"
 
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 #include "base/diagnostic.hpp"
 #include "shared_faces.hpp"
 

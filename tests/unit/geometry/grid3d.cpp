@@ -1,8 +1,8 @@
-#include "geometry/grid3d.hpp"
+#include "geometry/grid/grid3d.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/cut.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/polyhedra/random.hpp"
 
 #include <gtest/gtest.h>
 

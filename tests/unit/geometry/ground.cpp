@@ -1,6 +1,6 @@
 // Ground surfaces: heights, files, and cut blocks.
-#include "geometry/ground.hpp"
-#include "geometry/ground_cuts.hpp"
+#include "geometry/ground/ground.hpp"
+#include "geometry/ground/ground_cuts.hpp"
 
 #include "base/diagnostic.hpp"
 #include "tests/unit/scratch_folder.hpp"

@@ -1,4 +1,4 @@
-#include "geometry/joint_set.hpp"
+#include "geometry/surface/joint_set.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"

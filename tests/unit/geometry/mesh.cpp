@@ -1,10 +1,10 @@
-#include "geometry/mesh.hpp"
+#include "geometry/mesh/mesh.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/cut.hpp"
-#include "geometry/joint_set.hpp"
-#include "geometry/random.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/surface/joint_set.hpp"
+#include "geometry/polyhedra/random.hpp"
+#include "geometry/surface/shapes.hpp"
 #include "sound_mesh.hpp"
 
 #include <Eigen/Geometry>

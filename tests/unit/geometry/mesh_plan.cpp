@@ -1,6 +1,6 @@
-#include "geometry/mesh_plan.hpp"
+#include "geometry/mesh/mesh_plan.hpp"
 
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 #include "shared_faces.hpp"
 #include "sound_mesh.hpp"
 

@@ -1,4 +1,4 @@
-#include "geometry/overlay.hpp"
+#include "geometry/overlay/overlay.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Walls of pits: heights compared with distances from the crest, ramps, families of the same pit, and impossible designs.
-#include "geometry/pit.hpp"
+#include "geometry/ground/pit.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/ground_cuts.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/ground/ground_cuts.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/plane.hpp"
+#include "geometry/polyhedra/plane.hpp"
 
 #include <gtest/gtest.h>
 

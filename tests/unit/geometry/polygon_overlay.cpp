@@ -1,4 +1,4 @@
-#include "geometry/polygon_overlay.hpp"
+#include "geometry/overlay/polygon_overlay.hpp"
 
 #include <gtest/gtest.h>
 

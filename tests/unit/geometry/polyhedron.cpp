@@ -1,7 +1,7 @@
-#include "geometry/polyhedron.hpp"
+#include "geometry/polyhedra/polyhedron.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "geometry/quality.hpp"
+#include "geometry/polyhedra/quality.hpp"
 
-#include "geometry/cut.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>

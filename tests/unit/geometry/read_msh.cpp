@@ -1,7 +1,7 @@
-#include "geometry/grid3d.hpp"
+#include "geometry/grid/grid3d.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/polyhedron.hpp"
+#include "geometry/polyhedra/polyhedron.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

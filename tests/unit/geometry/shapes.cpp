@@ -1,4 +1,4 @@
-#include "geometry/shapes.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "cut_rock.hpp"
-#include "geometry/cut.hpp"
-#include "geometry/joint_set.hpp"
-#include "geometry/mesh_plan.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "geometry/surface/joint_set.hpp"
+#include "geometry/mesh/mesh_plan.hpp"
+#include "geometry/polyhedra/random.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Requirements of every mesh of a block.
 #pragma once
 
-#include "geometry/mesh.hpp"
+#include "geometry/mesh/mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,9 +1,9 @@
-#include "geometry/surface.hpp"
+#include "geometry/surface/surface.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
-#include "geometry/random.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/polyhedra/random.hpp"
+#include "geometry/surface/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

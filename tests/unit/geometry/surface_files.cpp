@@ -1,8 +1,8 @@
-#include "geometry/surface_files.hpp"
+#include "geometry/read/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
-#include "geometry/random.hpp"
+#include "geometry/polyhedra/random.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Surfaces of triangles with shared corners: joining, cutting, refining.
-#include "geometry/surface_mesh.hpp"
+#include "geometry/surface/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include "base/diagnostic.hpp"
 #include "io/save_trailer.hpp"
-#include "model/consistency.hpp"
-#include "model/sampling.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/fields/sampling.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gtest/gtest.h>

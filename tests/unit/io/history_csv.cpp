@@ -1,7 +1,7 @@
 #include "io/history_csv.hpp"
 
 #include "base/diagnostic.hpp"
-#include "model/sampling.hpp"
+#include "model/fields/sampling.hpp"
 #include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/model/hand_made.hpp"
 

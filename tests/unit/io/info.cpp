@@ -2,7 +2,8 @@
 
 #include "base/diagnostic.hpp"
 #include "io/save.hpp"
-#include "model/sampling.hpp"
+#include "model/fields/sampling.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/model/hand_made.hpp"
 

@@ -6,8 +6,9 @@
 #include "io/info.hpp"
 #include "io/save.hpp"
 #include "laws/joint_model.hpp"
-#include "mechanics/cycle.hpp"
-#include "model/state.hpp"
+#include "mechanics/cycle/cycle.hpp"
+#include "model/whole/state.hpp"
+#include "model/whole/state_hash.hpp"
 
 #include <algorithm>
 #include <filesystem>

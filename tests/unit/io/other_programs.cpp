@@ -5,9 +5,9 @@
 #include "io/save_archive.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "model/consistency.hpp"
-#include "model/sampling.hpp"
-#include "model/state_hash.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/fields/sampling.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/unit/model/hand_made.hpp"
 #include "tests/unit/model/other_walk.hpp"
 

@@ -1,8 +1,9 @@
 // A restored model continues like an uninterrupted one: the engine and the file together.
 #include "io/save.hpp"
 
-#include "model/consistency.hpp"
-#include "model/sampling.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/fields/sampling.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/unit/mechanics/two_bricks.hpp"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,9 @@
 #include "io/hdf5_tree.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "model/consistency.hpp"
-#include "model/sampling.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/fields/sampling.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/unit/scratch_folder.hpp"
 #include "tests/unit/model/hand_made.hpp"
 

@@ -1,5 +1,6 @@
 // Sources in the dialects of 3DEC 4, 7 and 9, compiled unchanged, and their behaviour in the program.
 #include "test_joint.hpp"
+#include "laws/stiffness_trial.hpp"
 
 #include "base/diagnostic.hpp"
 
@@ -245,8 +246,8 @@ TEST(Compat, AnAreaOfZeroAndARowOfManyDoNoHarm) {
 }
 
 TEST(Compat, StiffnessComesFromTheObject) {
-    EXPECT_EQ(compat("wear").initial_stiffness(values_of(compat("wear"), wear_values)).normal, 1e9);
-    EXPECT_THROW(compat("wear").initial_stiffness(values_of(compat("wear"), {})), Diagnostic);
+    EXPECT_EQ(initial_stiffness(compat("wear"), values_of(compat("wear"), wear_values)).normal, 1e9);
+    EXPECT_THROW(initial_stiffness(compat("wear"), values_of(compat("wear"), {})), Diagnostic);
 }
 
 TEST(Compat, BatchesWithoutRoomForObjectsAreRefused) {

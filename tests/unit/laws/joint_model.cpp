@@ -1,4 +1,5 @@
 #include "test_joint.hpp"
+#include "laws/stiffness_trial.hpp"
 
 #include "base/diagnostic.hpp"
 
@@ -70,7 +71,7 @@ TEST(JointModel, ACheckThatThrowsIsASentence) {
 
 TEST(JointModel, GivesTheStiffnessToStartWith) {
     const auto& mohr = shipped("mohr");
-    const auto stiffness = mohr.initial_stiffness(values_of(mohr, {{"jkn", 3}, {"jks", 2}}));
+    const auto stiffness = initial_stiffness(mohr, values_of(mohr, {{"jkn", 3}, {"jks", 2}}));
     EXPECT_EQ(stiffness.normal, 3);
     EXPECT_EQ(stiffness.shear, 2);
 }
@@ -78,7 +79,7 @@ TEST(JointModel, GivesTheStiffnessToStartWith) {
 TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
     for (const char* name : {"no-stiffness", "throws"}) {
         try {
-            plugin(name).initial_stiffness({1});
+            initial_stiffness(plugin(name), {1});
             ADD_FAILURE() << name;
         } catch (const Diagnostic& d) {
             EXPECT_THAT(d.message, HasSubstr("gives no stiffness to compute a time step from")) << name;
@@ -86,24 +87,24 @@ TEST(JointModel, RefusesAStiffnessThatGivesNoTimeStep) {
             ASSERT_EQ(d.context.size(), 1u);
         }
     }
-    EXPECT_THROW(plugin("works").initial_stiffness({-1}), Diagnostic);
+    EXPECT_THROW(initial_stiffness(plugin("works"), {-1}), Diagnostic);
     try {
-        plugin("too-soft").initial_stiffness({5});
+        initial_stiffness(plugin("too-soft"), {5});
         ADD_FAILURE() << "a model that is a hundred times stiffer than it says was taken";
     } catch (const Diagnostic& d) {
         EXPECT_EQ(d.context.at(0), "it resists closing with a stiffness of 5, and reports 0.05");
     }
     const auto reason = [](const char* name) -> std::string {
         try {
-            plugin(name).initial_stiffness({5});
+            initial_stiffness(plugin(name), {5});
         } catch (const Diagnostic& d) { return d.context.at(0); }
         return "taken";
     };
     EXPECT_EQ(reason("shears-hard"), "it resists shear with a stiffness of 50, and reports 5");
     EXPECT_EQ(reason("stiffens"), "it resists closing with a stiffness of 50, and reports 5");
     EXPECT_EQ(reason("works"), "taken");
-    EXPECT_THROW(plugin("works").initial_stiffness({NAN}), Diagnostic);
-    EXPECT_THROW(plugin("works").initial_stiffness({INFINITY}), Diagnostic);
+    EXPECT_THROW(initial_stiffness(plugin("works"), {NAN}), Diagnostic);
+    EXPECT_THROW(initial_stiffness(plugin("works"), {INFINITY}), Diagnostic);
 }
 
 } // namespace

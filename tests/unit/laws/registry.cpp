@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "laws/arithmetic.hpp"
+#include "laws/stiffness_trial.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <filesystem>
@@ -157,7 +158,7 @@ TEST(JointRegistry, LoadsALibraryOfAnOlderInterface) {
     EXPECT_EQ(model.descriptor().interface_version, 2u);
     EXPECT_TRUE(model.fields.empty());
     EXPECT_FALSE(model.needs_place());
-    const auto stiffness = model.initial_stiffness({5});
+    const auto stiffness = initial_stiffness(model, {5});
     EXPECT_EQ(stiffness.normal, 5);
 }
 
@@ -169,7 +170,7 @@ TEST(JointRegistry, TakesAModelAsLargeAsTheHeaderSays) {
     EXPECT_EQ(model.states.size(), 32u);
     std::vector<double> values(256, 1);
     values.back() = 7;
-    EXPECT_EQ(model.initial_stiffness(values).shear, 7);
+    EXPECT_EQ(initial_stiffness(model, values).shear, 7);
 }
 
 TEST(JointRegistry, RestoresTheProcessorStateAfterALibraryIsLoaded) {
@@ -189,7 +190,7 @@ TEST(JointRegistry, RefusesAModelThatWritesToReadOnlyColumnsBeforeItRuns) {
                                          std::pair{"writes-behind", "wrote after the column 'shear_force'"}}) {
         const auto& model = registry.get((plugin_folder / (std::string(name) + ".so")).string());
         try {
-            model.initial_stiffness({5});
+            initial_stiffness(model, {5});
             ADD_FAILURE() << name;
         } catch (const Diagnostic& d) {
             EXPECT_THAT(d.message, HasSubstr(sentence));

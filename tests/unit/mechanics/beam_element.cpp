@@ -1,5 +1,5 @@
 // One beam element: closed forms of Euler and Bernoulli, motions as a rigid body, balance, limits.
-#include "mechanics/beam_element.hpp"
+#include "mechanics/structures/beam_element.hpp"
 
 #include "random_motions.hpp"
 

@@ -1,7 +1,7 @@
-#include "mechanics/face_conditions.hpp"
-#include "mechanics/rotation.hpp"
-#include "model/joined.hpp"
-#include "model/measure.hpp"
+#include "mechanics/shape/face_conditions.hpp"
+#include "mechanics/lanes/rotation.hpp"
+#include "model/edit/joined.hpp"
+#include "model/measure/measure.hpp"
 #include "two_bricks.hpp"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // Chains of any kind: residuals of solve(), and limits.
-#include "mechanics/cable_chain.hpp"
+#include "mechanics/structures/cable_chain.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-#include "mechanics/cell_stresses.hpp"
-#include "model/sampling.hpp"
+#include "mechanics/zones/cell_stresses.hpp"
+#include "model/fields/sampling.hpp"
+#include "model/whole/state_hash.hpp"
 #include "two_bricks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "mechanics/cells.hpp"
+#include "mechanics/zones/cells.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
-#include "mechanics/damping.hpp"
-#include "mechanics/motion.hpp"
+#include "mechanics/motion/damping.hpp"
+#include "mechanics/motion/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
+#include "model/measure/time_step_fraction.hpp"
 #include "two_bricks.hpp"
 
-#include "mechanics/density_scaling.hpp"
-#include "mechanics/step_bounds.hpp"
-#include "model/joined.hpp"
+#include "mechanics/step/density_scaling.hpp"
+#include "mechanics/step/step_bounds.hpp"
+#include "model/edit/joined.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanics/eight.hpp"
+#include "mechanics/lanes/eight.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "mechanics/grid_pass.hpp"
+#include "mechanics/cycle/grid_pass.hpp"
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
-#include "mechanics/move_bodies.hpp"
-#include "mechanics/ties.hpp"
+#include "mechanics/motion/move_bodies.hpp"
+#include "mechanics/ties/ties.hpp"
+#include "model/whole/state_hash.hpp"
 #include "two_bricks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Triangles of a plate: patches of constant strain and curvature on distorted meshes, motions as a rigid body, balance.
-#include "mechanics/shell_element.hpp"
+#include "mechanics/structures/shell_element.hpp"
 
 #include "random_motions.hpp"
 

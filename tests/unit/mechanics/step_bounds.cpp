@@ -1,4 +1,4 @@
-#include "mechanics/step_bounds.hpp"
+#include "mechanics/step/step_bounds.hpp"
 
 #include "two_bricks.hpp"
 

@@ -1,7 +1,7 @@
-#include "mechanics/sub_contact_order.hpp"
+#include "mechanics/common/sub_contact_order.hpp"
 
-#include "mechanics/batches.hpp"
-#include "model/consistency.hpp"
+#include "mechanics/contact/batches.hpp"
+#include "model/whole/consistency.hpp"
 #include "two_bricks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,10 @@
-#include "mechanics/ties.hpp"
+#include "mechanics/ties/ties.hpp"
+#include "model/whole/state_hash.hpp"
 #include "two_bricks.hpp"
 
 #include "base/parallel.hpp"
-#include "mechanics/insitu.hpp"
-#include "model/joined.hpp"
+#include "mechanics/cycle/insitu.hpp"
+#include "model/edit/joined.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

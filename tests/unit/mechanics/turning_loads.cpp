@@ -1,9 +1,9 @@
-#include "geometry/cut.hpp"
-#include "mechanics/rotation.hpp"
-#include "model/cut_blocks.hpp"
-#include "model/excavation.hpp"
-#include "model/joined.hpp"
-#include "model/measure.hpp"
+#include "geometry/polyhedra/cut.hpp"
+#include "mechanics/lanes/rotation.hpp"
+#include "model/edit/cut_blocks.hpp"
+#include "model/edit/excavation.hpp"
+#include "model/edit/joined.hpp"
+#include "model/measure/measure.hpp"
 #include "two_bricks.hpp"
 
 #include <Eigen/Geometry>

@@ -1,11 +1,11 @@
 // Small models for several tests of the engine.
 #pragma once
 
-#include "mechanics/boundary.hpp"
-#include "mechanics/contact_properties.hpp"
-#include "mechanics/cycle.hpp"
-#include "model/build.hpp"
-#include "model/selection.hpp"
+#include "mechanics/supports/boundary.hpp"
+#include "mechanics/assign/contact_properties.hpp"
+#include "mechanics/cycle/cycle.hpp"
+#include "model/edit/build.hpp"
+#include "model/kinds/selection.hpp"
 
 #include <numeric>
 

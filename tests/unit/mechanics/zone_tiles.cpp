@@ -1,8 +1,8 @@
-#include "mechanics/tetrahedra.hpp"
-#include "mechanics/cell_motion.hpp"
-#include "mechanics/ruled_faces.hpp"
-#include "mechanics/run_zone_models.hpp"
-#include "mechanics/zone_laws.hpp"
+#include "mechanics/zones/tetrahedra.hpp"
+#include "mechanics/zones/cell_motion.hpp"
+#include "mechanics/zones/ruled_faces.hpp"
+#include "mechanics/zones/run_zone_models.hpp"
+#include "mechanics/zones/zone_laws.hpp"
 #include "two_bricks.hpp"
 
 #include <Eigen/Geometry>

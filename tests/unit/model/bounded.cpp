@@ -1,4 +1,4 @@
-#include "model/bounded.hpp"
+#include "model/edit/bounded.hpp"
 
 #include "tests/unit/model/hand_made.hpp"
 

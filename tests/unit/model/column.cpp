@@ -1,4 +1,4 @@
-#include "model/blocks.hpp"
+#include "model/tables/blocks.hpp"
 
 #include <gtest/gtest.h>
 

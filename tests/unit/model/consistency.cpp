@@ -1,8 +1,8 @@
-#include "model/consistency.hpp"
+#include "model/whole/consistency.hpp"
 
-#include "model/excavation.hpp"
+#include "model/edit/excavation.hpp"
 
-#include "model/sampling.hpp"
+#include "model/fields/sampling.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
-#include "model/field.hpp"
-#include "model/members.hpp"
+#include "model/fields/field.hpp"
+#include "model/structures/members.hpp"
 
 #include "base/diagnostic.hpp"
-#include "model/measure.hpp"
+#include "model/measure/measure.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gmock/gmock.h>

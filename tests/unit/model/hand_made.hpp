@@ -2,7 +2,7 @@
 // between them. Shared by the tests of model and io.
 #pragma once
 
-#include "model/model.hpp"
+#include "model/tables/model.hpp"
 
 namespace kaya::test {
 

@@ -1,6 +1,6 @@
-#include "model/kinds.hpp"
+#include "model/kinds/kinds.hpp"
 
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gtest/gtest.h>

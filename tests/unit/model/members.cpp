@@ -1,8 +1,8 @@
 // Beams and liners in the tables of a model: positions of nodes, removed blocks, messages for damaged files.
-#include "model/members.hpp"
+#include "model/structures/members.hpp"
 
-#include "model/consistency.hpp"
-#include "model/lining.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/structures/lining.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gtest/gtest.h>

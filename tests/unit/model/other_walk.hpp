@@ -2,7 +2,7 @@
 // those of the walk, with `*` for the number of a record.
 #pragma once
 
-#include "model/state.hpp"
+#include "model/whole/state.hpp"
 
 #include <set>
 #include <string>

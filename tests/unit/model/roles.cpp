@@ -1,11 +1,11 @@
 // Columns are treated by their roles.
-#include "model/links.hpp"
+#include "model/edit/links.hpp"
 
-#include "model/build.hpp"
-#include "model/consistency.hpp"
-#include "model/copy_blocks.hpp"
-#include "model/excavation.hpp"
-#include "model/plain.hpp"
+#include "model/edit/build.hpp"
+#include "model/whole/consistency.hpp"
+#include "model/edit/copy_blocks.hpp"
+#include "model/edit/excavation.hpp"
+#include "model/edit/plain.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "model/sampling.hpp"
+#include "model/fields/sampling.hpp"
 
 #include "base/diagnostic.hpp"
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 #include "tests/unit/model/hand_made.hpp"
 
 #include <gmock/gmock.h>

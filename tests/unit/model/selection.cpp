@@ -1,4 +1,4 @@
-#include "model/selection.hpp"
+#include "model/kinds/selection.hpp"
 
 #include "tests/unit/model/hand_made.hpp"
 

@@ -1,6 +1,6 @@
-#include "model/state_hash.hpp"
+#include "model/whole/state_hash.hpp"
 
-#include "model/sampling.hpp"
+#include "model/fields/sampling.hpp"
 #include "tests/unit/model/hand_made.hpp"
 #include "tests/unit/model/other_walk.hpp"
 

@@ -1,7 +1,7 @@
-#include "model/volume_jumps.hpp"
+#include "model/measure/volume_jumps.hpp"
 
-#include "geometry/shapes.hpp"
-#include "model/build.hpp"
+#include "geometry/surface/shapes.hpp"
+#include "model/edit/build.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // A model with objects of every kind, and hostile changes of its state one by one: for tests and fuzzers of saves.
 #pragma once
 
-#include "commands/session.hpp"
-#include "model/state.hpp"
+#include "commands/session/session.hpp"
+#include "model/whole/state.hpp"
 
 #include <array>
 #include <fmt/format.h>

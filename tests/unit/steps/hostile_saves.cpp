@@ -2,7 +2,7 @@
 // message, without crashes and internal errors.
 #include "hostile_model.hpp"
 
-#include "commands/save_session.hpp"
+#include "commands/session/save_session.hpp"
 
 #include <cstdlib>
 #include <filesystem>

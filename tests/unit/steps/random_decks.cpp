@@ -1,10 +1,11 @@
 // Random decks from a seed: the time step never exceeds the bound, and a run that is saved and restored at any cycle continues with the
 // same bits.
-#include "commands/save_session.hpp"
-#include "commands/session.hpp"
+#include "commands/session/save_session.hpp"
+#include "commands/session/session.hpp"
 
 #include "base/diagnostic.hpp"
-#include "mechanics/step_bounds.hpp"
+#include "mechanics/step/step_bounds.hpp"
+#include "model/whole/state_hash.hpp"
 #include "tests/chance.hpp"
 #include "tests/unit/scratch_folder.hpp"
 

@@ -1,10 +1,10 @@
 // Random joint systems behind a face and above a roof, without friction: the blocks that leave their position when the model cycles are
 // those of block theory.
-#include "commands/session.hpp"
-#include "commands/stability.hpp"
+#include "commands/session/session.hpp"
+#include "commands/list/stability.hpp"
 
 #include "base/diagnostic.hpp"
-#include "model/build.hpp"
+#include "model/edit/build.hpp"
 
 #include <gtest/gtest.h>
 

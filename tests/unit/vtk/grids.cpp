@@ -1,6 +1,6 @@
 #include "io/vtk.hpp"
 
-#include "model/field.hpp"
+#include "model/fields/field.hpp"
 #include "tests/unit/mechanics/two_bricks.hpp"
 #include "tests/unit/model/hand_made.hpp"
 #include "tests/unit/vtk/read_back.hpp"

@@ -1,0 +1,97 @@
+#include "commands/list/interfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <map>
+
+namespace kaya {
+namespace {
+
+/// The block with the lowest number of each body.
+std::vector<Row> leaders(const Model& model) {
+    const auto& blocks = model.blocks;
+    std::map<std::int32_t, Row> of_body;
+    std::vector<Row> leader(blocks.size());
+    for (Row b = 0; b < static_cast<Row>(blocks.size()); ++b) {
+        leader[b] = b;
+        if (blocks.body[b] == 0) continue;
+        const auto [first, fresh] = of_body.emplace(blocks.body[b], b);
+        if (!fresh && blocks.number[b] < blocks.number[first->second]) first->second = b;
+    }
+    for (Row b = 0; b < static_cast<Row>(blocks.size()); ++b)
+        if (blocks.body[b] != 0) leader[b] = of_body.at(blocks.body[b]);
+    return leader;
+}
+
+struct Wrench {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero(); ///< about the contact's position
+};
+
+/// Of a contact on its second block, as it acts in the equations of motion.
+Wrench wrench_of(const Model& model, Row contact) {
+    const auto& contacts = model.contacts;
+    const auto& points = model.sub_contacts;
+    const Span span = contacts.sub_contacts[contact];
+    const Vec3 normal = contacts.normal[contact], origin = contacts.position[contact];
+    Wrench wrench;
+    double by_law = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        by_law += points.normal_force[s];
+        const double pressure = points.pore_pressure[s] * points.area[s];
+        const Vec3 shear = points.shear_force[s], viscous = points.dashpot_shear[s], place = points.position[s];
+        const Vec3 force = (points.normal_force[s] + pressure + points.dashpot_normal[s]) * normal + shear + viscous;
+        wrench.force += force;
+        wrench.moment += (place - origin).cross(force);
+    }
+    wrench.moment += contacts.twist[contact] * by_law * normal;
+    return wrench;
+}
+
+} // namespace
+
+Vec3 Interface::point_of_action() const {
+    constexpr double along_the_plane = 1e-6;
+    const double size = force.squaredNorm();
+    if (!(std::abs(normal_force()) > along_the_plane * force.norm())) return centre;
+    const Vec3 on_line = force.cross(moment) / size; // from the centre
+    return centre + on_line - on_line.dot(normal) / normal_force() * force;
+}
+
+std::vector<Interface> interfaces_of(const Model& model, const std::vector<Row>& rows) {
+    const auto& contacts = model.contacts;
+    const std::vector<Row> leader = leaders(model);
+    std::map<std::pair<std::int32_t, std::int32_t>, Interface> found;
+    const auto turned = [&](const Interface& one, Row contact) {
+        return leader[contacts.block1[contact]] == one.first ? 1.0 : -1.0;
+    };
+    for (const Row contact : rows) {
+        Row a = leader[contacts.block1[contact]], b = leader[contacts.block2[contact]];
+        if (a == b) continue;
+        if (model.blocks.number[b] < model.blocks.number[a]) std::swap(a, b);
+        Interface& one = found[{model.blocks.number[a], model.blocks.number[b]}];
+        one.first = a;
+        one.second = b;
+        one.contacts.push_back(contact);
+        one.area += contacts.area[contact];
+        one.normal += contacts.area[contact] * turned(one, contact) * contacts.normal[contact];
+        one.centre += contacts.area[contact] * contacts.position[contact];
+    }
+    std::vector<Interface> result;
+    for (auto& [numbers, one] : found) {
+        if (one.area > 0) one.centre /= one.area;
+        else one.centre = contacts.position[one.contacts.front()];
+        if (!(one.normal.norm() > 0))
+            one.normal = turned(one, one.contacts.front()) * contacts.normal[one.contacts.front()];
+        one.normal.normalize();
+        for (const Row contact : one.contacts) {
+            const Wrench wrench = wrench_of(model, contact);
+            const double sign = turned(one, contact);
+            const Vec3 arm = contacts.position[contact] - one.centre;
+            one.force += sign * wrench.force;
+            one.moment += sign * (wrench.moment + arm.cross(wrench.force));
+        }
+        result.push_back(std::move(one));
+    }
+    return result;
+}
+
+} // namespace kaya

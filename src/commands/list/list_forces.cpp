@@ -1,0 +1,106 @@
+// list interfaces, list reactions: forces between bodies and on supports, summed as people ask for them.
+#include "commands/list/listing.hpp"
+#include "commands/list/row_table.hpp"
+
+#include "base/counted.hpp"
+#include "mechanics/assign/contact_properties.hpp"
+#include "commands/list/reactions.hpp"
+#include "commands/list/interfaces.hpp"
+#include "model/kinds/groups.hpp"
+#include "model/measure/joint_polygons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <optional>
+
+namespace kaya {
+
+namespace {
+
+/// A property of the joint model of a contact.
+std::optional<double> property_of(const Session& session, Row contact, std::string_view name) {
+    const Row row = session.model.contacts.properties[contact];
+    if (row == no_row) return std::nullopt;
+    const JointProperties& properties = session.model.joint_properties[static_cast<std::size_t>(row)];
+    const JointModel* joint = session.joints.find(properties.model);
+    if (joint == nullptr) return std::nullopt;
+    for (std::size_t k = 0; k < joint->properties.size() && k < properties.values.size(); ++k)
+        if (joint->properties[k].name == name) return properties.values[k];
+    return std::nullopt;
+}
+
+/// The shear force over what friction and cohesion can take at this normal force; "-" where the joint model has no friction or the interface
+/// can take none.
+std::string utilisation_of(const Session& session, const Interface& one) {
+    constexpr double degree = std::numbers::pi / 180;
+    double tangent = 0, cohesion = 0;
+    for (const Row contact : one.contacts) {
+        const auto friction = property_of(session, contact, "friction");
+        if (!friction) return "-";
+        const double share = one.area > 0 ? session.model.contacts.area[contact] / one.area : 1.0 / one.contacts.size();
+        tangent += share * std::tan(*friction * degree);
+        cohesion += session.model.contacts.area[contact] * property_of(session, contact, "cohesion").value_or(0);
+    }
+    const double strength = std::max(0.0, one.normal_force()) * tangent + cohesion;
+    return strength > 0 ? number_text(one.shear_force() / strength) : "-";
+}
+
+std::string name_of_group(const Model& model, std::int32_t group) {
+    const std::string_view name = default_group(model, group);
+    return name.empty() ? "-" : std::string(name);
+}
+
+std::string corners_text(const Model& model, const Interface& one) {
+    std::string text;
+    for (const Row contact : one.contacts)
+        for (const auto& polygon : joint_polygons(model, contact)) {
+            std::vector<std::string> corners;
+            for (const Vec3& corner : polygon) corners.push_back(place_text(corner));
+            text += fmt::format("\npolygon: {}", fmt::join(corners, " "));
+        }
+    return text;
+}
+
+} // namespace
+
+std::string list_interfaces(Session& session, const lang::List& command) {
+    find_contacts(session.model, session.joints);
+    const Model& model = session.model;
+    const auto interfaces =
+        interfaces_of(model, select(model, ObjectKind::contact, session.test_of(ObjectKind::contact, command.range)));
+    if (interfaces.empty()) return fmt::format("no interfaces{}", command.range.place ? " in range" : "");
+    TextTable table({"block1", "block2", "contacts", "area", "normal force", "shear force", "angle", "utilisation",
+                     "force on block2", "acts at"});
+    for (const Interface& one : interfaces) {
+        if (table.size() == longest_table) break;
+        const double angle = std::atan2(one.shear_force(), one.normal_force()) * 180 / std::numbers::pi;
+        const bool loaded = one.force.norm() > 0;
+        table.add({std::to_string(model.blocks.number[one.first]), std::to_string(model.blocks.number[one.second]),
+                   std::to_string(one.contacts.size()), number_text(one.area), number_text(one.normal_force()),
+                   number_text(one.shear_force()), loaded ? number_text(angle) : "-", utilisation_of(session, one),
+                   place_text(one.force), loaded ? place_text(one.point_of_action()) : "-"});
+    }
+    std::string text = table.text();
+    if (interfaces.size() > longest_table)
+        text += fmt::format("\n... and {} more; a range picks which are shown", interfaces.size() - longest_table);
+    if (interfaces.size() == 1) text += corners_text(model, interfaces.front());
+    return text;
+}
+
+std::string list_reactions(Session& session, const lang::List& command) {
+    const Model& model = session.model;
+    const RangeTest test = session.test_of(ObjectKind::block, command.range);
+    const Reactions reactions = reactions_of(model, [&](Row b) { return !test || test(model, ObjectKind::block, b); });
+    if (reactions.groups.empty()) return fmt::format("no supports{}", command.range.place ? " in range" : "");
+    TextTable table({"group", "held", "reaction", "own weight"});
+    for (const Reaction& one : reactions.groups)
+        table.add({name_of_group(model, one.group), counted(one.held, "block"), place_text(one.force),
+                   place_text(one.weight)});
+    return fmt::format("{}\nsum of reactions {}, weights {}, loads {}, unbalanced {}", table.text(),
+                       place_text(reactions.reaction), place_text(reactions.weight), place_text(reactions.load),
+                       place_text(reactions.unbalanced));
+}
+
+} // namespace kaya

@@ -1,0 +1,80 @@
+#include "commands/list/model_strengths.hpp"
+
+#include "mechanics/zones/zone_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// Properties of a law with their values, by whole name.
+class Values {
+public:
+    Values(const LawTable& law, const std::vector<double>& values) : law_(law), values_(values) {}
+
+    std::optional<double> of(std::string_view name) const {
+        const auto found = std::ranges::find(law_.properties, name, &LawTable::Property::name);
+        if (found == law_.properties.end()) return std::nullopt;
+        const double value = values_[static_cast<std::size_t>(found - law_.properties.begin())];
+        if (std::isnan(value)) return std::nullopt;
+        return value;
+    }
+
+private:
+    const LawTable& law_;
+    const std::vector<double>& values_;
+};
+
+std::optional<Strength> coulomb_of(const Values& values) {
+    const auto friction = values.of("friction"), cohesion = values.of("cohesion");
+    if (!friction && !cohesion) return std::nullopt;
+    return Strength::coulomb(cohesion.value_or(0), friction.value_or(0));
+}
+
+/// Equations (2.13) and (2.14) of docs/joint-models/barton-bandis.md.
+std::optional<Strength> barton_of(const Values& values) {
+    const auto friction = values.of("friction-residual"), jrc = values.of("jrco"), jcs = values.of("jcso");
+    if (!friction || !jrc || !jcs) return std::nullopt;
+    const double sample = values.of("lo").value_or(100 * values.of("mm").value_or(1e-3)),
+                 joint = values.of("ln").value_or(sample);
+    const double size = values.of("large").value_or(0) == 1 ? 1 : joint / sample;
+    return Strength::barton({*friction, *jrc * std::pow(size, -0.02 * *jrc), *jcs * std::pow(size, -0.03 * *jrc)});
+}
+
+std::optional<Strength> hoek_brown_of(const Values& values) {
+    const auto strength = values.of("constant-sci"), mb = values.of("constant-mb"), s = values.of("constant-s"),
+               a = values.of("constant-a");
+    if (!strength || !mb || !s || !a) return std::nullopt;
+    return Strength::hoek_brown({*strength, *mb, *s, *a});
+}
+
+} // namespace
+
+std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, Row block) {
+    const ZoneModel& law = laws.zones.get(zone_model_of(model, block));
+    if (law.flows()) {
+        const auto given = zone_model_values(model, block, law);
+        const Values values(law, given);
+        if (auto strength = hoek_brown_of(values)) return strength;
+        return coulomb_of(values);
+    }
+    const auto material = model.materials.find(model.blocks.material[block]);
+    if (material == model.materials.end() || (material->second.cohesion == 0 && material->second.friction == 0))
+        return std::nullopt;
+    return Strength::coulomb(material->second.cohesion, material->second.friction);
+}
+
+std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, Row contact) {
+    const Row row = model.contacts.properties[contact];
+    if (row == no_row) return std::nullopt;
+    const auto& set = model.joint_properties[static_cast<std::size_t>(row)];
+    const JointModel& law = laws.get(set.model);
+    if (!law.missing(set.values).empty()) return std::nullopt;
+    const Values values(law, set.values);
+    if (auto strength = barton_of(values)) return strength;
+    return coulomb_of(values);
+}
+
+} // namespace kaya

@@ -1,0 +1,108 @@
+#include "commands/list/reactions.hpp"
+
+#include "mechanics/supports/held_directions.hpp"
+#include "model/kinds/groups.hpp"
+#include "model/measure/held.hpp"
+#include "model/edit/joined.hpp"
+#include "model/measure/measure.hpp"
+#include "model/measure/roller.hpp"
+
+#include <map>
+#include <numeric>
+
+namespace kaya {
+namespace {
+
+/// The components of a force along held directions.
+Vec3 held_part(const Vec3& force, std::uint8_t fixed, const Roller& roller) {
+    Vec3 free = free_part(force, fixed);
+    if (roller.count != 0) free += roller_change(roller, free, fixed, Vec3::Zero());
+    return force - free;
+}
+
+class Sum {
+public:
+    Sum(const Model& model, const std::function<bool(Row)>& picked) : model_(model), picked_(picked) {}
+
+    /// A rigid block, or joined ones.
+    void add_rigid(std::span<const Row> members) {
+        const auto& blocks = model_.blocks;
+        std::uint8_t fixed = 0;
+        Vec3 force = Vec3::Zero(), weight = Vec3::Zero(), load = Vec3::Zero();
+        for (const Row b : members) {
+            fixed |= blocks.fixed[b];
+            force += blocks.force[b];
+            weight += blocks.mass[b] * model_.settings.gravity;
+            load += blocks.load[b];
+        }
+        const Roller roller =
+            members.size() == 1 ? roller_of(model_, members.front()) : roller_of_body(model_, members);
+        add_body(weight, load);
+        if ((fixed & 7) == 0 && roller.count == 0) return;
+        add_held(members.front(), -held_part(force + weight + load, fixed, roller), weight);
+    }
+
+    void add_zoned(Row block) {
+        const auto& points = model_.gridpoints;
+        Vec3 weight = Vec3::Zero(), load = Vec3::Zero(), reaction = Vec3::Zero();
+        bool held = false;
+        const Span span = model_.blocks.gridpoints[block];
+        for (Row g = span.first; g < span.end(); ++g) {
+            const Vec3 own = points.mass[g] * model_.settings.gravity, given = points.load[g];
+            weight += own;
+            load += given;
+            const Roller& roller = model_.rollers[static_cast<std::size_t>(points.roller[g])];
+            if ((points.fixed[g] & 7) == 0 && roller.count == 0) continue;
+            held = true;
+            reaction -= held_part(Vec3(points.force[g]) + own + given, points.fixed[g], roller);
+        }
+        add_body(weight, load);
+        if (held) add_held(block, reaction, weight);
+    }
+
+    Reactions result() {
+        for (auto& [group, reaction] : groups_) result_.groups.push_back(reaction);
+        result_.unbalanced = result_.reaction + result_.weight + result_.load;
+        return std::move(result_);
+    }
+
+private:
+    void add_body(const Vec3& weight, const Vec3& load) {
+        result_.weight += weight;
+        result_.load += load;
+    }
+    void add_held(Row block, const Vec3& force, const Vec3& weight) {
+        result_.reaction += force;
+        if (!picked_(block)) return;
+        const std::int32_t group = default_group_number(model_, model_.blocks.group[block]);
+        Reaction& reaction = groups_[group];
+        reaction.group = group;
+        ++reaction.held;
+        reaction.force += force;
+        reaction.weight += weight;
+    }
+
+    const Model& model_;
+    const std::function<bool(Row)>& picked_;
+    std::map<std::int32_t, Reaction> groups_;
+    Reactions result_;
+};
+
+} // namespace
+
+Reactions reactions_of(const Model& model, const std::function<bool(Row)>& picked) {
+    Sum sum(model, picked);
+    const JoinedBodies bodies = joined_bodies(model);
+    std::vector<char> in_body(model.blocks.size(), 0);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        sum.add_rigid(bodies.members(i));
+        for (const Row b : bodies.members(i)) in_body[b] = 1;
+    }
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
+        if (model.blocks.deformable[b]) sum.add_zoned(b);
+        else if (!in_body[b]) sum.add_rigid({&b, 1});
+    }
+    return sum.result();
+}
+
+} // namespace kaya

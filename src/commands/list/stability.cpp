@@ -1,0 +1,281 @@
+// list stability: blocks that could leave their place, by block theory.
+#include "commands/list/stability.hpp"
+
+#include "commands/list/listing.hpp"
+#include "commands/list/model_strengths.hpp"
+
+#include "geometry/polyhedra/kept_part.hpp"
+#include "mechanics/assign/contact_properties.hpp"
+#include "mechanics/lanes/rotation.hpp"
+#include "mechanics/bodies/run_cables.hpp"
+#include "model/edit/joined.hpp"
+#include "model/measure/joint_polygons.hpp"
+#include "model/measure/measure.hpp"
+#include "model/measure/structure_rows.hpp"
+#include "model/measure/water.hpp"
+#include "model/structures/structures.hpp"
+#include "slopes/sliding.hpp"
+#include "slopes/turning.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numbers>
+
+namespace kaya {
+
+namespace {
+
+constexpr std::array<const char*, 6> mode_names{
+    "held", "at rest", "falls", "slides on one plane", "slides on two planes", "turns"};
+
+/// Trend and plunge of a direction in degrees: "150/37".
+std::string line_text(const Vec3& direction, const Vec3& up) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    if (direction.isZero()) return "-";
+    double trend = std::atan2(direction.x(), direction.y()) * degrees;
+    if (trend < 0) trend += 360;
+    return fmt::format("{:.1f}/{:.1f}", trend, std::asin(std::clamp(-direction.dot(up), -1.0, 1.0)) * degrees);
+}
+
+/// A body and its supports.
+struct Held {
+    BodyStability body;
+    double mass = 0;
+    Vec3 centre = Vec3::Zero();                       ///< of its mass
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero(); ///< the moment about the centre
+    struct Side {
+        std::size_t other;
+        HeldFace face;
+        Row contact;
+    };
+    std::vector<Side> sides;
+
+    void push(const Vec3& more, const Vec3& place) {
+        force += more;
+        moment += (place - centre).cross(more);
+    }
+};
+
+class StandingBodies {
+public:
+    StandingBodies(Model& model, JointRegistry& laws) : model_(model) {
+        find_contacts(model, laws);
+        gather();
+        const WaterPressure water(model);
+        for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact)
+            add_contact(contact, laws, water);
+        assess();
+    }
+
+    std::vector<BodyStability> all() const {
+        std::vector<BodyStability> bodies;
+        for (const Held& held : bodies_) bodies.push_back(held.body);
+        return bodies;
+    }
+
+private:
+    void gather() {
+        std::map<std::int32_t, std::size_t> of_joined;
+        body_of_.resize(model_.blocks.size());
+        for (Row block = 0; block < static_cast<Row>(model_.blocks.size()); ++block) {
+            const auto joined = model_.blocks.body[block];
+            std::size_t body = bodies_.size();
+            if (joined != 0) body = of_joined.try_emplace(joined, body).first->second;
+            if (body == bodies_.size()) bodies_.emplace_back();
+            body_of_[static_cast<std::size_t>(block)] = body;
+            Held& held = bodies_[body];
+            BodyStability& at = held.body;
+            at.blocks.push_back(block);
+            at.fixed = at.fixed || is_held(block);
+            at.volume += model_.blocks.volume[block];
+            held.centre += mass_of(block) * model_.blocks.centroid[block];
+            held.mass += mass_of(block);
+        }
+        for (Held& held : bodies_) {
+            held.centre /= held.mass;
+            for (const Row block : held.body.blocks) add_loads(block, held);
+        }
+        add_structures();
+    }
+
+    double mass_of(Row block) const {
+        const auto material = model_.materials.find(model_.blocks.material[block]);
+        if (material == model_.materials.end() || std::isnan(material->second.density))
+            throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]),
+                             "give it with `prop mat`; block theory needs weights");
+        return material->second.density * model_.blocks.volume[block];
+    }
+
+    void add_loads(Row block, Held& held) const {
+        const Vec3& centroid = model_.blocks.centroid[block];
+        held.push(mass_of(block) * model_.settings.gravity, centroid);
+        if (!model_.blocks.deformable[block]) {
+            held.push(model_.blocks.load[block], centroid);
+            held.moment += load_moment(model_, block);
+            return;
+        }
+        const Span points = model_.blocks.gridpoints[block];
+        for (Row g = points.first; g < points.end(); ++g)
+            held.push(model_.gridpoints.load[g], model_.gridpoints.position[g]);
+    }
+
+    /// Cables pull with the tension that they have, beams and liners with the forces of the last cycle.
+    void add_structures() {
+        const auto& members = model_.structures.member_nodes;
+        for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
+            if (const Row block = rock_block(model_, members, node); block != no_row)
+                bodies_[body_of_[static_cast<std::size_t>(block)]].push(members.rock_force[node],
+                                                                        members.position[node]);
+        if (model_.structures.cables.empty()) return;
+        take_structure_properties(model_);
+        std::vector<CableChain> chains;
+        run_cables(model_, chains, 0);
+        const auto& nodes = model_.structures.cable_nodes;
+        for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
+            const Row block = block_of_node(model_, node);
+            if (block != no_row)
+                bodies_[body_of_[static_cast<std::size_t>(block)]].push(nodes.force[node], nodes.position[node]);
+        }
+    }
+
+    /// Whether a velocity is prescribed anywhere on it.
+    bool is_held(Row block) const {
+        if (!model_.blocks.deformable[block])
+            return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0 ||
+                   model_.gridpoints.roller[model_.blocks.gridpoints[block].first] != 0;
+        const Span points = model_.blocks.gridpoints[block];
+        for (Row g = points.first; g < points.end(); ++g)
+            if (model_.gridpoints.fixed[g] != 0 || model_.gridpoints.roller[g] != 0) return true;
+        return false;
+    }
+
+    void add_contact(Row contact, JointRegistry& laws, const WaterPressure& water) {
+        const auto& contacts = model_.contacts;
+        // Blocks that meet in an edge or a corner hold each other by no plane.
+        if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row || !(contacts.area[contact] > 0))
+            return;
+        const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])],
+                          b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
+        if (a == b) return;
+        auto& strength =
+            strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
+        const double area = contacts.area[contact];
+        const Vec3 normal = contacts.normal[contact];
+        bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}, contact});
+        bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}, contact});
+        add_water(contact, water, [&](double force, const Vec3& place) {
+            bodies_[a].push(-force * normal, place);
+            bodies_[b].push(force * normal, place);
+        });
+    }
+
+    /// Water pressure on a joint: exact, also where a part of it lies above the table.
+    template <class Push> void add_water(Row contact, const WaterPressure& water, const Push& push) const {
+        if (model_.settings.water == Water::none) return;
+        for (const auto& polygon : joint_polygons(model_, contact)) {
+            const auto wet = kept_part(
+                polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
+                [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
+            for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
+                const double area = 0.5 * (wet[i] - wet[0]).cross(wet[i + 1] - wet[0]).norm();
+                // A linear pressure acts at the middles of the sides, on a third of the area each.
+                const std::array<Vec3, 3> corners{wet[0], wet[i], wet[i + 1]};
+                for (std::size_t k = 0; k < corners.size(); ++k) {
+                    const Vec3 middle = 0.5 * (corners[k] + corners[(k + 1) % corners.size()]);
+                    push(area / 3 * water.unlimited_at(middle), middle);
+                }
+            }
+        }
+    }
+
+    /// One that rests without friction where it cannot slide may still roll out.
+    void check_turning(const Held& held, const std::vector<char>& gone, SlidingAnswer& answer) const {
+        std::vector<RestingCorner> corners;
+        for (const Held::Side& side : held.sides) {
+            if (gone[side.other]) continue;
+            const HeldFace& face = side.face;
+            const double stress = std::max(0.0, face.outward.dot(held.force)) / face.area;
+            const Coulomb strength = face.strength != nullptr ? face.strength->tangent(stress) : Coulomb{};
+            const auto polygons = joint_polygons(model_, side.contact);
+            double count = 0;
+            for (const auto& polygon : polygons) count += static_cast<double>(polygon.size());
+            for (const auto& polygon : polygons)
+                for (const Vec3& corner : polygon)
+                    corners.push_back({face.outward, corner - held.centre, face.area / count, strength});
+        }
+        answer.factor = turning_factor(held.force, held.moment, corners);
+        if (answer.factor) answer.mode = SlidingMode::turning;
+    }
+
+    /// Each body against those that stay; when some have been removed, the remaining ones again.
+    void assess() {
+        std::vector<char> gone(bodies_.size(), 0);
+        for (int stage = 1;; ++stage) {
+            std::vector<std::size_t> leave;
+            for (std::size_t i = 0; i < bodies_.size(); ++i) {
+                BodyStability& body = bodies_[i].body;
+                if (body.fixed || gone[i]) continue;
+                std::vector<HeldFace> faces;
+                for (const Held::Side& side : bodies_[i].sides)
+                    if (!gone[side.other]) faces.push_back(side.face);
+                const bool was_held = body.answer.mode == SlidingMode::held;
+                body.answer = slide(bodies_[i].force, faces);
+                if (body.answer.mode == SlidingMode::at_rest) check_turning(bodies_[i], gone, body.answer);
+                if (was_held && body.answer.mode != SlidingMode::held) body.stage = stage;
+                if (body.answer.factor && *body.answer.factor < 1) leave.push_back(i);
+            }
+            if (leave.empty()) return;
+            for (const std::size_t i : leave) gone[i] = 1;
+        }
+    }
+
+    Model& model_;
+    std::vector<Held> bodies_;
+    std::map<Row, std::optional<Strength>> strengths_; ///< by property set
+    std::vector<std::size_t> body_of_;
+};
+
+} // namespace
+
+std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws) { return StandingBodies(model, laws).all(); }
+
+std::string list_stability(Session& session, const lang::List& command) {
+    Model& model = session.model;
+    const double g = model.settings.gravity.norm();
+    const Vec3 up = g > 0 ? Vec3(-model.settings.gravity / g) : Vec3(0, 0, 1);
+    const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
+    const auto shown = [&](Row block) { return std::ranges::binary_search(rows, block); };
+    TextTable table({"block", "stage", "mode", "trend/plunge", "factor", "volume", "planes"});
+    std::size_t count = 0, free = 0, leaving = 0;
+    std::optional<double> least;
+    for (const BodyStability& body : stability_of(model, session.joints)) {
+        const Row first = body.blocks.front();
+        if (body.fixed || std::ranges::none_of(body.blocks, shown)) continue;
+        ++count;
+        if (body.stage == 0) continue;
+        ++free;
+        const auto& answer = body.answer;
+        if (answer.factor && *answer.factor < 1) ++leaving;
+        if (answer.factor) least = std::min(least.value_or(INFINITY), *answer.factor);
+        if (table.size() < longest_table)
+            table.add({std::to_string(model.blocks.number[first]), std::to_string(body.stage),
+                       mode_names[static_cast<std::size_t>(answer.mode)], line_text(answer.direction, up),
+                       answer.factor ? fmt::format("{:.4f}", *answer.factor) : "-", number_text(body.volume),
+                       std::to_string(answer.faces.size())});
+    }
+    if (least) model.clock.factor_of_safety = *least;
+    std::string text = free > 0 ? table.text() + "\n" : "";
+    if (free > longest_table)
+        text += fmt::format("... and {} more; a range picks which are shown\n", free - longest_table);
+    return text +
+           fmt::format(
+               "{} of {} free bodies can leave their place, {} of them do (factor below 1); the others are held by their neighbours",
+               free, count, leaving);
+}
+
+} // namespace kaya

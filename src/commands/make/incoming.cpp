@@ -1,0 +1,109 @@
+#include "commands/make/incoming.hpp"
+
+#include "base/lower_case.hpp"
+#include "base/stop_point.hpp"
+#include "geometry/grid/grid3d.hpp"
+#include "geometry/read/surface_files.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Strongly warped faces become triangles: they are common in files of other programs.
+constexpr Flatness of_files{1e-3, true};
+
+/// From the axes and units of the file to those of the model.
+class Placement {
+public:
+    explicit Placement(const IncomingOptions& options) : scale_(options.scale), up_(options.up) {}
+
+    void apply(Vec3& v) const {
+        if (up_ == 'y') v = Vec3(v.x(), -v.z(), v.y());
+        if (up_ == 'x') v = Vec3(v.y(), v.z(), v.x());
+        v *= scale_;
+    }
+
+private:
+    double scale_;
+    char up_;
+};
+
+/// Makes one body of the file; a message about it gets its name and place.
+template <class Make> void add_body(IncomingFile& file, const std::string& path, const std::string& name,
+                                    const std::vector<Vec3>& corners, Make make) {
+    stop_point();
+    try {
+        file.blocks.push_back(make());
+    } catch (Diagnostic& mistake) {
+        if (mistake.fault != Fault::deck) throw; // a request to stop
+        Vec3 centre = Vec3::Zero();
+        for (const Vec3& v : corners) centre += v / static_cast<double>(corners.size());
+        mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, name, centre.x(), centre.y(),
+                                      centre.z(), mistake.message);
+        if (is_surface_file(path) && mistake.message.find("open") != std::string::npos)
+            mistake.hint += ", or let `import ... mend d` close cracks and `holes d` holes up to a width";
+        file.refused.push_back(std::move(mistake));
+    }
+}
+
+IncomingBlock block_of(const Grid3d& grid, const Grid3d::Block& block, const Surface& surface) {
+    IncomingBlock incoming{solid_from_surface(surface, of_files), {}, block.group, block.region, block.material};
+    if (block.zones.empty()) return incoming;
+    if (incoming.solid.parts.size() > 1)
+        throw Diagnostic("the block is concave and has zones", "give its faces without zones, or convex blocks");
+    incoming.mesh = zones_of(grid, block, incoming.solid.parts.front());
+    return incoming;
+}
+
+IncomingFile from_grid(const std::string& path, const Placement& placement) {
+    IncomingFile file;
+    Grid3d grid = read_grid3d_file(path);
+    for (auto& [number, place] : grid.gridpoints) placement.apply(place);
+    for (const auto& block : grid.blocks) {
+        const Surface surface = surface_of(grid, block);
+        add_body(file, path, fmt::format("block {}", block.number), surface.vertices,
+                 [&] { return block_of(grid, block, surface); });
+    }
+    return file;
+}
+
+IncomingFile from_surfaces(const std::string& path, const Placement& placement, const Repair& repair) {
+    std::vector<FaceSoup> soups = read_soups(path);
+    for (FaceSoup& soup : soups)
+        for (auto& loop : soup.loops)
+            for (Vec3& corner : loop) placement.apply(corner);
+    const SurfaceFile surfaces = surfaces_of(soups, repair);
+    IncomingFile file;
+    file.repaired = surfaces.repaired;
+    int count = 0;
+    for (const NamedSurface& body : surfaces.surfaces) {
+        const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
+        add_body(file, path, fmt::format("body {}{}", ++count, quoted), body.surface.vertices, [&] {
+            Flatness flatness = of_files;
+            const double joined = repair.near / size_of(body.surface.vertices);
+            flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
+            return IncomingBlock{solid_from_surface(body.surface, flatness, body.cavities), {}, body.name, 0, 0};
+        });
+    }
+    return file;
+}
+
+} // namespace
+
+bool is_block_grid(const std::string& path) { return lower_case(path).ends_with(".3dgrid"); }
+
+IncomingFile read_blocks(const std::string& path, const IncomingOptions& options) {
+    const Placement placement(options);
+    if (is_grid_file(path)) return from_grid(path, placement);
+    if (!is_surface_file(path))
+        throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
+                         fmt::format("use one of {}", import_suffixes()));
+    return from_surfaces(path, placement, options.repair);
+}
+
+std::string import_suffixes() { return grid_suffixes() + ", " + surface_suffixes(); }
+
+} // namespace kaya

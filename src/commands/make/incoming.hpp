@@ -1,0 +1,42 @@
+// The blocks of a file of another program, read and checked, before any of them is in the model.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/surface/surface_repair.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+struct IncomingBlock {
+    Solid solid;
+    std::optional<TetMesh> mesh;
+    std::string group;
+    std::int32_t region = 0, material = 0; ///< 0: not given in the file
+};
+
+struct IncomingFile {
+    std::vector<IncomingBlock> blocks;
+    std::vector<Diagnostic> refused; ///< of bodies that are wrong; each names the body and its place
+    RepairCounts repaired;
+};
+
+/// How the coordinates of the file become those of the model, and what is repaired on the way.
+struct IncomingOptions {
+    double scale = 1;
+    char up = 'z'; ///< the axis of the file that points up: x, y or z
+    Repair repair;
+};
+
+/// Throws Diagnostic when the file as a whole cannot be read.
+IncomingFile read_blocks(const std::string& path, const IncomingOptions& options);
+
+/// Whether the suffix is .3dgrid, and all suffixes that are read.
+bool is_block_grid(const std::string& path);
+std::string import_suffixes();
+
+} // namespace kaya

@@ -1,0 +1,26 @@
+#include "commands/make/overlaps.hpp"
+
+#include "commands/session/session.hpp"
+
+#include <fmt/format.h>
+#include <string>
+
+namespace kaya {
+
+void warn_of_overlaps(Session& session, Row first, const Place& place) {
+    static const std::string once = "two blocks in one place";
+    if (session.said_once.contains(once)) return;
+    const Model& model = session.model;
+    for (Row row = first; row < static_cast<Row>(model.blocks.size()); ++row) {
+        const Row other = session.occupied.overlapped_by(model, row);
+        if (other == no_row) continue;
+        session.said_once.insert(once);
+        return session.warn(
+            Diagnostic(fmt::format("block {} is in the place of block {}", model.blocks.number[row],
+                                   model.blocks.number[other]),
+                       "the overlap carries no force; reported once, `list blocks quality` shows all such pairs")
+                .at(place));
+    }
+}
+
+} // namespace kaya

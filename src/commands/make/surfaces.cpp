@@ -1,0 +1,114 @@
+// geometry, fracture: surfaces and networks of fractures.
+#include "commands/session/handlers.hpp"
+
+#include "base/lower_case.hpp"
+#include "geometry/polyhedra/plane.hpp"
+#include "geometry/read/surface_files.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace kaya {
+
+namespace {
+
+/// The set that a line means.
+std::string set_of(const Session& session, const lang::GeometryCommand& command) {
+    if (!command.set.empty()) return lower_case(command.set);
+    if (!session.surface_sets.current.empty()) return session.surface_sets.current;
+    throw Diagnostic("there is no set of surfaces yet", "write before: geometry set 'name'").at(command.place);
+}
+
+void erase(std::map<std::string, PolygonSet>& sets, const std::string& name, std::string_view what,
+           const Place& place) {
+    if (sets.erase(name) > 0) return;
+    throw Diagnostic(fmt::format("there is no {} named '{}'", what, name), "look at its name").at(place);
+}
+
+PolygonSet faces_in(Session& session, const lang::GeometryCommand& command) {
+    try {
+        PolygonSet faces;
+        for (const FaceSoup& soup : read_soups(session.input_file(command.file).string()))
+            faces.insert(faces.end(), soup.loops.begin(), soup.loops.end());
+        return faces;
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+/// The polygon, or the prism from it to its copy.
+PolygonSet polygons_of(const lang::GeometryCommand& command) {
+    const auto& corners = command.corners;
+    PolygonSet polygons{corners};
+    if (!command.extrude) return polygons;
+    std::vector<Vec3> moved;
+    for (const Vec3& corner : corners) moved.push_back(corner + *command.extrude);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
+        polygons.push_back({corners[i], corners[next], moved[next], moved[i]});
+    }
+    polygons.push_back(std::move(moved));
+    return polygons;
+}
+
+/// A disc as a polygon of so many corners.
+std::vector<Vec3> disc(const lang::FractureCommand& fracture) {
+    constexpr int corners = 32;
+    const Vec3 normal = normal_from_dip(fracture.dip, fracture.dip_direction);
+    const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
+    std::vector<Vec3> rim;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        rim.push_back(fracture.position + 0.5 * fracture.size * (std::cos(angle) * one + std::sin(angle) * other));
+    }
+    return rim;
+}
+
+} // namespace
+
+void run(Session& session, const lang::GeometryCommand& command) {
+    using enum lang::GeometryCommand::Action;
+    auto& sets = session.surface_sets;
+    switch (command.action) {
+    case choose:
+        sets.current = lower_case(command.set);
+        sets.surfaces.try_emplace(sets.current);
+        return;
+    case import: {
+        const std::string stem = std::filesystem::path(command.file).stem().string();
+        const std::string name = lower_case(command.set.empty() ? stem : command.set);
+        const PolygonSet faces = faces_in(session, command);
+        auto& set = sets.surfaces[name];
+        set.insert(set.end(), faces.begin(), faces.end());
+        sets.current = name;
+        session.output.say(fmt::format("set {}: {} polygons", name, set.size()));
+        return;
+    }
+    case polygon: {
+        auto& set = sets.surfaces[set_of(session, command)];
+        const PolygonSet polygons = polygons_of(command);
+        set.insert(set.end(), polygons.begin(), polygons.end());
+        return;
+    }
+    case remove: {
+        const std::string name = set_of(session, command);
+        erase(sets.surfaces, name, "set of surfaces", command.place);
+        if (sets.current == name) sets.current.clear();
+    }
+    }
+}
+
+void run(Session& session, const lang::FractureCommand& command) {
+    auto& networks = session.surface_sets.fractures;
+    const std::string name = lower_case(command.network);
+    if (command.remove) erase(networks, name, "network of fractures", command.place);
+    else networks[name].push_back(disc(command));
+}
+
+void add_handlers(HandlerTable& table, lang::SurfaceCommands list) { fill(table, list); }
+
+} // namespace kaya

@@ -1,0 +1,252 @@
+#include "commands/session/plausible.hpp"
+
+#include "base/counted.hpp"
+#include "commands/monitors/free_fall.hpp"
+#include "commands/session/materials.hpp"
+#include "commands/monitors/rest_monitor.hpp"
+#include "commands/session/session.hpp"
+#include "commands/program/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <set>
+
+namespace kaya {
+
+namespace {
+
+/// Whether a word of `prop` or `jmodel` is an angle of friction: the classic words, and those of loaded joint models.
+bool is_friction_angle(const JointRegistry& joints, const std::string& word) {
+    constexpr std::string_view classic = "jfriction";
+    constexpr std::size_t shortest = 2;
+    if (word.size() >= shortest && classic.starts_with(word)) return true;
+    return std::ranges::any_of(joints.loaded(), [&](const auto& model) {
+        const auto found = model->find_property(word);
+        if (!found) return false;
+        const auto& property = model->properties[*found];
+        return property.unit.starts_with("deg") && property.name.find("friction") != std::string::npos;
+    });
+}
+
+Diagnostic doubt(std::string message, std::string hint) {
+    Diagnostic d(std::move(message), std::move(hint));
+    d.code = "implausible";
+    return d;
+}
+
+} // namespace
+
+void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items) {
+    for (const auto& item : items) {
+        if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word))
+            continue;
+        const double degrees = item.value * 180 / std::numbers::pi;
+        session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is nearly 0", item.word,
+                                       number_text(item.value)),
+                           fmt::format("as radians it would be {} degrees, as a coefficient {}",
+                                       number_text(std::round(degrees * 10) / 10),
+                                       number_text(std::round(std::atan(item.value) * 1800 / std::numbers::pi) / 10)))
+                         .at(item.place));
+    }
+}
+
+void doubt_elasticity(Session& session) {
+    const auto& used = session.model.blocks.material;
+    const std::set<std::int32_t> in_use(used.begin(), used.end());
+    for (const std::int32_t number : in_use) {
+        const auto found = session.model.materials.find(number);
+        if (found == session.model.materials.end()) continue;
+        const double bulk = found->second.bulk, shear = found->second.shear;
+        const double poisson = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+        if (!(poisson < 0)) continue; // also when a modulus is not given
+        const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}",
+                                                number, poisson, number_text(bulk), number_text(shear));
+        if (session.said_once.insert(message).second)
+            session.warn(doubt(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
+    }
+}
+
+void doubt_densities(Session& session) {
+    constexpr double most = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
+    for (const auto& [number, material] : session.model.materials) {
+        if (!(material.density > most)) continue;
+        const std::string message = fmt::format("material {} has a density of {}: no material is that heavy", number,
+                                                number_text(material.density));
+        if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
+    }
+}
+
+void doubt_units(Session& session) {
+    if (!session.units.given()) return;
+    const Units& units = session.units;
+    const auto doubt_value = [&](const std::string& what, double value, double in_si, const char* si, double least,
+                                 double most, std::string_view quantity) {
+        const double size = std::abs(in_si);
+        if (!(size > 0) || (size >= least && size <= most)) return; // also when it is not given
+        const std::string unit = units.label(quantity);
+        const std::string meant = unit == si ? "" : fmt::format(", which is {:.3g} {}", in_si, si);
+        const std::string message =
+            fmt::format("{} {} {}{}: are the units {}?", what, number_text(value), unit, meant, units.name());
+        if (session.said_once.insert(message).second)
+            session.warn(doubt(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
+                                                    least, most, si, fmt::join(Units::names(), ", "))));
+    };
+    for (const auto& [number, material] : session.model.materials) {
+        const auto of = [&](const char* what) { return fmt::format("material {}: {}", number, what); };
+        doubt_value(of("density"), material.density, units.density_in_si(material.density), "kg/m^3", 100, 25000,
+                    "density");
+        doubt_value(of("bulk modulus"), material.bulk, units.stress_in_si(material.bulk), "Pa", 1e5, 1e12, "stress");
+        doubt_value(of("shear modulus"), material.shear, units.stress_in_si(material.shear), "Pa", 1e4, 1e12, "stress");
+    }
+    const double gravity = session.model.settings.gravity.norm();
+    doubt_value("gravity", gravity, units.acceleration_in_si(gravity), "m/s^2", 0.1, 100, "acceleration");
+}
+
+void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
+    if (!(gravity.z() > 0 && gravity.x() == 0 && gravity.y() == 0)) return;
+    session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
+}
+
+namespace {
+
+/// The value of a property by its own name and unit, and none where the model has no such property.
+std::optional<double> value_of(const JointModel& model, const JointProperties& set, std::string_view name,
+                               std::string_view unit) {
+    for (std::size_t k = 0; k < model.properties.size() && k < set.values.size(); ++k)
+        if (model.properties[k].name == name && model.properties[k].unit == unit) return set.values[k];
+    return std::nullopt;
+}
+
+} // namespace
+
+void doubt_joints(Session& session) {
+    double density = 0;
+    for (const auto& [number, material] : session.model.materials) density = std::max(density, material.density);
+    const double size = model_size(session.model);
+    const double weight = density * session.model.settings.gravity.norm() * size; // of the highest column: a stress
+    for (const Row row : property_sets_in_use(session.model)) {
+        const JointProperties& set = session.model.joint_properties[static_cast<std::size_t>(row)];
+        const JointModel* joint = session.joints.find(set.model);
+        if (joint == nullptr) continue;
+        const auto say = [&](const std::string& message, const std::string& hint) {
+            const std::string where = set.place.empty() ? set.model : fmt::format("{}, {}", set.model, set.place);
+            const std::string text = fmt::format("{} ({})", message, where);
+            if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
+        };
+        const auto friction = value_of(*joint, set, "friction", "angle"),
+                   dilation = value_of(*joint, set, "dilation", "angle"),
+                   stiffness = value_of(*joint, set, "stiffness-normal", "stress/length"),
+                   walls = value_of(*joint, set, "jcso", "stress");
+        if (friction && dilation && *dilation > *friction)
+            say(fmt::format("dilation {} is above friction {}: a joint that slips would give energy",
+                            number_text(*dilation), number_text(*friction)),
+                "dilation is at most the friction, and mostly a fraction of it");
+        // Half of the digits of a place are left for its closure.
+        constexpr double least = 1e-12;
+        if (stiffness && weight > 0 && weight / *stiffness < least * size)
+            say(fmt::format(
+                    "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
+                    number_text(*stiffness), weight / *stiffness),
+                "about ten times the modulus of the rock over the size of a block is stiff enough");
+        constexpr double soft = 0.1; // MPa/m or GPa/m in a deck of Pa
+        if (stiffness && *stiffness > 0 && weight / *stiffness > soft * size)
+            say(fmt::format(
+                    "normal stiffness {}: the weight of the model closes the joint by {:.3g}, the model is {:.3g} "
+                    "long",
+                    number_text(*stiffness), weight / *stiffness, size),
+                "is it in MPa/m or GPa/m, and the rest in Pa?");
+        constexpr double far_below = 0.01; // MPa for Pa is a factor of a million
+        if (walls && *walls > 0 && *walls < far_below * weight)
+            say(fmt::format("jcso {} is far below the stress of the model's weight, {:.3g}", number_text(*walls),
+                            weight),
+                "are the strengths in MPa and the rest in Pa?");
+    }
+}
+
+void doubt_dip(Session& session, double dip, double direction, const Place& place) {
+    const auto is_radian = [](double angle, double most) {
+        return angle > 0 && angle <= most && angle != std::round(angle);
+    };
+    const auto warn = [&](std::string message, std::string hint) {
+        session.warn(doubt(std::move(message), std::move(hint)).at(place));
+    };
+    if (dip > 90)
+        warn(fmt::format("a dip of {} is more than vertical", number_text(dip)),
+             fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)));
+    if (std::abs(direction) > 360)
+        warn(fmt::format("a dip direction of {} is more than a full turn", number_text(direction)),
+             fmt::format("it is taken as {}", number_text(std::fmod(direction, 360))));
+    if (is_radian(dip, std::numbers::pi / 2) && is_radian(direction, 2 * std::numbers::pi))
+        warn(fmt::format("dip {} and dd {} are nearly 0: angles are in degrees", number_text(dip),
+                         number_text(direction)),
+             fmt::format("as radians they would be dip {:.4g} and dd {:.4g}", dip * 180 / std::numbers::pi,
+                         direction * 180 / std::numbers::pi));
+}
+
+void doubt_tension(Session& session, const lang::InSitu& command) {
+    const auto pulls = [](double stress) { return stress > 0; };
+    if (!command.stress || !std::all_of(command.stress->begin(), command.stress->begin() + 3, pulls)) return;
+    session.warn(doubt("all normal stresses are positive: the ground is pulled in all directions",
+                       "compression is negative: insitu stress -1e6 -1e6 -1e6 0 0 0")
+                     .at(command.place));
+}
+
+void doubt_undamped_search(Session& session, const Place& place) {
+    const Settings& s = session.model.settings;
+    if (s.damping != Damping::none || s.contact_damping != 0) return;
+    session.warn(doubt("nothing damps the motion: it does not come to rest",
+                       "damp local 0.8 before `solve`; cycle time T runs undamped motion")
+                     .at(place));
+}
+
+void doubt_gone_blocks(Session& session, const Place& place) {
+    const Model& model = session.model;
+    const auto gone = blocks_that_left(model);
+    if (gone.empty()) return;
+    const Row first = gone.front();
+    if (!session.said_once.insert(fmt::format("left:{}", model.blocks.number[first])).second) return;
+    std::string text = body_text(model, {first});
+    if (gone.size() > 1) text += " and " + counted(gone.size() - 1, "other block");
+    Diagnostic d =
+        doubt(fmt::format("{} left all others: nothing touches it", text), "look at what drives it, or delete it");
+    if (model.settings.dynamic) session.show_note(d.at(place));
+    else session.warn(d.at(place));
+}
+
+void doubt_idle_model(Session& session, const Place& place) {
+    const Model& model = session.model;
+    if (model.blocks.empty() || !model.settings.gravity.isZero(0) || model.zones.size() > 0 ||
+        model.boundary_histories.size() > 0 || model.structures.any() || model.settings.water != Water::none)
+        return;
+    const auto none = [](const auto& column) {
+        return std::ranges::all_of(column, [](const Vec3& v) { return v.isZero(0); });
+    };
+    const std::vector<double> forces = acting_forces(model);
+    if (std::ranges::any_of(forces, [](double force) { return force != 0; }) || !none(model.gridpoints.velocity) ||
+        !none(model.blocks.velocity))
+        return;
+    session.warn(doubt("no force acts and nothing moves: there is no equilibrium to look for",
+                       "gravity 0 0 -9.81 gives weight, apply and boundary give loads")
+                     .at(place));
+}
+
+void doubt_damping(Session& session, const lang::Damp& command) {
+    using enum lang::Damp::Kind;
+    if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
+        session.warn(
+            doubt(fmt::format("a damping factor of {} takes all force from moving bodies", number_text(*command.value)),
+                  "0.8 is usual"));
+}
+
+void doubt_empty_model(Session& session, const Place& place) {
+    if (session.model.blocks.empty())
+        session.warn(doubt("there are no blocks: nothing moves", session.model.excavated.blocks.size() > 0
+                                                                     ? "all are excavated: fill puts them back"
+                                                                     : "make them first: poly brick ...")
+                         .at(place));
+}
+
+} // namespace kaya

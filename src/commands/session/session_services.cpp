@@ -1,0 +1,150 @@
+// What a session does for the interpreter and for scripts: it runs commands and reviews decks.
+#include "commands/session/autosave.hpp"
+#include "commands/review/deck_finding.hpp"
+#include "commands/review/deck_review.hpp"
+#include "commands/session/handlers.hpp"
+#include "commands/session/law_conduct.hpp"
+#include "laws/crash_report.hpp"
+#include "laws/guard.hpp"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Commands accept numbers, texts and vectors of scripts; pointers have no meaning to them.
+lang::Value command_value(const script::Value& value, const std::string& expression, const Place& place) {
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+    if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* vector = std::get_if<Vec3>(&value)) return *vector;
+    if (std::holds_alternative<std::monostate>(value)) return std::monostate{};
+    const auto kind =
+        std::holds_alternative<script::Handle>(value) ? std::string_view("pointer") : script::type_name(value);
+    throw Diagnostic(fmt::format("'{}' is a {}, which a command cannot use", expression, kind),
+                     "give a number, a text or a vector")
+        .at(place);
+}
+
+bool calls_file(const lang::BoundCommand& command) {
+    return command.spec->flow == lang::Flow::call;
+} // its commands represent it
+
+} // namespace
+
+Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
+    : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)),
+      Engine(static_cast<WorldHost&>(*this)), autosave(std::make_unique<Autosave>(*this)) {
+    fence_all_calls(options.strict);
+    begin(gate, options.joint_folders, options.trust, options.script_memory);
+    scripts->on_print([this](const std::string& line) { output.print(line); });
+    scripts->on_require([this] { return interpreter.searched(); });
+    interpreter.checks.before_reading = [this](const fs::path& file) { gate->may_read_code(file); };
+    vtk.before_writing = [this](const std::string& file) { output_file(file); };
+}
+
+Session::~Session() { scripts.reset(); }
+
+lang::Ended Session::run_deck(const std::string& file) {
+    deck = file;
+    autosave->find_earlier();
+    const lang::Ended ended = interpreter.run_file(file);
+    output.flush();
+    return ended;
+}
+
+void Session::run(const lang::BoundCommand& command) {
+    const std::string text = command.text(), place = here();
+    const std::string line = text.substr(0, text.find('\n'));
+    const AtCommand at_command(place.empty() ? line : fmt::format("{} ({})", line, place));
+    run_command(*this, command);
+}
+
+lang::Value Session::value(const std::string& expression, const Place& place) {
+    return command_value(scripts->value(expression, place), expression, place);
+}
+
+void Session::deck_read(const lang::BoundFile& file, const lang::BareNames& names) {
+    DeckReview review(names, *scripts, {fs::path(deck).parent_path(), "."}, options.own_joints);
+    if (!model.blocks.empty() || !ranges.empty() || !scripts->tables().empty() || !model.histories.all.empty())
+        review.continues_a_model();
+    review.models_are_in(options.joint_folders);
+    review.file(file);
+    std::vector<Diagnostic> errors;
+    for (const auto& finding : review.findings()) {
+        if (finding.severity != Severity::error) {
+            // What the run says again when it reaches the line is said here alone, or there alone.
+            if (finding.code != said_by_the_run && said_once.insert(finding.message).second) warn(finding);
+        } else if (errors.size() < lang::most_errors_shown) errors.push_back(finding);
+    }
+    if (!errors.empty()) throw lang::DeckErrors(std::move(errors));
+}
+
+void Session::before(const lang::BoundCommand& command) {
+    stop_if_interrupted();
+    stopped_inside_ = false;
+    last_place = command.place;
+    modern_line = command.modern;
+    world.forget_ranges();
+    take_source(command.place);
+    if (!options.echo && !output.logging()) return;
+    const std::string text = command.text();
+    const std::string line = fmt::format("{}> {}", here(), text.substr(0, text.find('\n')));
+    if (options.echo && !output.is_caught()) output.print(line);
+    else output.log_only(line);
+}
+
+void Session::after(const lang::BoundCommand& command) {
+    tell_of_arithmetic();
+    if (commands_of_scripts_ > 0) return;
+    review_conduct(*this);
+    if (!calls_file(command)) tell_executed(command, {});
+    stopped_after_.reset(); // a script has caught it
+}
+
+void Session::failed(const lang::BoundCommand& command) {
+    if (commands_of_scripts_ > 0 || calls_file(command)) return;
+    // A wish to stop that no cycle has met has met a script.
+    using enum Completion::How;
+    const bool inside = std::exchange(stopped_inside_, false) || interrupted_;
+    const auto how = stopped_after_ ? stopped : inside ? cut_off : Completion::How::failed;
+    tell_executed(command, {how, std::exchange(stopped_after_, std::nullopt).value_or(0)});
+}
+
+std::string Session::run_text(const std::string& text, const std::string& chunk, int line, bool caught) {
+    struct Giving {
+        int& commands;
+        explicit Giving(int& count) : commands(count) { ++commands; }
+        ~Giving() { --commands; }
+    };
+    std::optional<Output::Caught> printed;
+    if (caught) printed.emplace(output);
+    {
+        const Giving giving(commands_of_scripts_);
+        interpreter.run_text(text, chunk, line);
+    }
+    return printed ? printed->take() : std::string{};
+}
+
+void Session::clear() {
+    const bool by_script = scripts->running(); // the script continues in the new model
+    if (by_script) scripts->refuse_while_awaited("new");
+    model = Model{};
+    ranges.clear();
+    surface_sets = {};
+    if (by_script) scripts->change_model();
+    else scripts->clear();
+    title.clear();
+    units = {};
+    property_places.clear();
+    if (!by_script) said_once.clear();
+    autosave->saved();
+    make_cycle();
+}
+
+} // namespace kaya

@@ -1,0 +1,165 @@
+#include "commands/stability/factor_of_safety.hpp"
+
+#include "commands/list/stability.hpp"
+#include "commands/stability/strength_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// If a model that has slid is stable only below this part of its factor, it has fallen, not only slid.
+constexpr double fallen_part = 0.5;
+constexpr double largest = 64; ///< largest factor of the search
+/// A bracket that begins with a guess has this half width, and is widened so many times as much each time.
+constexpr double first_width = 0.03, widening = 4;
+
+/// A factor at which the model is stable, and one at which it fails.
+struct Bracket {
+    double stands, fails;
+};
+
+Bracket given_bracket(StrengthTrials& trials, const lang::Solve& command) {
+    const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
+    if (!trials.stands(bracket.stands))
+        throw Diagnostic(fmt::format("the model fails with its strength divided by {:.6g}, where it should be stable",
+                                     bracket.stands),
+                         "give a smaller first number after bracket")
+            .at(command.place);
+    if (trials.stands(bracket.fails))
+        throw Diagnostic(
+            fmt::format("the model is stable with its strength divided by {:.6g}, where it should fail", bracket.fails),
+            "give a greater second number after bracket")
+            .at(command.place);
+    return bracket;
+}
+
+/// By doubling and halving; a side that was not found is 0 or infinite.
+Bracket found_bracket(StrengthTrials& trials) {
+    if (trials.stands(1)) {
+        for (double factor = 1; factor < largest; factor *= 2)
+            if (!trials.stands(2 * factor)) return {factor, 2 * factor};
+        return {largest, INFINITY};
+    }
+    for (double factor = 1; factor > 1 / largest; factor /= 2)
+        if (trials.stands(factor / 2)) return {factor / 2, factor};
+    return {0, 1 / largest};
+}
+
+/// From a guess outward; a side that was not found is 0 or infinite.
+Bracket bracket_around(StrengthTrials& trials, double guess) {
+    double width = first_width;
+    Bracket bracket{guess * (1 - width), guess * (1 + width)};
+    if (trials.stands(bracket.stands)) {
+        for (; bracket.fails < largest; width *= widening, bracket.stands = bracket.fails, bracket.fails *= 1 + width)
+            if (!trials.stands(bracket.fails)) return bracket;
+        return {bracket.stands, INFINITY};
+    }
+    for (bracket.fails = bracket.stands; bracket.fails > 1 / largest; bracket.fails = bracket.stands) {
+        width = std::min(0.5, width * widening);
+        bracket.stands = bracket.fails * (1 - width);
+        if (trials.stands(bracket.stands)) return bracket;
+    }
+    return {0, bracket.fails};
+}
+
+/// Initial guess: the factor of the weakest block by block theory, else the last result of `limit equilibrium` or of an earlier search; 0
+/// without either.
+double guessed_factor(Session& session) {
+    constexpr double least = 0.1, most = 10;
+    double guess = INFINITY;
+    for (const BodyStability& body : stability_of(session.model, session.joints))
+        if (!body.fixed && body.answer.factor) guess = std::min(guess, *body.answer.factor);
+    if (!std::isfinite(guess)) guess = session.model.clock.factor_of_safety;
+    return guess >= least && guess <= most ? guess : 0;
+}
+
+Bracket narrowed(StrengthTrials& trials, Bracket bracket, double resolution) {
+    constexpr double rounding = 1e-9;
+    while (bracket.fails - bracket.stands > (1 + rounding) * resolution * bracket.stands) {
+        trials.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
+        const double middle = 0.5 * (bracket.stands + bracket.fails);
+        (trials.stands(middle) ? bracket.stands : bracket.fails) = middle;
+    }
+    return bracket;
+}
+
+bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
+
+/// The model is stable where an early-ended trial failed: the search continues upward.
+Bracket bracket_above(StrengthTrials& trials, double stands, double resolution) {
+    Bracket bracket{stands, stands};
+    for (double width = widening * resolution; bracket.fails < largest; width *= 2) {
+        bracket.stands = bracket.fails;
+        bracket.fails *= 1 + width;
+        if (!trials.stands(bracket.fails)) return narrowed(trials, bracket, resolution);
+    }
+    return {bracket.fails, INFINITY};
+}
+
+/// The lower end of the bracket may be unstable: the search continues downward in doubling steps, and gives up below `least` with a lower
+/// end of 0.
+Bracket bracket_below(StrengthTrials& trials, Bracket bracket, double resolution, double least) {
+    if (trials.stands(bracket.stands)) return bracket;
+    double width = resolution;
+    for (bracket.fails = bracket.stands; bracket.stands > least; bracket.fails = bracket.stands) {
+        bracket.stands /= 1 + width;
+        width = std::min(1.0, 2 * width);
+        if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
+    }
+    return {0, bracket.fails};
+}
+
+/// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again to the end where its trial ended
+/// early; the stable one is tried again from the beginning. If either changes, the search continues from there.
+Bracket confirmed(StrengthTrials& trials, Bracket bracket, double resolution) {
+    if (trials.failed_early()) {
+        trials.be_patient();
+        if (trials.stands(bracket.fails)) bracket = bracket_above(trials, bracket.fails, resolution);
+    }
+    if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
+    trials.begin_anew();
+    const double least = trials.slides() ? fallen_part * bracket.stands : 1 / largest;
+    const Bracket below = bracket_below(trials, bracket, resolution, least);
+    if (closed(below) || !trials.slides()) return below;
+    trials.forget_sliding();
+    return bracket_below(trials, bracket, resolution, 1 / largest);
+}
+
+} // namespace
+
+void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
+    Bracket bracket;
+    std::optional<FailureMode::Shares> mode;
+    const double guess = command.bracket ? 0 : guessed_factor(session);
+    if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
+    {
+        StrengthTrials trials(session, command, limits);
+        bracket = command.bracket ? given_bracket(trials, command)
+                  : guess > 0     ? bracket_around(trials, guess)
+                                  : found_bracket(trials);
+        if (closed(bracket))
+            bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
+        if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
+        mode = trials.mode();
+    }
+    if (mode) session.output.say(mode_text(*mode));
+    double& factor = session.model.clock.factor_of_safety;
+    if (bracket.stands == 0) {
+        factor = bracket.fails;
+        session.output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
+    } else if (!std::isfinite(bracket.fails)) {
+        factor = bracket.stands;
+        session.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
+    } else {
+        factor = 0.5 * (bracket.stands + bracket.fails);
+        session.output.say(
+            fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+                        factor, bracket.stands, bracket.fails));
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,128 @@
+#include "commands/stability/failure_mode.hpp"
+
+#include "base/counted.hpp"
+#include "commands/monitors/rest_monitor.hpp"
+#include "commands/program/text_table.hpp"
+#include "mechanics/cycle/cycle.hpp"
+#include "model/measure/measure.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+constexpr double toppling = 0.25;               ///< of the motion across joints, by turning
+constexpr double some = 0.25, nearly_all = 0.9; ///< of the work that is lost, in zones
+
+double lost_in_joints(const Model& model) { return model.energy.joint_friction + model.energy.joint_lost; }
+double lost_in_zones(const Model& model, const Cycle& cycle) {
+    return model.energy.zone_work - cycle.energy_in_zones();
+}
+
+std::string name_of(const FailureMode::Shares& shares) {
+    if (!shares.joints_move || shares.zones > nearly_all) return "yield of zones";
+    std::string name = !shares.topples() ? "sliding" : shares.backward ? "backward toppling" : "toppling";
+    if (shares.zones > some) name += " with yield of zones";
+    return name;
+}
+
+} // namespace
+
+bool FailureMode::Shares::topples() const { return turning > toppling; }
+
+FailureMode::FailureMode(const Model& model, const Cycle& cycle)
+    : joint_loss_(lost_in_joints(model)), zone_loss_(lost_in_zones(model, cycle)) {
+    for (std::size_t c = 0; c < model.contacts.size(); ++c)
+        joints_.push_back(
+            {model.contacts.block1[c], model.contacts.block2[c], model.contacts.position[c], model.contacts.area[c]});
+    const auto& points = model.gridpoints;
+    for (std::size_t g = 0; g < points.size(); ++g)
+        positions_.push_back(points.position[g]), displacements_.push_back(points.displacement[g]);
+}
+
+FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
+    // Corners of a rigid block move also in small strain, where its orientation is fixed; each has equal weight.
+    const Span span = model.blocks.gridpoints[block];
+    const auto first = static_cast<std::size_t>(span.first), end = static_cast<std::size_t>(span.end());
+    const auto mass = [&](std::size_t g) { return model.blocks.deformable[block] ? model.gridpoints.mass[g] : 1.0; };
+    const auto shift = [&](std::size_t g) -> Vec3 { return model.gridpoints.displacement[g] - displacements_[g]; };
+    Motion found;
+    double all = 0;
+    for (std::size_t g = first; g < end; ++g) {
+        all += mass(g);
+        found.centre += mass(g) * (positions_[g] - positions_[first]), found.shift += mass(g) * shift(g);
+    }
+    if (!(all > 0)) return {};
+    found.centre = positions_[first] + found.centre / all, found.shift /= all;
+    Mat3 inertia = Mat3::Zero();
+    Vec3 momentum = Vec3::Zero();
+    for (std::size_t g = first; g < end; ++g) {
+        const Vec3 arm = positions_[g] - found.centre;
+        inertia += mass(g) * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+        momentum += mass(g) * arm.cross(shift(g) - found.shift);
+    }
+    found.turn = inertia.ldlt().solve(momentum);
+    return found;
+}
+
+/// Whether blocks rotate against the sense of toppling in the direction of the mean shift; false without gravity, or for vertical motion.
+bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& motions) {
+    Vec3 shift = Vec3::Zero(), turn = Vec3::Zero();
+    for (std::size_t b = 0; b < motions.size(); ++b)
+        shift += model.blocks.mass[b] * motions[b].shift, turn += model.blocks.mass[b] * motions[b].turn;
+    return model.settings.gravity.cross(shift).dot(turn) > 0;
+}
+
+FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) const {
+    std::vector<Motion> motions;
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) motions.push_back(motion(model, b));
+    double all = 0, turning = 0;
+    for (const Joint& joint : joints_) {
+        const Motion &one = motions[static_cast<std::size_t>(joint.block1)],
+                     &two = motions[static_cast<std::size_t>(joint.block2)];
+        const Vec3 by_shift = two.shift - one.shift,
+                   by_turn = two.turn.cross(joint.position - two.centre) - one.turn.cross(joint.position - one.centre);
+        // Blocks that rotate together as one body have no relative motion across their joint, though both parts are nonzero.
+        const double weight = joint.area * (by_shift + by_turn).norm(), sum = by_shift.norm() + by_turn.norm();
+        if (!(sum > 0)) continue;
+        all += weight;
+        turning += weight * by_turn.norm() / sum;
+    }
+    Shares shares;
+    shares.joints_move = all > 0;
+    shares.turning = all > 0 ? turning / all : 0;
+    shares.backward = turns_backward(model, motions);
+    const double in_joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
+                 zones = std::max(0.0, lost_in_zones(model, cycle) - zone_loss_);
+    shares.zones = in_joints + zones > 0 ? zones / (in_joints + zones) : 0;
+    return shares;
+}
+
+std::string mode_text(const FailureMode::Shares& shares) {
+    return fmt::format(
+        "mode of failure: {}; {:.0f} % of the motion across joints is turning of blocks, {:.0f} % of the "
+        "work that is lost is lost in zones",
+        name_of(shares), 100 * shares.turning, 100 * shares.zones);
+}
+
+std::string farthest_text(const Model& start, const Model& model, double factor) {
+    constexpr double much = 0.1;
+    double farthest = 0;
+    Row first = no_row;
+    std::vector<double> shifts;
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
+        shifts.push_back((block_displacement(model, b) - block_displacement(start, b)).norm());
+        if (shifts.back() > farthest) farthest = shifts.back(), first = b;
+    }
+    if (first == no_row) return {};
+    const auto moved = std::ranges::count_if(shifts, [&](double shift) { return shift > much * farthest; });
+    return fmt::format("at {:.6g} {} moved most, by {} when the trial ended; {} of {} went a tenth of that or more",
+                       factor, body_text(model, MovingBody{first}), number_text(farthest), moved,
+                       counted(static_cast<std::int64_t>(shifts.size()), "block"));
+}
+
+} // namespace kaya

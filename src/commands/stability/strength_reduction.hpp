@@ -1,0 +1,38 @@
+// Strengths of joint models that a factor of safety divides, by their properties.
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "laws/joint_model.hpp"
+#include "lang/commands/commands.hpp"
+#include "model/tables/model.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace kaya {
+
+using Reduced = lang::Solve::Reduced;
+
+/// The selection of a command.
+class Asked {
+public:
+    explicit Asked(const lang::Solve& command);
+    bool operator()(Reduced word) const { return asked_[static_cast<std::size_t>(word)]; }
+
+private:
+    std::array<bool, 5> asked_{};
+};
+
+/// Values of a joint model with the strength divided; none when it has no strength.
+std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
+                                           const Asked& asked);
+
+/// A warning where a joint's tensile strength is above cohesion/tan(friction), the end of its Coulomb line: points held in tension press
+/// others together, whose friction increases. None without such a strength.
+std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set);
+
+/// Whether a joint with these values loses strength at failure: a value "x-residual" is below "x".
+bool loses_strength(const JointModel& joint, const std::vector<double>& values);
+
+} // namespace kaya

@@ -1,0 +1,157 @@
+#include "geometry/read/surface_files.hpp"
+
+#include "base/diagnostic.hpp"
+#include "base/lower_case.hpp"
+#include "base/stop_point.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
+#include "geometry/read/input_text.hpp"
+#include "geometry/surface/surface_checks.hpp"
+#include "geometry/surface/winding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace kaya {
+namespace {
+
+/// Corners nearer than this share of the size are one; the files have single precision.
+constexpr double same_corner = 2e-7;
+
+struct Format {
+    std::string_view suffix;
+    std::vector<FaceSoup> (*read)(std::string_view, const std::string&);
+};
+constexpr std::array formats{
+    Format{".stl", read_stl},   Format{".obj", read_obj}, Format{".ply", read_ply},  Format{".wrl", read_vrml},
+    Format{".vrml", read_vrml}, Format{".dxf", read_dxf}, Format{".ts", read_gocad}, Format{".json", read_compas},
+};
+
+const Format* format_of(const std::string& path) {
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
+    const auto found =
+        std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.suffix == suffix; });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+Box box_of(const Surface& surface) {
+    Box box{surface.vertices.front(), surface.vertices.front()};
+    for (const Vec3& v : surface.vertices) {
+        box.low = box.low.cwiseMin(v);
+        box.high = box.high.cwiseMax(v);
+    }
+    return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+    return (outer.low.array() < inner.low.array()).all() && (outer.high.array() > inner.high.array()).all();
+}
+
+/// Turns the faces alike; false for a surface that is not closed.
+bool turned_alike(Surface& shell) {
+    try {
+        check_faces(shell);
+        turn_alike(shell);
+    } catch (const Diagnostic& mistake) {
+        if (mistake.fault != Fault::deck) throw; // a request to stop
+        return false;
+    }
+    return true;
+}
+
+/// Two walls that lie on each other: a closed surface without volume.
+bool is_double_wall(Surface shell) {
+    if (!turned_alike(shell)) return false;
+    const double size = size_of(shell.vertices);
+    return std::abs(volume_of(triangles_of(shell))) <= 1e-9 * size * size * size;
+}
+
+/// Whether a closed surface winds around all corners of another one; false for one that is not closed.
+bool encloses(Surface outer, const Surface& inner) {
+    if (!turned_alike(outer)) return false;
+    const auto triangles = triangles_of(outer);
+    return std::ranges::all_of(inner.vertices, [&](const Vec3& v) { return winding(triangles, v) != 0; });
+}
+
+/// Surfaces inside an odd number of others bound hollows of the smallest of those; all others are bodies.
+std::vector<NamedSurface> nested(const std::string& name, std::vector<Surface>&& shells) {
+    std::vector<Box> boxes;
+    for (const Surface& shell : shells) boxes.push_back(box_of(shell));
+    std::vector<std::vector<int>> around(shells.size());
+    for (const auto& pair : overlapping_boxes(boxes))
+        for (const auto& [outer, inner] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])})
+            if (holds(boxes[outer], boxes[inner]) && encloses(shells[outer], shells[inner]))
+                around[inner].push_back(outer);
+    std::vector<NamedSurface> bodies;
+    std::vector<std::size_t> body_of(shells.size());
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        if (around[i].size() % 2 != 0) continue;
+        body_of[i] = bodies.size();
+        bodies.push_back({name, shells[i], {}});
+    }
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        if (around[i].size() % 2 == 0) continue;
+        // The one around it that is inside most others.
+        const int outer = *std::ranges::max_element(around[i], {}, [&](int other) { return around[other].size(); });
+        bodies[body_of[outer]].cavities.push_back(std::move(shells[i]));
+    }
+    return bodies;
+}
+
+} // namespace
+
+Surface welded(const FaceSoup& soup, double near) {
+    std::vector<Vec3> corners;
+    for (const auto& loop : soup.loops) corners.insert(corners.end(), loop.begin(), loop.end());
+    Surface all = surface_from_loops(soup.loops, std::max(near, same_corner * size_of(corners)));
+    std::erase_if(all.faces, [](const Surface::Face& face) {
+        std::vector<int> sorted = face.vertices;
+        std::sort(sorted.begin(), sorted.end());
+        return std::unique(sorted.begin(), sorted.end()) - sorted.begin() < 3;
+    });
+    return all;
+}
+
+SurfaceFile surfaces_of(const std::vector<FaceSoup>& soups, const Repair& repair) {
+    SurfaceFile file;
+    for (const FaceSoup& soup : soups) {
+        if (soup.loops.empty()) continue;
+        stop_point();
+        Surface all = welded(soup, repair.near);
+        if (repair.near > 0)
+            file.repaired.welded += static_cast<int>(welded(soup).vertices.size() - all.vertices.size());
+        repair_surface(all, repair, file.repaired);
+        std::vector<Surface> shells = separate(all);
+        const auto walls = std::ranges::stable_partition(shells, [](const Surface& s) { return !is_double_wall(s); });
+        if (walls.size() < shells.size()) { // nothing but walls: the message about it names them
+            for (const Surface& wall : walls) file.repaired.doubled += static_cast<int>(wall.faces.size());
+            shells.erase(walls.begin(), walls.end());
+        }
+        for (NamedSurface& body : nested(soup.name, std::move(shells))) file.surfaces.push_back(std::move(body));
+    }
+    return file;
+}
+
+bool is_surface_file(const std::string& path) { return format_of(path) != nullptr; }
+
+std::string surface_suffixes() {
+    std::vector<std::string_view> suffixes;
+    for (const Format& format : formats) suffixes.push_back(format.suffix);
+    return fmt::format("{}", fmt::join(suffixes, ", "));
+}
+
+std::vector<FaceSoup> read_soups(const std::string& path) {
+    const Format* format = format_of(path);
+    if (format == nullptr)
+        throw Diagnostic(fmt::format("{} does not have the suffix of a surface file", path),
+                         fmt::format("use one of {}", surface_suffixes()));
+    const std::string bytes = input_text(path);
+    std::vector<FaceSoup> soups = format->read(bytes, path);
+    if (std::ranges::all_of(soups, [](const FaceSoup& soup) { return soup.loops.empty(); }))
+        throw Diagnostic(fmt::format("{} holds no faces", path));
+    return soups;
+}
+
+} // namespace kaya

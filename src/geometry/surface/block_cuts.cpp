@@ -1,0 +1,215 @@
+#include "geometry/surface/block_cuts.hpp"
+
+#include "base/diagnostic.hpp"
+#include "geometry/polyhedra/face_contact.hpp"
+#include "geometry/surface/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+namespace {
+
+std::vector<Plane> outer_planes(const Polyhedron& polyhedron) {
+    std::vector<Plane> planes;
+    for (const auto& face : polyhedron.faces)
+        planes.push_back({face_normal(polyhedron, face), polyhedron.vertices[face.vertices[0]]});
+    return planes;
+}
+
+/// Planes through the axis of the outline and each of its corners.
+std::vector<Plane> radial_planes(const TunnelOutline& outline) {
+    const auto mean = [](const std::vector<Vec3>& corners) {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& c : corners) sum += c;
+        return Vec3(sum / static_cast<double>(corners.size()));
+    };
+    const Vec3 centre = mean(outline.first), axis = mean(outline.second) - centre;
+    std::vector<Plane> planes;
+    for (const Vec3& corner : outline.first) {
+        const Vec3 normal = axis.cross(corner - centre);
+        if (normal.norm() > 1e-12 * axis.norm() * (corner - centre).norm())
+            planes.push_back({normal.normalized(), centre});
+    }
+    return planes;
+}
+
+struct Piece {
+    Polyhedron polyhedron;
+    bool inside = false;
+};
+
+/// Parts of one piece of rock in and around a convex part of the tunnel; only the rock itself when they do not intersect.
+std::vector<Piece> carve(const Polyhedron& rock, const std::vector<Plane>& planes, int id, double thinnest,
+                         int& slivers) {
+    std::vector<Piece> pieces;
+    Polyhedron left = rock;
+    for (const Plane& plane : planes) {
+        Cut parts = cut(left, plane, id, thinnest);
+        if (parts.outcome == CutOutcome::sliver) {
+            // Too thin to cut: the piece belongs where its greater part is.
+            ++slivers;
+            if (plane.distance(mass_properties(left).centroid) > 0) parts.outcome = CutOutcome::above;
+        }
+        if (parts.outcome == CutOutcome::above) return {{rock, false}};
+        if (parts.outcome != CutOutcome::cut) continue;
+        pieces.push_back({std::move(parts.above), false});
+        left = std::move(parts.below);
+    }
+    pieces.push_back({std::move(left), true});
+    return pieces;
+}
+
+/// Cuts the pieces outside by the planes; those inside stay. `progress` gets the fraction of the planes.
+void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, int id, double thinnest, int& slivers,
+                 const ProgressCallback& progress) {
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        const Plane& plane = planes[k];
+        report_progress(progress, k, planes.size());
+        const std::size_t count = pieces.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (pieces[i].inside) continue;
+            Cut parts = cut(pieces[i].polyhedron, plane, id, thinnest);
+            if (parts.outcome == CutOutcome::sliver) ++slivers;
+            if (parts.outcome != CutOutcome::cut) continue;
+            pieces[i].polyhedron = std::move(parts.below);
+            pieces.push_back({std::move(parts.above), false});
+        }
+    }
+}
+
+struct CuttingPolygon {
+    const std::vector<Vec3>* corners;
+    Plane plane;
+    double area;
+};
+
+CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t number) {
+    const Vec3 area = area_vector(polygon);
+    double size = 0;
+    for (const Vec3& corner : polygon) size = std::max(size, (corner - polygon.front()).norm());
+    constexpr double rounding = 1e-6;
+    if (!(area.norm() > rounding * rounding * size * size))
+        throw Diagnostic(fmt::format("polygon {} has no area", number + 1), "leave it out of the set");
+    CuttingPolygon result{&polygon, {area.normalized(), polygon.front()}, area.norm()};
+    for (const Vec3& corner : polygon)
+        if (std::abs(result.plane.distance(corner)) > rounding * size)
+            throw Diagnostic(fmt::format("the corners of polygon {} do not lie in one plane", number + 1),
+                             "divide it into triangles");
+    return result;
+}
+
+std::vector<Vec3> section_of(const Polyhedron& piece) {
+    std::vector<Vec3> section;
+    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
+    return section;
+}
+
+} // namespace
+
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
+                     const ProgressCallback& progress) {
+    const Solid tunnel = make_prism(outline.first, outline.second);
+    std::vector<std::vector<Plane>> parts;
+    for (const Polyhedron& part : tunnel.parts) parts.push_back(outer_planes(part));
+    const std::vector<Plane> radial = outline.radial ? radial_planes(outline) : std::vector<Plane>{};
+
+    TunnelCut result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        std::vector<Piece> pieces{{blocks[block], false}};
+        for (const auto& planes : parts) {
+            report_progress(progress, block, blocks.size());
+            std::vector<Piece> next;
+            for (Piece& piece : pieces) {
+                if (piece.inside) {
+                    next.push_back(std::move(piece));
+                    continue;
+                }
+                for (Piece& part : carve(piece.polyhedron, planes, outline.id, thinnest, result.blocks.slivers))
+                    next.push_back(std::move(part));
+            }
+            pieces = std::move(next);
+        }
+        const bool is_cut = pieces.size() > 1;
+        // Radial joints are for the rock around the hole only.
+        const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };
+        if (is_cut) cut_outside(pieces, radial, outline.id, thinnest, result.blocks.slivers, of_block);
+        if (!is_cut) {
+            if (pieces.front().inside) result.swallowed.push_back(static_cast<int>(block));
+            continue;
+        }
+        result.blocks.parents.push_back(static_cast<int>(block));
+        for (Piece& piece : pieces) {
+            result.blocks.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+            result.inside.push_back(piece.inside);
+        }
+    }
+    return result;
+}
+
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id,
+                  const ProgressCallback& progress) {
+    for (const int n : parts)
+        if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
+    CutBlocks result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        Vec3 low = blocks[block].vertices.front(), high = low;
+        for (const Vec3& v : blocks[block].vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+        std::vector<Piece> pieces{{blocks[block], false}};
+        std::vector<Plane> planes;
+        for (int k = 0; k < 3; ++k)
+            for (int i = 1; i < parts[k]; ++i) {
+                Plane plane{Vec3::Unit(k), low};
+                plane.origin[k] += (high[k] - low[k]) * i / parts[k];
+                planes.push_back(plane);
+            }
+        const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };
+        cut_outside(pieces, planes, id, 0, result.slivers, of_block);
+        if (pieces.size() == 1) continue;
+        result.parents.push_back(static_cast<int>(block));
+        for (Piece& piece : pieces) result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});
+    }
+    return result;
+}
+
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+                          double thinnest, const ProgressCallback& progress) {
+    constexpr std::size_t most_pieces = 5000000;
+    constexpr double least = 1e-9; // of an area
+    std::vector<CuttingPolygon> cutting;
+    for (std::size_t i = 0; i < polygons.size(); ++i) cutting.push_back(cutting_polygon(polygons[i], i));
+    CutBlocks result;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        std::vector<Polyhedron> pieces{blocks[block]};
+        for (std::size_t k = 0; k < cutting.size(); ++k) {
+            report_progress(progress, block, blocks.size(),
+                            static_cast<double>(k) / static_cast<double>(cutting.size()));
+            const std::size_t count = pieces.size();
+            for (std::size_t i = 0; i < count; ++i) {
+                Cut parts = cut(pieces[i], cutting[k].plane, id, thinnest);
+                if (parts.outcome == CutOutcome::sliver) ++result.slivers;
+                if (parts.outcome != CutOutcome::cut) continue;
+                const std::vector<Vec3> section = section_of(parts.below);
+                const Vec3 area = area_vector(section);
+                const std::vector<Vec3> common = common_part(*cutting[k].corners, section, area);
+                if (!(area_vector(common).norm() > least * std::min(cutting[k].area, area.norm()))) continue;
+                pieces[i] = std::move(parts.below);
+                pieces.push_back(std::move(parts.above));
+            }
+        }
+        if (pieces.size() == 1) continue;
+        if (result.pieces.size() + pieces.size() > most_pieces)
+            throw Diagnostic(fmt::format("the polygons would make more than {} blocks", most_pieces),
+                             "give fewer polygons or a smaller range");
+        result.parents.push_back(static_cast<int>(block));
+        for (Polyhedron& piece : pieces) result.pieces.push_back({std::move(piece), static_cast<int>(block)});
+    }
+    return result;
+}
+
+} // namespace kaya

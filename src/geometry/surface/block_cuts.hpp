@@ -1,0 +1,39 @@
+// Cuts many blocks without a joint set: by a tunnel outline, by polygons, or into equal parts.
+#pragma once
+
+#include "geometry/surface/joint_set.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kaya {
+
+/// The outline of a tunnel: two polygons with matching corners and the straight sides between them.
+struct TunnelOutline {
+    std::vector<Vec3> first, second;
+    bool radial = false; ///< also cuts the rock around along the planes through the axis and each corner
+    int id = 0;          ///< stored on the cut faces
+};
+
+struct TunnelCut {
+    CutBlocks blocks;
+    std::vector<bool> inside;   ///< for each piece: within the outline
+    std::vector<int> swallowed; ///< blocks entirely within the outline, not cut
+};
+
+/// Cuts the outline out of the blocks. Blocks are cut no more than necessary: a side of the tunnel cuts a piece of rock only where it
+/// separates the piece from the inside. Throws Diagnostic when the outline is not a solid (see make_prism).
+TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
+                     const ProgressCallback& progress = {});
+
+/// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box.
+/// Throws Diagnostic when a number is below 1.
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id = 0,
+                  const ProgressCallback& progress = {});
+
+/// Cuts each block by the plane of each polygon that passes through it, over the whole width of the block, in the order of the polygons; what
+/// a polygon only touches stays whole. Throws Diagnostic when a polygon has no area or does not lie in a plane.
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+                          double thinnest = 0, const ProgressCallback& progress = {});
+
+} // namespace kaya

@@ -1,0 +1,13 @@
+// Masses of blocks and gridpoints.
+// reads: materials, blocks.volume, zones.volume
+// writes: blocks.mass, blocks.inertial_mass, gridpoints.mass, gridpoints.inertial_mass
+#pragma once
+
+#include "model/tables/model.hpp"
+
+namespace kaya {
+
+/// Computes masses from densities. Throws Diagnostic when one is missing.
+void compute_masses(Model& model);
+
+} // namespace kaya

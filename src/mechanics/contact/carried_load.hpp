@@ -1,0 +1,20 @@
+// What an overlap carries before its joint model runs.
+#pragma once
+
+#include "mechanics/shape/overlap_patch.hpp"
+
+#include <array>
+
+namespace kaya {
+
+/// Normal force, stiffness, frictional work and shear forces of the carriers of an overlap before a joint model sees them.
+struct CarriedLoad {
+    double force = 0, stiffness = 0, worn = 0;
+    std::array<Vec3, carriers> shear;
+    std::array<double, carriers> worn_by_row{};
+
+    CarriedLoad() { shear.fill(Vec3::Zero()); }
+    CarriedLoad(const Model& model, Row contact);
+};
+
+} // namespace kaya

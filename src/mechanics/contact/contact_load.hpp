@@ -1,0 +1,50 @@
+// The force through a contact and the energy in its springs.
+#pragma once
+
+#include "mechanics/lanes/eight.hpp"
+#include "mechanics/shape/overlap_patch.hpp"
+#include "model/tables/model.hpp"
+
+namespace kaya {
+
+struct ContactLoad {
+    double energy = 0;       ///< in the normal springs of its sub-contacts, or in its overlap
+    double shear_energy = 0; ///< in their shear springs
+    double normal = 0;       ///< sum of their normal forces
+    double shear = 0;        ///< sum of the sizes of their shear forces
+    Vec3 shear_sum = Vec3::Zero();
+
+    ContactLoad() = default;
+    ContactLoad(const Model& model, Row c) {
+        const auto& subs = model.sub_contacts;
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); s += eight) {
+            const RowsOfEight group(span.end() - s);
+            const Eight area = group.load(subs.area.data() + s), force = group.load(subs.normal_force.data() + s);
+            const Eight3 along = group.load(subs.shear_force, s);
+            const Eight squared = along.dot(along);
+            const Eight whole = sums_of({in_springs(force * force, group.load(subs.normal_stiffness.data() + s) * area),
+                                         in_springs(squared, group.load(subs.shear_stiffness.data() + s) * area), force,
+                                         square_root(squared), along.x, along.y, along.z, Eight{}});
+            energy += whole[0];
+            shear_energy += whole[1];
+            normal += whole[2];
+            shear += whole[3];
+            shear_sum += Vec3(whole[4], whole[5], whole[6]);
+        }
+        if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain) {
+            energy = model.contacts.energy_taken[c];
+            if (const double area = shear_area(model.contacts, c); area > 0)
+                shear_energy *= model.contacts.area[c] / area;
+        }
+    }
+    double stored() const { return energy + shear_energy; }
+
+private:
+    /// Without stiffness there is no spring.
+    static Eight in_springs(const Eight& force_squared, const Eight& stiffness) {
+        return stiffness > 0 ? 0.5 * force_squared / stiffness : Eight{};
+    }
+};
+
+} // namespace kaya

@@ -1,0 +1,52 @@
+// The springs of a contact as the time step sees them: the only place that defines the stiffness of a sub-contact.
+#pragma once
+
+#include "mechanics/shape/overlap_patch.hpp"
+#include "model/tables/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kaya {
+
+/// Tangent stiffnesses of a sub-contact times its area, force/length.
+struct Springs {
+    double normal = 0, shear = 0;
+
+    double stiffer() const { return std::max(normal, shear); }
+};
+
+/// Ratio of the area that counts for the stiffness of a contact to that of its sub-contacts. Of an overlap, loaded sub-contacts
+/// count: they may have nearly no area, while the others still have that of the former joint.
+struct NormalAreaFactor {
+    double of_carriers = 1;
+    Row others = std::numeric_limits<Row>::max(); ///< the first unloaded one
+
+    NormalAreaFactor(const Model& model, Row contact) {
+        const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
+        if (!(stiff > 0 && area > 0)) return;
+        of_carriers = stiff / area;
+        if (model.contacts.kind[contact] == ContactKind::overlap)
+            others = model.contacts.sub_contacts[contact].first + carriers;
+    }
+    double of(Row s) const { return s < others ? of_carriers : 1; }
+};
+
+/// `factor`: that of its contact.
+inline Springs springs_of(const SubContacts& subs, Row s, const NormalAreaFactor& factor) {
+    const double area = subs.area[s] * factor.of(s);
+    return {subs.normal_stiffness[s] * area, subs.shear_stiffness[s] * area};
+}
+
+/// Sum over the contact's sub-contacts of the larger stiffness, force/length.
+double sum_of_stiffness(const Model& model, Row contact);
+
+/// One number for each block of a contact.
+using StiffnessOfSides = std::array<double, 2>;
+
+/// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
+/// eigenvalues of the contact alone. 0 for fixed blocks. Masses are the true ones.
+StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
+
+} // namespace kaya

@@ -1,0 +1,49 @@
+#include "mechanics/contact/contact_work.hpp"
+
+#include "model/measure/rayleigh.hpp"
+
+#include <Eigen/Geometry>
+#include <numeric>
+
+namespace kaya {
+
+void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointWork& work) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const Vec3 turn = motion.two.turn - motion.one.turn;
+    const Eight3 n = eights(contacts.normal[c]), origin = eights(contacts.position[c]),
+                 apart = eights(motion.at(contacts.position[c])), apart_turn = eights(turn);
+    const bool damped = joints_are_damped(model.settings);
+    const Span span = contacts.sub_contacts[c];
+    JointWork own; // stays in registers
+    Eight of_dashpots{}, normal{};
+    for (Row i = span.first; i < span.end(); i += eight) {
+        const RowsOfEight group(span.end() - i);
+        const Eight3 shift = apart + apart_turn.cross(group.load(subs.position, i, origin) - origin);
+        const Eight force = group.load(subs.normal_force.data() + i);
+        normal += force;
+        own.joint += (n * force + group.load(subs.shear_force, i)).dot(shift);
+        own.friction += group.load(subs.frictional_work.data() + i);
+        own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * n.dot(shift);
+        if (damped)
+            of_dashpots +=
+                (n * group.load(subs.dashpot_normal.data() + i) + group.load(subs.dashpot_shear, i)).dot(shift);
+    }
+    if (contacts.twist[c] != 0) own.joint[0] += sum(normal) * contacts.twist[c] * contacts.normal[c].dot(turn);
+    own.dashpots = damped ? sum(of_dashpots) : 0;
+    work.add(own);
+}
+
+double frictional_work(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    const double* const work = model.sub_contacts.frictional_work.data();
+    return std::accumulate(work + span.first, work + span.end(), 0.0);
+}
+
+double work_of_step(const Model& model, Row c) {
+    JointWork work;
+    add_work_of(model, c, RelativeMotion(model, c), work);
+    return sum(work.joint);
+}
+
+} // namespace kaya

@@ -1,0 +1,58 @@
+// Motion of contacts between rigid blocks in a step, and the work of their forces on it.
+#pragma once
+
+#include "mechanics/lanes/eight.hpp"
+#include "model/tables/model.hpp"
+
+namespace kaya {
+
+/// Rates of work on the blocks times the step, in eights of sub-contacts.
+struct JointWork {
+    Eight joint{}, friction{};
+    Eight fluid{};       ///< of the pore pressure; a joint model does not change it
+    double dashpots = 0; ///< of the viscous forces of overlaps
+
+    void add(const JointWork& other) {
+        joint += other.joint;
+        friction += other.friction;
+        fluid += other.fluid;
+        dashpots += other.dashpots;
+    }
+};
+
+/// Motion of a rigid block in a step.
+struct StepMotion {
+    Vec3 shift, turn, centre;
+
+    StepMotion(const Model& model, Row b)
+        : shift(model.blocks.velocity[b] * model.clock.time_step),
+          turn(model.blocks.rotational_velocity[b] * model.clock.time_step), centre(model.blocks.centroid[b]) {}
+    Vec3 at(const Vec3& place) const { return shift + turn.cross(place - centre); }
+};
+
+/// Relative motion of block 2 in a step.
+struct RelativeMotion {
+    StepMotion one, two;
+
+    RelativeMotion(const Model& model, Row c)
+        : one(model, model.contacts.block1[c]), two(model, model.contacts.block2[c]) {}
+    /// With the arms at the start of the step, for forces of that time: they changed the kinetic energy with these arms.
+    RelativeMotion at_start() const {
+        RelativeMotion start = *this;
+        start.one.centre -= one.shift;
+        start.two.centre -= two.shift;
+        return start;
+    }
+    Vec3 at(const Vec3& place) const { return two.at(place) - one.at(place); }
+};
+
+/// Work of the present forces on the motion of the step.
+void add_work_of(const Model& model, Row contact, const RelativeMotion& motion, JointWork& work);
+
+/// Work of the present forces of a contact between rigid blocks on the motion of the step.
+double work_of_step(const Model& model, Row contact);
+
+/// Accumulated frictional work of a contact according to its joint model.
+double frictional_work(const Model& model, Row contact);
+
+} // namespace kaya

@@ -1,0 +1,100 @@
+#include "mechanics/contact/dashpots.hpp"
+
+#include "mechanics/contact/contact_stiffness.hpp"
+#include "mechanics/contact/contact_kind.hpp"
+#include "mechanics/contact/contact_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// 1 over the mass of the body on one side of a contact; 0 if it is held in all directions.
+double inverse_mass(const Model& model, Row block) {
+    const auto& blocks = model.blocks;
+    const bool held = !blocks.deformable[block] && (blocks.fixed[block] & 7) == 7;
+    return held || blocks.inertial_mass[block] <= 0 ? 0 : 1 / blocks.inertial_mass[block];
+}
+
+} // namespace
+
+void drop_idle_dashpots(Model& model) {
+    if (joints_are_damped(model.settings)) return;
+    std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
+    for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
+    std::ranges::fill(model.zones.dashpot, Stress::Zero());
+    std::ranges::fill(model.ties.dashpot, Vec3::Zero());
+}
+
+Beta beta_of(const Model& model, Row c) {
+    const double rayleigh = stiffness_damping(model.settings);
+    Beta beta{rayleigh, rayleigh};
+    const double fraction = model.settings.contact_damping;
+    const auto& contacts = model.contacts;
+    if (fraction == 0) return beta;
+    const double inverse = inverse_mass(model, contacts.block1[c]) + inverse_mass(model, contacts.block2[c]);
+    if (inverse == 0) return beta;
+    // A dashpot of this part of the critical one, 2 sqrt(k m), is this multiple of k.
+    double normal = 0, shear = 0;
+    const NormalAreaFactor factor(model, c);
+    for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
+        const Springs k = springs_of(model.sub_contacts, s, factor);
+        normal += k.normal;
+        shear += k.shear;
+    }
+    if (normal > 0) beta.normal += 2 * fraction / std::sqrt(normal * inverse);
+    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(shear * inverse);
+    return beta;
+}
+
+BatchDashpots::BatchDashpots(Model& model, const Batch& batch, std::vector<double>& friction)
+    : model_(model), batch_(batch), friction_(friction) {
+    auto& s = model.sub_contacts;
+    taken_ = -0.5 * work();
+    if (friction_.size() < static_cast<std::size_t>(batch.count))
+        friction_.resize(static_cast<std::size_t>(batch.count));
+    for (Row i = 0; i < batch.count; ++i) {
+        const Row row = batch.first + i;
+        friction_[i] = s.frictional_work[row];
+        s.dashpot_normal[row] = -s.normal_force[row];
+        for (int k = 0; k < 3; ++k) s.dashpot_shear.component[k][row] = -s.shear_force.component[k][row];
+    }
+}
+
+double BatchDashpots::work() const {
+    const auto& s = model_.sub_contacts;
+    double sum = 0;
+    for (const Row c : batch_.contacts) {
+        if (follows_overlap(model_, c)) continue; // its rows do not keep their places
+        const Span span = model_.contacts.sub_contacts[c];
+        for (Row row = span.first; row < span.end(); ++row)
+            sum += s.dashpot_normal[row] * s.normal_displacement_increment[row] +
+                   s.dashpot_shear[row].dot(s.shear_displacement_increment[row]);
+    }
+    return sum;
+}
+
+double BatchDashpots::finish() {
+    auto& s = model_.sub_contacts;
+    const double step = model_.clock.time_step;
+    for (const Row c : batch_.contacts) {
+        const Beta beta = beta_of(model_, c);
+        const Span span = model_.contacts.sub_contacts[c];
+        for (Row row = span.first; row < span.end(); ++row) {
+            const bool open = s.normal_force[row] == 0 && s.shear_force[row].isZero(0);
+            // A part that has slipped or broken in this step is not elastic: only friction dissipates there.
+            const bool slips = s.frictional_work[row] != friction_[row - batch_.first];
+            const double normal = open ? 0 : beta.normal / step, shear = open || slips ? 0 : beta.shear / step;
+            s.dashpot_normal[row] = normal * (s.dashpot_normal[row] + s.normal_force[row]);
+            for (int k = 0; k < 3; ++k) {
+                double& force = s.dashpot_shear.component[k][row];
+                force = shear * (force + s.shear_force.component[k][row]);
+            }
+        }
+    }
+    return taken_ - 0.5 * work();
+}
+
+} // namespace kaya

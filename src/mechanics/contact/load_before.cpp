@@ -1,0 +1,83 @@
+#include "mechanics/contact/load_before.hpp"
+
+#include "mechanics/contact/contact_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// A geometry update must not create energy. It may return what it has taken from this contact before, and no more (Hannaford and Ryu 2002,
+/// IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. Returns the
+/// energy lost from the springs.
+double keep_passive(Model& model, Row c, const ContactLoad& before) {
+    const ContactLoad after(model, c);
+    auto& subs = model.sub_contacts;
+    double& account = model.contacts.withdrawn_energy[c];
+    const double gain = after.energy - before.energy, allowed = std::min(gain, account);
+    // Energy withdrawn in an impact is not returned to a contact at rest.
+    account = std::min(account - allowed, before.energy);
+    const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
+    const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
+    if (normal != 1 || shear != 1) {
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            subs.normal_force[s] *= normal;
+            subs.shear_force.set(s, shear * subs.shear_force[s]);
+        }
+        // Mean closure of the force that is missing now.
+        if (after.normal > 0) model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
+    }
+    return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
+}
+
+/// Limits the shear forces of a joint between rigid blocks to their former size when its places change; its normal force follows its
+/// closure before and after. Returns the energy lost from the springs.
+double keep_shear(Model& model, Row c, const ContactLoad& before) {
+    const ContactLoad after(model, c);
+    const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
+    const Span span = model.contacts.sub_contacts[c];
+    if (scale != 1)
+        for (Row s = span.first; s < span.end(); ++s)
+            model.sub_contacts.shear_force.set(s, scale * Vec3(model.sub_contacts.shear_force[s]));
+    return before.stored() - after.energy - scale * scale * after.shear_energy;
+}
+
+/// A changed force acts during half of the step. Its work there belongs to the joints, and is subtracted from the returned loss.
+double book_change(Model& model, Row c, double work_before) {
+    if (!model.settings.energy) return 0;
+    const double made = 0.5 * (work_of_step(model, c) - work_before);
+    model.energy.joint_work -= made;
+    return -made;
+}
+
+} // namespace
+
+LoadBefore::LoadBefore(const Model& model, Row draft, Row old)
+    : row(draft), load(model, old), work_(model.settings.energy ? work_of_step(model, old) : 0) {}
+
+double LoadBefore::settle(Model& model, Row c, bool moving) const {
+    double lost = 0;
+    if (model.contacts.kind[c] != ContactKind::overlap)
+        lost = between_rigid(model, c) ? keep_shear(model, c, load) : keep_passive(model, c, load);
+    return moving ? lost + book_change(model, c, work_) : lost; // of the forces that are left
+}
+
+std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts) {
+    std::vector<LoadBefore> loads;
+    for (std::size_t c = 0; c < drafts.size(); ++c)
+        if (drafts[c].old != no_row && drafts[c].kind == DraftKind::new_geometry)
+            loads.emplace_back(model, static_cast<Row>(c), drafts[c].old);
+    return loads;
+}
+
+double stored_in_parted(const Model& model, const std::vector<char>& kept) {
+    double stored = 0;
+    for (std::size_t c = 0; c < kept.size(); ++c)
+        if (!kept[c]) stored += ContactLoad(model, static_cast<Row>(c)).stored();
+    return stored;
+}
+
+} // namespace kaya

@@ -1,0 +1,33 @@
+// Loads of contacts before their geometry is rebuilt: rebuilding must not create energy.
+#pragma once
+
+#include "mechanics/contact/contact_load.hpp"
+#include "mechanics/contact/contact_draft.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+class LoadBefore {
+public:
+    /// For the contact that a draft gives new geometry.
+    LoadBefore(const Model& model, Row draft, Row old);
+
+    /// Removes from the contact, now at row `contact`, the energy that its new geometry would create. `moving`: changed forces have acted
+    /// during half of the step. Returns the energy lost from its springs.
+    double settle(Model& model, Row contact, bool moving) const;
+
+    Row row; ///< of the draft
+    ContactLoad load;
+
+private:
+    double work_; ///< work of its forces in the step
+};
+
+/// For all contacts with new geometry.
+std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDraft>& drafts);
+
+/// The energy in the springs of deleted contacts.
+double stored_in_parted(const Model& model, const std::vector<char>& kept);
+
+} // namespace kaya

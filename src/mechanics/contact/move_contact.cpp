@@ -1,0 +1,227 @@
+#include "mechanics/contact/move_contact.hpp"
+#include "mechanics/contact/contact_plane.hpp"
+#include "mechanics/lanes/turn.hpp"
+#include "mechanics/shape/surfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// Cycles between two updates of the faces of deformable blocks, which turn slowly.
+constexpr std::int64_t face_interval = 10;
+
+/// The plane turns with the block whose face it is; between rigid blocks see PairMotions.
+void turn_plane(Model& model, Row c) {
+    auto& contacts = model.contacts;
+    const auto& blocks = model.blocks;
+    const std::int32_t reference = contacts.reference[c];
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const Row owner = reference == 1 ? b1 : b2;
+    Vec3& n = contacts.normal[c];
+    if (reference != 0 && blocks.deformable[owner]) {
+        if (model.clock.cycle % face_interval != 0) return;
+        const Vec3 outward = current_normal(model, reference == 1 ? contacts.face1[c] : contacts.face2[c]);
+        if (!outward.isZero()) n = reference == 1 ? outward : Vec3(-outward);
+        return;
+    }
+    if (reference == 0) return;
+    const Triple spin(blocks.rotational_velocity[owner]);
+    n = turned_a_little(Triple(n), model.clock.time_step * spin).vector();
+}
+
+inline void add_work(JointWork& work, const SubContacts& subs, Row row, const RowsOfEight& group,
+                     const Eight3& shear_force, const Eight& opening, const Eight3& slip) {
+    work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
+    work.friction += group.load(subs.frictional_work.data() + row);
+    work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
+}
+
+/// Vectors in the plane of a contact stay in it and turn with the mean rotation of the blocks.
+inline Eight3 turned_in_plane(const Eight3& vector, const Eight3& n, const Eight& twist) {
+    const Eight3 in_plane = vector - n * vector.dot(n);
+    return in_plane + n.cross(in_plane) * twist;
+}
+
+/// Most joints have never dilated, and have nothing to turn.
+inline void turn_kept(SubContacts& subs, const std::vector<std::size_t>& kept, Row row, const RowsOfEight& group,
+                      const Eight3& n, const Eight& twist) {
+    for (const std::size_t k : kept) {
+        auto* const column = &subs.history[k];
+        const Eight3 vector{group.load(column[0].data() + row), group.load(column[1].data() + row),
+                            group.load(column[2].data() + row)};
+        if (all_zero(vector)) continue;
+        const Eight3 turned = turned_in_plane(vector, n, twist);
+        group.store(column[0].data() + row, turned.x);
+        group.store(column[1].data() + row, turned.y);
+        group.store(column[2].data() + row, turned.z);
+    }
+}
+
+/// One vector of eight, in all lanes.
+inline Eight3 lane(const Eight3& v, std::size_t l) {
+    const auto of = [l](const Eight& e) { return eights(reinterpret_cast<const double*>(&e)[l]); };
+    return {of(v.x), of(v.y), of(v.z)};
+}
+
+/// Velocity of the material point of one side.
+struct SideMotion {
+    const Model& model;
+    bool deformable;
+    Vec3 velocity, spin, centre; ///< of a rigid block
+
+    SideMotion(const Model& m, Row block) : model(m), deformable(m.blocks.deformable[block] != 0) {
+        velocity = m.blocks.velocity[block];
+        spin = m.blocks.rotational_velocity[block];
+        centre = m.blocks.centroid[block];
+    }
+    Vec3 at(const Attachment& side, const Vec3& place) const {
+        if (!deformable) return velocity + spin.cross(place - centre);
+        const auto& v = model.gridpoints.velocity;
+        if (side.weights[0] == 1) return v[side.gridpoints[0]];
+        return side.weights[0] * v[side.gridpoints[0]] + side.weights[1] * v[side.gridpoints[1]] +
+               side.weights[2] * v[side.gridpoints[2]];
+    }
+};
+
+/// Rotation in a step of vectors in a plane about its normal: with the mean motion of points in it.
+class PlaneTwist {
+public:
+    PlaneTwist(const Vec3& normal, const Vec3& origin) : normal_(normal), origin_(origin) {}
+
+    void add(const Vec3& place, const Vec3& velocity) {
+        const Vec3 arm = place - origin_;
+        ++count_;
+        arms_ += arm;
+        velocities_ += velocity;
+        moment_ += normal_.dot(arm.cross(velocity));
+        square_ += square(arm);
+    }
+    double angle(double step) const {
+        const double own = square_ - square(arms_) / count_;
+        if (!(own > 1e-12 * square_)) return 0; // one place
+        return step * (moment_ - normal_.dot(arms_.cross(velocities_)) / count_) / own;
+    }
+
+private:
+    double square(const Vec3& arm) const { return arm.squaredNorm() - arm.dot(normal_) * arm.dot(normal_); }
+
+    Vec3 normal_, origin_, arms_ = Vec3::Zero(), velocities_ = Vec3::Zero();
+    double count_ = 0, moment_ = 0, square_ = 0;
+};
+
+/// The rotation for a contact with zones, after its sub-contacts have moved: the displacement itself does not change it.
+double twist_with_zones(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const SideMotion side1(model, model.contacts.block1[c]), side2(model, model.contacts.block2[c]);
+    const Span span = model.contacts.sub_contacts[c];
+    if (span.count == 0) return 0;
+    PlaneTwist twist(model.contacts.normal[c], subs.position[span.first]);
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 place = subs.position[s];
+        twist.add(place, 0.5 * (side1.at(subs.side1[s], place) + side2.at(subs.side2[s], place)));
+    }
+    return twist.angle(model.clock.time_step);
+}
+
+void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const SideMotion side1(model, contacts.block1[c]), side2(model, contacts.block2[c]);
+    const Vec3 n = contacts.normal[c];
+    const double step = model.clock.time_step;
+    const bool large = model.settings.large_strain;
+    double farthest = 0;
+    const Span span = contacts.sub_contacts[c];
+    if (span.count == 0) return;
+    PlaneTwist twist(n, subs.position[span.first]);
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 place = subs.position[s];
+        const Vec3 v1 = side1.at(subs.side1[s], place), v2 = side2.at(subs.side2[s], place);
+        const Vec3 increment = (v2 - v1) * step;
+        const double opening = increment.dot(n);
+        const Vec3 shear = increment - opening * n;
+        subs.normal_displacement_increment[s] = opening;
+        subs.shear_displacement_increment.set(s, shear);
+        farthest = std::max(farthest, shear.squaredNorm());
+        if (!large) continue;
+        const Vec3 mean = 0.5 * (v1 + v2);
+        twist.add(place, mean);
+        subs.position.set(s, place + step * mean);
+    }
+    if (large) contacts.slip_since_update[c] += std::sqrt(farthest);
+    const Eight3 normal = eights(n);
+    const Eight angle = eights(large ? twist.angle(step) : 0);
+    for (Row row = span.first; row < span.end(); row += eight) {
+        const RowsOfEight group(span.end() - row);
+        Eight3 force = group.load(subs.shear_force, row);
+        if (large) {
+            force = turned_in_plane(force, normal, angle);
+            group.store(subs.shear_force, row, force);
+            turn_kept(subs, kept, row, group, normal, angle);
+        }
+        add_work(work, subs, row, group, force, group.load(subs.normal_displacement_increment.data() + row),
+                 group.load(subs.shear_displacement_increment, row));
+    }
+}
+
+} // namespace
+
+void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
+    if (model.settings.large_strain) turn_plane(model, c);
+    move_between(model, c, kept, work);
+}
+
+void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size_t l,
+                        const std::vector<std::size_t>& kept, JointWork& work) {
+    auto& subs = model.sub_contacts;
+    const bool large = model.settings.large_strain;
+    const Eight3 n = lane(pairs.normal, l), n_middle = lane(pairs.normal_middle, l), origin = lane(pairs.origin, l),
+                 apart = lane(pairs.apart, l), apart_turn = lane(pairs.apart_turn, l), mean = lane(pairs.mean, l),
+                 mean_turn = lane(pairs.mean_turn, l);
+    const Eight twist = eights(reinterpret_cast<const double*>(&pairs.twist)[l]), half = eights(large ? 0.5 : 0);
+    const Span span = model.contacts.sub_contacts[c];
+    Eight farthest{};
+    JointWork own; // stays in registers, which `work` would not
+    for (Row i = span.first; i < span.end(); i += eight) {
+        const RowsOfEight group(span.end() - i);
+        // Missing rows move as the origin does; otherwise they would seem to slip far.
+        const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
+        const Eight3 turned = mean_turn.cross(arm);
+        const Eight3 u = apart + apart_turn.cross(arm + turned * half);
+        const Eight opening = u.dot(n_middle);
+        const Eight3 shear = u - n * u.dot(n);
+        group.store(subs.normal_displacement_increment.data() + i, opening);
+        group.store(subs.shear_displacement_increment, i, shear);
+        Eight3 force = group.load(subs.shear_force, i);
+        if (large) {
+            farthest = larger_of(farthest, shear.dot(shear));
+            group.store(subs.position, i, x + (mean + turned));
+            force = turned_in_plane(force, n, twist);
+            group.store(subs.shear_force, i, force);
+            turn_kept(subs, kept, i, group, n, twist);
+        }
+        add_work(own, subs, i, group, force, opening, shear);
+    }
+    work.add(own);
+    if (large) model.contacts.slip_since_update[c] += std::sqrt(largest(farthest));
+}
+
+void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept) {
+    if (kept.empty() || !model.settings.large_strain) return;
+    const auto& contacts = model.contacts;
+    const auto& blocks = model.blocks;
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const Eight3 n = eights(contacts.normal[c]);
+    const bool rigid = !blocks.deformable[b1] && !blocks.deformable[b2];
+    const Vec3 turn = 0.5 * model.clock.time_step * (blocks.rotational_velocity[b1] + blocks.rotational_velocity[b2]);
+    const Eight twist = eights(rigid ? turn.dot(contacts.normal[c]) : twist_with_zones(model, c));
+    const Span span = contacts.sub_contacts[c];
+    for (Row i = span.first; i < span.end(); i += eight)
+        turn_kept(model.sub_contacts, kept, i, RowsOfEight(span.end() - i), n, twist);
+}
+
+} // namespace kaya

@@ -1,0 +1,343 @@
+// Joints between rigid blocks that begin to open become overlap contacts.
+#include "mechanics/common/closure_search.hpp"
+#include "mechanics/contact/contact_load.hpp"
+#include "mechanics/contact/contact_geometry.hpp"
+#include "mechanics/lanes/eight.hpp"
+#include "mechanics/contact/overlap_contact.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace kaya {
+
+bool is_partly_open(const Model& model, Row c) {
+    // Closures in margins: below the first the sign of a force is rounding, below the second it does not tell how a joint is closed.
+    constexpr double none = 1e-9, some = 1e-6;
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const double margin = std::min(model.blocks.margin[contacts.block1[c]], model.blocks.margin[contacts.block2[c]]);
+    const Span span = contacts.sub_contacts[c];
+    bool open = false, closed = false;
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        const Eight force = group.load(subs.normal_force.data() + s),
+                    of_margin =
+                        group.load(subs.normal_stiffness.data() + s) * group.load(subs.area.data() + s) * margin;
+        if (group.any_below(force, -none * of_margin)) return false;
+        open = open || group.any_not_above(force, none * of_margin);
+        closed = closed || group.any_below(some * of_margin, force);
+    }
+    return open && closed;
+}
+
+namespace {
+
+/// Closure of a joint according to its sub-contacts.
+struct Closures {
+    double force = 0; ///< sum over rows
+    Vec3 shear = Vec3::Zero();
+    Row most = no_row; ///< the row with the greatest traction
+    Row open = no_row; ///< one that carries nothing
+    double area = 0;
+    double deepest = 0;
+    double mean_offset = 0; ///< closure besides that of the places, weighted with the forces
+    double misfit = 0;      ///< closure of places that the mean offset calls open, or the reverse
+};
+
+/// Closure that belongs to the normal force of a row: that of its spring, or its displacement if that is more, as for a joint that
+/// stiffens.
+double closure_of(const SubContacts& subs, Row s) {
+    const double stiffness = subs.normal_stiffness[s] * subs.area[s];
+    return std::max(stiffness > 0 ? subs.normal_force[s] / stiffness : 0, -subs.normal_displacement[s]);
+}
+
+double geometric_closure(const Model& model, Row s, const Vec3& n) {
+    const auto& subs = model.sub_contacts;
+    return -n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
+}
+
+Closures closures_of(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Vec3 n = model.contacts.normal[c];
+    const Span span = model.contacts.sub_contacts[c];
+    Closures found;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double greatest = 0, low = infinity, high = -infinity, nearest = -infinity, open = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        found.shear += Vec3(subs.shear_force[s]);
+        const bool known = subs.side1[s].attached() && subs.side2[s].attached();
+        found.area += subs.area[s];
+        if (!(subs.normal_force[s] > 0)) {
+            found.open = s;
+            if (!known) continue;
+            open += geometric_closure(model, s, n) + subs.normal_displacement[s];
+            nearest = std::max(nearest, geometric_closure(model, s, n));
+            continue;
+        }
+        found.force += subs.normal_force[s];
+        const double closure = closure_of(subs, s), traction = subs.normal_force[s] / subs.area[s];
+        const double offset = known ? closure - geometric_closure(model, s, n) : 0;
+        found.mean_offset += subs.normal_force[s] * offset;
+        low = std::min(low, offset);
+        high = std::max(high, offset);
+        found.deepest = std::max(found.deepest, closure);
+        if (traction > greatest) {
+            greatest = traction;
+            found.most = s;
+        }
+    }
+    if (found.force > 0) {
+        found.mean_offset /= found.force;
+        found.misfit = std::max(high - low, nearest + found.mean_offset);
+    } else {
+        // All open: an initial overlap keeps carrying no force.
+        found.most = span.first;
+        found.mean_offset = std::min(0.0, -open / span.count);
+    }
+    return found;
+}
+
+/// The normal force of the overlap contact when a joint opens in part. The rows integrate closures that are linear over the joint exactly,
+/// but miss those of a part of it by up to half. With the force of the rows the overlap would carry too little for as long as it lasts, and
+/// return more energy than it takes.
+double force_of_overlap(const Model& model, Row c, const Closures& closures, const OverlapPatch& patch) {
+    constexpr double most = 2; // times the rows' force
+    const auto& subs = model.sub_contacts;
+    const Vec3 n = model.contacts.normal[c];
+    const Span span = model.contacts.sub_contacts[c];
+    double volume = 0;
+    for (Row s = span.first; s < span.end(); ++s)
+        if (subs.side1[s].attached() && subs.side2[s].attached())
+            volume += subs.area[s] * std::max(0.0, geometric_closure(model, s, n) + closures.mean_offset);
+    return volume > 0 ? closures.force * std::clamp(patch.carried / volume, 1 / most, most) : closures.force;
+}
+
+/// Compares the force of the overlap of two blocks, with an offset linear over the joint, with the required resultant.
+class ResultantFit {
+public:
+    ResultantFit(const Model& model_, Row contact, const Closures& closures, OverlapScratch& scratch_)
+        : model(model_), scratch(scratch_), pair(pair_of(model_.contacts, contact)), n(model_.contacts.normal[contact]),
+          carried(closures.force / model_.sub_contacts.normal_stiffness[closures.most]) {
+        const auto& subs = model.sub_contacts;
+        const Span span = model.contacts.sub_contacts[contact];
+        Vec3 centre = Vec3::Zero();
+        Mat3 spread = Mat3::Zero();
+        for (Row s = span.first; s < span.end(); ++s) middle += Vec3(subs.position[s]) / span.count;
+        for (Row s = span.first; s < span.end(); ++s) {
+            const Vec3 arm = subs.position[s] - middle, flat = arm - arm.dot(n) * n;
+            centre += subs.normal_force[s] / closures.force * flat;
+            spread += flat * flat.transpose() / span.count;
+        }
+        // In lengths of the joint along and across it: a strip is as well conditioned as a square.
+        const Eigen::SelfAdjointEigenSolver<Mat3> principal(spread); // the first is across the plane
+        constexpr double least = 1e-6;                               // places in a line have no length across it
+        for (int i = 0; i < 2; ++i)
+            per_length[i] = principal.eigenvectors().col(i + 1) /
+                            std::sqrt(std::max(principal.eigenvalues()[i + 1], least * pair.least_area));
+        wanted = {1, centre.dot(per_length[0]), centre.dot(per_length[1])};
+    }
+
+    /// The offset from a closure in the middle and its increase over a length.
+    ClosureOffset offset(const Vec3& closure) const {
+        ClosureOffset made;
+        made.tilt = closure[1] * per_length[0] + closure[2] * per_length[1];
+        made.closure = closure[0] - made.tilt.dot(middle - model.blocks.centroid[pair.block1]);
+        return made;
+    }
+
+    struct Carried {
+        Vec3 excess; ///< over the resultant: parts of its force, and of its moments over force and length
+        double depth;
+    };
+    Carried at(const Vec3& closure) const {
+        const OverlapPatch patch = overlap_patch(model, pair, n, offset(closure), scratch);
+        const Vec3 arm = patch.centre - middle;
+        const double part = patch.carried / carried;
+        return {Vec3(part, part * arm.dot(per_length[0]), part * arm.dot(per_length[1])) - wanted, patch.depth};
+    }
+
+    /// The closure in the middle alone that gives the force.
+    double closure_for_force(double start) const {
+        return closure_with_none_missing(
+            [&](double closure) {
+                return -at({closure, 0, 0}).excess[0];
+            },
+            start, carried / pair.least_area);
+    }
+
+private:
+    const Model& model;
+    OverlapScratch& scratch;
+    OverlapPair pair;
+    Vec3 n;
+    double carried; ///< force over stiffness
+    Vec3 middle = Vec3::Zero(), wanted;
+    std::array<Vec3, 2> per_length; ///< unit vectors along and across the joint over its lengths
+};
+
+/// Finds the offset, linear over the joint, with which the overlap has the force and the moments of the rows, by Newton's method. A
+/// resultant beyond the edge of a joint, which no overlap can have, is approached until the overlap is as deep as the rows are closed;
+/// without that bound the offset would grow without limit.
+ClosureOffset closure_of_resultant(const Model& model, Row c, const Closures& closures, OverlapScratch& scratch) {
+    constexpr double met = 1e-3, deepest = 2; // of the resultant; of the closure of the rows
+    constexpr int most_steps = 20, most_halves = 8;
+    const ResultantFit fit(model, c, closures, scratch);
+    Vec3 closure(fit.closure_for_force(closures.mean_offset), 0, 0);
+    ResultantFit::Carried now = fit.at(closure);
+    const double limit = std::max(deepest * closures.deepest, now.depth);
+    for (int i = 0; i < most_steps && now.depth > 0 && now.excess.norm() > met; ++i) {
+        const double difference = 1e-3 * now.depth;
+        Mat3 slope;
+        for (int k = 0; k < 3; ++k)
+            slope.col(k) = (fit.at(closure + difference * Vec3::Unit(k)).excess - now.excess) / difference;
+        const Vec3 step = slope.fullPivLu().solve(now.excess);
+        double part = 1;
+        ResultantFit::Carried next = fit.at(closure - step);
+        const auto is_better = [&] {
+            return next.depth > 0 && next.depth <= limit && next.excess.norm() < now.excess.norm();
+        };
+        for (int k = 0; k < most_halves && !is_better(); ++k) next = fit.at(closure - (part *= 0.5) * step);
+        if (!is_better()) break;
+        closure -= part * step;
+        now = next;
+    }
+    return fit.offset(closure);
+}
+
+/// History of a row.
+struct RowState {
+    std::array<double, KAYA_JMODEL_MAX_HISTORY> history{};
+    std::array<double, KAYA_JMODEL_MAX_FIELDS> field{};
+    std::uint32_t field_set = 0;
+    JointObject object;
+    std::uint32_t state;
+    double normal_stiffness, shear_stiffness, displacement;
+
+    RowState(const SubContacts& subs, Row s)
+        : state(subs.state[s]), normal_stiffness(subs.normal_stiffness[s]), shear_stiffness(subs.shear_stiffness[s]),
+          displacement(subs.normal_displacement[s]) {
+        for (std::int32_t h = 0; h < subs.history_columns; ++h) history[h] = subs.history[h][s];
+        for (std::int32_t k = 0; k < subs.field_columns; ++k) field[k] = subs.field[k][s];
+        if (subs.field_columns > 0) field_set = subs.field_set[s];
+        if (subs.keeps_objects) object = subs.object[s];
+    }
+    void put(SubContacts& subs, Row s) const {
+        for (std::int32_t h = 0; h < subs.history_columns; ++h) subs.history[h][s] = history[h];
+        for (std::int32_t k = 0; k < subs.field_columns; ++k) subs.field[k][s] = field[k];
+        if (subs.field_columns > 0) subs.field_set[s] = field_set;
+        if (subs.keeps_objects) subs.object[s] = object;
+        subs.state[s] = state;
+        subs.normal_stiffness[s] = normal_stiffness;
+        subs.shear_stiffness[s] = shear_stiffness;
+        subs.normal_displacement[s] = displacement;
+    }
+};
+
+} // namespace
+
+double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    const double stored = ContactLoad(model, c).stored();
+    const Closures closures = closures_of(model, c);
+    ClosureOffset offset;
+    constexpr double same = 0.05; // of the deepest closure
+    offset.closure = closures.mean_offset;
+    const bool fits = !(closures.force > 0 && closures.misfit > same * closures.deepest);
+    if (!fits) offset = closure_of_resultant(model, c, closures, scratch);
+
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
+    const bool closed = patch.carried > 0 && closures.force > 0;
+    const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
+    contacts.kind[c] = ContactKind::overlap;
+    contacts.offset[c] = offset.closure;
+    contacts.offset_tilt[c] = offset.tilt;
+    contacts.offset_normal[c] = contacts.normal[c];
+    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.twist[c] = patch.twist;
+    contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
+    contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
+    contacts.energy_taken[c] = force * contacts.energy_length[c];
+    contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
+        0;
+    std::array<Vec3, carriers> places;
+    places.fill(contacts.position[c]);
+    if (patch.carried > 0) {
+        contacts.normal[c] = patch.normal;
+        contacts.axis[c] = axis_in_plane(Vec3::Zero(), patch.longest_edge, patch.normal);
+        places = places_of(patch, contacts.axis[c]);
+        contacts.position[c] = patch.centre;
+    }
+    const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;
+    double dashpots = 0; // the joint's dashpots act on the carriers, which are elsewhere than its rows
+    Vec3 shear_dashpots = Vec3::Zero();
+    for (Row s = span.first; s < span.end(); ++s) {
+        dashpots += subs.dashpot_normal[s];
+        shear_dashpots += Vec3(subs.dashpot_shear[s]);
+    }
+    // Unloaded rows get the area of the open part, and a history of open places.
+    const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
+    const Row source_open = closures.open == no_row ? closures.most : closures.open;
+    const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
+    for (Row k = 0; k < span.count; ++k) {
+        const Row s = span.first + k;
+        const bool carries = k < carriers;
+        (carries ? of_carrier : of_open).put(subs, s);
+        subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
+        subs.normal_force[s] = carries && closed ? force / carriers : 0;
+        subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
+        if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
+        subs.position.set(s, carries ? places[k] : contacts.position[c]);
+        subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
+        subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
+    }
+    return stored - ContactLoad(model, c).stored();
+}
+
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset, std::vector<char>& moved) {
+    auto& subs = model.sub_contacts;
+    const Vec3& n = draft.plane.normal;
+    const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
+    const auto closure = [&](const ContactPoint& p) {
+        return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
+    };
+    double whole = 0;
+    for (const auto& point : draft.points) whole += point.area * std::max(0.0, closure(point));
+    for (std::size_t i = 0; i < draft.points.size(); ++i) {
+        const ContactPoint& point = draft.points[i];
+        const Row s = first + static_cast<Row>(i);
+        const double closed = closure(point), part = closed > 0 ? point.area * closed / whole : 0;
+        subs.contact[s] = c;
+        subs.type[s] = point.type;
+        subs.side1[s] = point.side1;
+        subs.side2[s] = point.side2;
+        subs.position.set(s, point.position);
+        subs.area[s] = point.area;
+        subs.normal_force[s] = part * before.normal;
+        subs.shear_force.set(s, part * shear);
+        // The history is that of a loaded place: its joint model receives the opening of the others.
+        moved[static_cast<std::size_t>(s)] = closed < 0;
+        subs.normal_displacement[s] = std::min(0.0, -closed);
+        subs.normal_displacement_increment[s] = std::max(0.0, -closed);
+        if (s == first) continue;
+        for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
+            subs.history[h][s] = subs.history[h][first];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(subs.field_columns); ++k)
+            subs.field[k][s] = subs.field[k][first];
+        if (subs.field_columns > 0) subs.field_set[s] = subs.field_set[first];
+        if (subs.keeps_objects) subs.object[s] = subs.object[first];
+        subs.state[s] = subs.state[first];
+        subs.normal_stiffness[s] = subs.normal_stiffness[first];
+        subs.shear_stiffness[s] = subs.shear_stiffness[first];
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,394 @@
+#include "mechanics/contact/overlap_contact.hpp"
+#include "mechanics/common/growth.hpp"
+#include "mechanics/shape/overlap_gap.hpp"
+#include "mechanics/contact/overlap_shear.hpp"
+
+#include "mechanics/common/closure_search.hpp"
+#include "mechanics/contact/contact_kind.hpp"
+#include "mechanics/contact/dashpots.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace kaya {
+
+namespace {
+
+/// Whether no force acts in a contact; forces set by a script or a command count, and so does water.
+bool is_idle(const Model& model, Row c) {
+    if (model.contacts.depth[c] > 0) return false;
+    const auto& subs = model.sub_contacts;
+    const bool damped = joints_are_damped(model.settings);
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (subs.normal_force[s] != 0 || subs.pore_pressure[s] != 0 || !subs.shear_force[s].isZero(0)) return false;
+        if (damped && (subs.dashpot_normal[s] != 0 || !subs.dashpot_shear[s].isZero(0))) return false;
+    }
+    return true;
+}
+
+/// Frictional work of idle contacts counts before and after a step, as for all others.
+void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
+
+/// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy lost or created: the
+/// blocks move under the force before the rotation, the springs under the one after it.
+double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
+    const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
+    const RelativeMotion start = motion.at_start();
+    double lost = 0;
+    auto& subs = model.sub_contacts;
+    const double twist = turn.dot(n);
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 force = subs.shear_force[s];
+        const double size = force.norm();
+        Vec3 flat = force - force.dot(n) * n;
+        const double left = flat.norm();
+        if (left > 0) flat *= size / left; // rotation keeps its size
+        const Vec3 turned = flat + twist * n.cross(flat);
+        lost += 0.5 * (turned - force).dot(start.at(subs.position[s]));
+        subs.shear_force.set(s, turned);
+    }
+    return lost;
+}
+
+/// Changes the area of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
+/// the shear area; on rolling corners and edges, shear force is lost with the area that separates.
+void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
+    for (Row s = rows.first; s < rows.first + std::min(carriers, rows.count); ++s) {
+        const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
+        subs.normal_force[s] *= ratio;
+        subs.area[s] = area;
+        if (ratio < 1 && !lies) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
+    }
+}
+
+double normal_force_of(const Model& model, Row c) {
+    const Span span = model.contacts.sub_contacts[c];
+    double sum = 0;
+    for (Row s = span.first; s < span.end(); ++s) sum += model.sub_contacts.normal_force[s];
+    return sum;
+}
+
+/// For a force that was set without overlap: the offset at which the overlap carries it.
+double offset_for_force(const Model& model, Row c, double force, double stiffness, OverlapScratch& scratch) {
+    const auto& contacts = model.contacts;
+    ClosureOffset offset = offset_of(contacts, c);
+    const auto missing = [&](double closure) {
+        offset.closure = closure;
+        const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
+        return force - stiffness * patch.carried;
+    };
+    return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
+}
+
+/// Writes places, areas and increments for the present common volume.
+void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    const bool closed = patch.carried > 0, was_closed = contacts.depth[c] > 0;
+    const Vec3 n = patch.normal;
+    const RelativeMotion start = motion.at_start();
+    std::array<Vec3, carriers> places{};
+    double whole = 0; // area of the joint; its open part belongs to the unloaded rows
+    for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
+    if (closed) {
+        contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
+        places = places_of(patch, contacts.axis[c]);
+        contacts.position[c] = patch.centre;
+        contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    }
+    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.twist[c] = patch.twist;
+    const Vec3 apart = motion.at(contacts.position[c]);
+    if (closed) change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
+    for (Row k = 0; k < span.count; ++k) {
+        const Row s = span.first + k;
+        if (k >= carriers) {
+            subs.position.set(s, contacts.position[c]);
+            if (closed)
+                subs.area[s] = span.count > carriers && subs.area[s] > 0
+                                   ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers)
+                                   : 0;
+            subs.normal_displacement_increment[s] = 0;
+            subs.shear_displacement_increment.set(s, Vec3::Zero());
+            continue;
+        }
+        Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
+        if (closed) {
+            // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
+            shift = motion.at(places[k]);
+            if (was_closed) shift = 0.5 * (shift + start.at(subs.position[s]));
+            subs.position.set(s, places[k]);
+        } else {
+            subs.position.set(s, contacts.position[c]);
+        }
+        // The joint model's closure is the depth; it is kept while the blocks are separated.
+        const double displacement = subs.normal_displacement[s];
+        subs.normal_displacement_increment[s] =
+            closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
+        subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
+    }
+}
+
+/// The tilt of an offset turns with block 1. It is reduced by the tilt of the blocks in the same direction.
+void turn_offset(Contacts& contacts, Row c, const RelativeMotion& motion, const Vec3& origin) {
+    Vec3& tilt = contacts.offset_tilt[c];
+    const double size = tilt.norm();
+    if (!(size > 0)) return;
+    tilt += motion.one.turn.cross(tilt);
+    const Vec3 along = tilt / size, tilted = (motion.two.turn - motion.one.turn).cross(contacts.normal[c]);
+    const double used = std::clamp(tilted.dot(along), 0.0, size);
+    tilt -= used * along;
+    contacts.offset[c] += used * along.dot(contacts.position[c] - origin);
+}
+
+/// Work of the normal force, and of the moment that comes with it, on the motion of a step.
+double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
+    const auto& contacts = model.contacts;
+    const auto& subs = model.sub_contacts;
+    const Vec3& n = contacts.normal[c];
+    const Span span = contacts.sub_contacts[c];
+    double work = 0, force = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        work += subs.normal_force[s] * n.dot(motion.at(subs.position[s]));
+        force += subs.normal_force[s];
+    }
+    return work + force * contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
+}
+
+/// Shear force is scaled too: friction limits both. Returns the energy lost from the shear springs.
+double scale_force(Model& model, Row c, double scale) {
+    auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    const double before = shear_energy(model, c);
+    for (Row s = span.first; s < span.end(); ++s) subs.normal_force[s] *= scale;
+    scale_shear(subs, span, scale);
+    return before * (1 - scale * scale);
+}
+
+/// The joint model's springs and friction see the whole shear force during half a step, but a part of it is withheld from the blocks.
+/// Returns the work of the withheld part on the motion of the step. `scale` is that of the present forces.
+double withheld_shear_work(const Model& model, Row c, double scale, const RelativeMotion& motion) {
+    if (scale == 1 || !(scale > 0)) return 0;
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    double work = 0;
+    for (Row s = span.first; s < span.end(); ++s) work += Vec3(subs.shear_force[s]).dot(motion.at(subs.position[s]));
+    return -0.5 * (1 / scale - 1) * work;
+}
+
+/// Work of a contact on motions below the precision of coordinates: a block at rest moves by less in a step.
+double rounding_of_work(const Model& model, Row c, double force) {
+    constexpr double precision = 0x1p-50;
+    const auto& blocks = model.blocks;
+    const Vec3 &one = blocks.centroid[model.contacts.block1[c]], &two = blocks.centroid[model.contacts.block2[c]];
+    const Vec3 size = (two - one).cwiseAbs();
+    return precision * force * (size + one.cwiseAbs().cwiseMax(two.cwiseAbs())).maxCoeff();
+}
+
+/// Steps are finite: a contact that closes and opens within a few steps would return a little more or less than it took. On corners and
+/// edges it returns no more: where the energy taken is below that of its overlap, the force is that of the lower one, within limits, so
+/// that the overlap remains the one that the load requires. `worn` is the frictional work of the whole force in the step. Returns the
+/// energy removed from the account without work.
+double keep_passive(Model& model, Row c, double worn) {
+    constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
+    // When little energy is exchanged in a step, relax toward the exact value; at maximum penetration this holds only briefly.
+    constexpr double slow = 1e-3, settling = 0.02;
+    auto& contacts = model.contacts;
+    const RelativeMotion motion(model, c);
+    const double of_overlap = normal_force_of(model, c) * contacts.energy_length[c];
+    const double work = 0.5 * normal_work(model, c, motion);
+    double& taken = contacts.energy_taken[c];
+    const double before = taken, scale_before = 1 - contacts.withheld[c];
+    double scale = 1, of_shear = 0;
+    taken -= work;
+    if (lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
+    else if (std::abs(work) < slow * of_overlap) taken += settling * (of_overlap - taken);
+    if (of_overlap > 0 && taken < of_overlap) {
+        taken = std::max(taken, least_scale * least_scale * of_overlap);
+        scale = std::sqrt(taken / of_overlap);
+        of_shear += scale_force(model, c, scale);
+        taken += (1 - scale) * work + recovery * (of_overlap - taken);
+    }
+    // Half of a force's work is still to come. Where the blocks separate meanwhile, no more than the rest may be returned.
+    if (const double to_come = scale * work; of_overlap > 0 && to_come > taken) {
+        const double part = std::max(0.0, 0.5 * (taken + to_come) / to_come);
+        of_shear += scale_force(model, c, part);
+        scale *= part;
+        taken += (1 - part) * to_come;
+    }
+    taken = std::min(taken, surplus * of_overlap);
+    contacts.withheld[c] = 1 - scale;
+    double lost = before - scale * work - taken + of_shear;
+    if (std::abs(lost) < rounding_of_work(model, c, normal_force_of(model, c))) lost = 0;
+    // The withheld part of the work of the shear springs comes from the account of the contact, and friction dissipates less.
+    const double not_worn = (1 - 0.5 * (scale_before + scale)) * worn;
+    taken = std::max(0.0, taken + not_worn - withheld_shear_work(model, c, scale, motion));
+    return lost - not_worn;
+}
+
+/// Surfaces that climb on each other are farther apart at the same closure: the growth of the force beyond the closure of the step is moved
+/// to the offset, so that the overlap keeps representing the force of the joint model. Over a closed path this adds up to zero for any law
+/// whose force depends on its closure only.
+void take_dilation(Model& model, Row c, const CarriedLoad& before) {
+    constexpr double rounding = 1e-12; // of the depth
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const CarriedLoad after(model, c);
+    const double stiffness = 0.5 * (before.stiffness + after.stiffness);
+    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
+    const Row first = contacts.sub_contacts[c].first;
+    const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
+    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
+    contacts.offset[c] += dilation;
+    contacts.energy_taken[c] += after.force * dilation;
+    for (Row s = first; s < first + carriers; ++s) subs.normal_displacement[s] -= dilation;
+}
+
+/// The joint model sees the force of the overlap. Returns the energy lost from the shear springs.
+double take_back_scale(Model& model, Row c) {
+    const double missing = model.contacts.withheld[c];
+    return missing > 0 && missing < 1 ? scale_force(model, c, 1 / (1 - missing)) : 0;
+}
+
+} // namespace
+
+void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
+    auto& contacts = model.contacts;
+    contacts.offset[c] = 0;
+    contacts.offset_tilt[c].setZero();
+    const OverlapPair pair = pair_of(contacts, c);
+    ClosureOffset offset;
+    const OverlapPatch patch = overlap_patch(model, pair, contacts.normal[c], offset, scratch);
+    if (!(patch.carried > 0)) return;
+    const Vec3 n = patch.normal;
+    const auto overlaps = [&](double closure) {
+        offset.closure = closure;
+        return overlap_patch(model, pair, n, offset, scratch).carried > 0;
+    };
+    double low = -patch.depth, high = 0;
+    for (int i = 0; i < 20 && overlaps(low); ++i) low *= 2;
+    for (int i = 0; i < 16; ++i) { // to some 1e-5 of the overlap, from the side without force
+        const double middle = 0.5 * (low + high);
+        (overlaps(middle) ? high : low) = middle;
+    }
+    contacts.offset[c] = low;
+    contacts.offset_normal[c] = n;
+}
+
+double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch) {
+    auto& contacts = model.contacts;
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const RelativeMotion motion(model, c);
+    const bool idle = is_idle(model, c);
+    if (idle) {
+        add_friction_of(model, c, work);
+    } else {
+        add_work_of(model, c, motion.at_start(), work);
+        contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start()) +
+                                    withheld_shear_work(model, c, 1 - contacts.withheld[c], motion.at_start());
+    }
+    const double of_scale = take_back_scale(model, c);
+
+    Vec3& n = contacts.normal[c];
+    const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
+    Between between;
+    if (contacts.depth[c] == 0) {
+        n = (n + turn.cross(n)).normalized();
+        between = nearest_corners(model, b1, b2, n);
+        contacts.position[c] = between.place;
+        const double force = normal_force_of(model, c),
+                     stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
+        if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness, scratch);
+        // If the force-free overlap has shrunk, keep the smaller one.
+        if (const double before = contacts.offset[c]; before < 0 && contacts.offset_tilt[c].isZero(0)) {
+            const Vec3 along = contacts.offset_normal[c];
+            begin_without_force(model, c, scratch);
+            if (contacts.offset[c] < before) {
+                contacts.offset[c] = before;
+                contacts.offset_normal[c] = along;
+            }
+        }
+    }
+    contacts.axis[c] += turn.cross(contacts.axis[c]);
+    turn_offset(contacts, c, motion, model.blocks.centroid[b1]);
+    // With the normal of the common volume each would depend on the other, and they might not converge.
+    Vec3& along = contacts.offset_normal[c];
+    const bool has_offset = contacts.offset[c] != 0 || !contacts.offset_tilt[c].isZero(0);
+    along = has_offset ? (along + turn.cross(along)).normalized() : n;
+
+    // The closest approach in two more steps like this one.
+    const double closing = std::max(0.0, -2 * motion.at(contacts.position[c]).dot(n));
+    OverlapPatch patch;
+    patch.normal = n;
+    ClosureOffset offset = offset_of(contacts, c);
+    const auto comes_near = [&] {
+        // In parts of the margin: adjacent blocks that only rounding moves.
+        constexpr double no_overlap = 1e-12, no_motion = 1e-10;
+        const double margin = std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
+        const double gap =
+            offset.closure == 0 && offset.tilt.isZero(0) ? between.gap : gap_along(model, b1, b2, n, offset);
+        return gap < -no_overlap * margin || gap < closing - no_motion * margin;
+    };
+    const bool near = contacts.depth[c] > 0 || comes_near();
+    double area = 0;
+    if (near) {
+        patch = overlap_patch(model, pair_of(contacts, c), n, offset, scratch);
+        area = patch.area;
+        if (closing > 0.25 * patch.depth) {
+            offset.closure += closing;
+            area = std::max(area, overlap_patch(model, pair_of(contacts, c), patch.normal, offset, scratch).area);
+        }
+    }
+    n = patch.normal;
+    const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
+    const double in_springs = shear_energy(model, c);
+    write_rows(model, c, patch, motion);
+    contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
+    const double stiff = std::max(area, contacts.area[c]);
+    // It decreases only while the contact carries nothing, as it is the area of the shear springs too: on a smaller one they would hold more
+    // energy, or less force. And only when all bodies are checked; otherwise a rattling contact would need a check each time it closes.
+    double& rung = contacts.stiffness_area[c];
+    if (rung < stiff || (!(patch.carried > 0) && step_may_grow(model.clock) && rung > 1.18 * stiff))
+        rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
+    return of_scale + of_turn + pay_for_area(model, c, in_springs);
+}
+
+double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    double lost = 0;
+    stiffen_shear(model, c, carried);
+    if (contacts.depth[c] == 0) {
+        lost += shear_energy(model, c);
+        for (Row s = span.first; s < span.end(); ++s) {
+            subs.normal_force[s] = 0;
+            subs.shear_force.set(s, Vec3::Zero());
+        }
+        // The blocks may meet again elsewhere: of a tilt, only its closure at the place of separation is kept.
+        const Vec3 arm = contacts.position[c] - model.blocks.centroid[contacts.block1[c]];
+        contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
+        contacts.offset_tilt[c].setZero();
+        lost += contacts.energy_taken[c];
+        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
+    } else {
+        take_dilation(model, c, carried);
+        lost += keep_passive(model, c, frictional_work(model, c) - carried.worn);
+    }
+    if (is_idle(model, c)) add_friction_of(model, c, work);
+    else add_work_of(model, c, RelativeMotion(model, c), work);
+    for (Row s = span.first; s < span.end(); ++s) {
+        subs.normal_displacement[s] += subs.normal_displacement_increment[s];
+        subs.shear_displacement.set(s, Vec3(subs.shear_displacement[s]) + Vec3(subs.shear_displacement_increment[s]));
+    }
+    return lost;
+}
+
+} // namespace kaya

@@ -1,0 +1,36 @@
+// Rigid blocks on corners and edges, or on a part of a joint: the normal force follows from their common volume. docs/theory/contacts.md,
+// "Corners and edges".
+#pragma once
+
+#include "mechanics/contact/carried_load.hpp"
+#include "mechanics/contact/contact_draft.hpp"
+#include "mechanics/contact/contact_load.hpp"
+#include "mechanics/contact/contact_work.hpp"
+
+namespace kaya {
+
+/// move_contact for overlap contacts: computes the present common volume and writes places, areas and increments of the sub-contacts.
+/// Returns the energy lost from shear springs where the area changes.
+double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
+
+/// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
+void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
+
+/// Adds the work of the joint model's forces, and its dilation to the offset. A separated contact carries nothing. Returns the energy lost:
+/// that of the springs of separated places, and energy taken that the contact does not return.
+double finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
+
+/// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension.
+bool is_partly_open(const Model& model, Row contact);
+
+/// Turns a joint into an overlap contact; normal and shear force are kept. Returns the energy lost from its springs.
+double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
+
+/// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
+/// distributed in the same proportion. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`:
+/// their joint models must receive their displacement increments. `first` is the row of the first place; history comes from the overlap's
+/// first sub-contact.
+void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
+                 const ClosureOffset& offset, std::vector<char>& moved);
+
+} // namespace kaya

@@ -1,0 +1,62 @@
+#include "mechanics/contact/overlap_shear.hpp"
+
+#include "mechanics/shape/overlap_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+double shear_energy(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    const double area = shear_area(model.contacts, c) / carriers;
+    double energy = 0;
+    for (Row s = first; s < first + carriers; ++s)
+        if (const double stiffness = subs.shear_stiffness[s] * area; stiffness > 0)
+            energy += 0.5 * Vec3(subs.shear_force[s]).squaredNorm() / stiffness;
+    return energy;
+}
+
+void scale_shear(SubContacts& subs, Span rows, double scale) {
+    for (Row s = rows.first; s < rows.end(); ++s) subs.shear_force.set(s, scale * Vec3(subs.shear_force[s]));
+}
+
+double pay_for_area(Model& model, Row c, double before) {
+    double& taken = model.contacts.withdrawn_energy[c];
+    double after = shear_energy(model, c);
+    if (after > before + taken) {
+        scale_shear(model.sub_contacts, model.contacts.sub_contacts[c], std::sqrt((before + taken) / after));
+        after = before + taken;
+    }
+    taken = std::max(0.0, taken + before - after);
+    return before - after;
+}
+
+void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
+    constexpr double elastic = 1e-9; // of the forces
+    auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    const double whole = shear_area(model.contacts, c) / carriers;
+    for (Row s = first; s < first + carriers; ++s) {
+        const double area = subs.area[s], stiffness = subs.shear_stiffness[s];
+        if (!(area > 0 && stiffness > 0 && whole > area)) continue;
+        const auto k = static_cast<std::size_t>(s - first);
+        const Vec3 &old = before.shear[k], now = subs.shear_force[s];
+        const Vec3 step = -stiffness * Vec3(subs.shear_displacement_increment[s]), stiffer = old + whole * step;
+        const bool limited = (old + area * step - now).norm() > elastic * (old.norm() + now.norm());
+        if (const double size = now.norm(), trial = stiffer.norm(); limited && trial >= size && trial > 0) {
+            // The force turns to the direction of slip as fast as the stiffer springs turn it.
+            const Vec3 turned = size / trial * stiffer;
+            subs.frictional_work[s] +=
+                0.5 * (turned - now).dot(step) / stiffness +
+                (now.squaredNorm() - old.squaredNorm()) / (2 * stiffness) * (1 / area - 1 / whole);
+            subs.shear_force.set(s, turned);
+            continue;
+        }
+        subs.shear_force.set(s, stiffer);
+        subs.frictional_work[s] = before.worn_by_row[k];
+    }
+}
+
+} // namespace kaya

@@ -1,0 +1,141 @@
+#include "mechanics/cycle/insitu.hpp"
+
+#include "base/parallel.hpp"
+#include "mechanics/contact/contact_geometry.hpp"
+#include "mechanics/contact/contact_table.hpp"
+#include "mechanics/shape/search_scratch.hpp"
+#include "mechanics/contact/take_over.hpp"
+#include "mechanics/ties/ties.hpp"
+#include "mechanics/supports/topography.hpp"
+#include "model/measure/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+namespace {
+
+/// Traction on a plane of unit normal n.
+Vec3 traction(const Stress& s, const Vec3& n) {
+    return {s[0] * n[0] + s[3] * n[1] + s[4] * n[2], s[3] * n[0] + s[1] * n[1] + s[5] * n[2],
+            s[4] * n[0] + s[5] * n[1] + s[2] * n[2]};
+}
+
+/// For each sub-contact the point at which a linear stress must be evaluated so that its forces, distributed to the gridpoints of either
+/// side, equal those of the traction on the faces. Beside zones this is the centre of its area, elsewhere its position.
+std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>& sub_contacts) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    std::vector<Vec3> places(subs.size());
+    std::vector<char> wanted(contacts.size(), 0);
+    std::vector<Row> blocks;
+    for (const Row s : sub_contacts) {
+        const Row c = subs.contact[s], b1 = contacts.block1[c], b2 = contacts.block2[c];
+        places[s] = subs.position[s];
+        if (wanted[c] || contacts.type[c] != ContactType::face_face ||
+            !(model.blocks.deformable[b1] || model.blocks.deformable[b2]))
+            continue;
+        wanted[c] = 1;
+        blocks.insert(blocks.end(), {b1, b2});
+    }
+    std::ranges::sort(blocks);
+    const auto twice = std::ranges::unique(blocks);
+    blocks.erase(twice.begin(), twice.end());
+    Surfaces surfaces;
+    surfaces.update(model, blocks);
+    for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
+        std::vector<ContactPoint> list;
+        SearchScratch scratch;
+        for (std::size_t i = first; i < last; ++i) {
+            if (!wanted[i]) continue;
+            const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
+            list.clear();
+            ContactGeometry geometry{{}, ContactPoints(list)};
+            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry,
+                               scratch))
+                continue;
+            const double near = 1e-6 * std::sqrt(contacts.area[c]);
+            for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
+                for (const ContactPoint& point : geometry.points)
+                    if ((point.position - Vec3(subs.position[s])).norm() <= near) places[s] = point.centre;
+        }
+    });
+    return places;
+}
+
+/// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact.
+template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joints,
+                                                const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
+    auto& points = model.sub_contacts;
+    std::vector<char> marked(points.size(), 0);
+    for (const Row s : sub_contacts) {
+        const Vec3 n = model.contacts.normal[points.contact[s]];
+        // Force of block 1 on block 2, whose surface faces against n.
+        const Vec3 on_block2 = -points.area[s] * traction(stress_at(s), n);
+        const double normal = on_block2.dot(n);
+        points.normal_force[s] = normal;
+        points.shear_force.set(s, on_block2 - normal * n);
+        marked[s] = 1;
+    }
+    initialise_sub_contacts(model, joints, marked);
+    note_taken_over(model, marked);
+    ModelEdit(model, Change::properties);
+}
+
+/// Sub-contacts lie at corners and edges of faces, where a vertical line may miss the blocks; a point slightly nearer to the middle of the
+/// joint has the same weight above it.
+Vec3 inside_joint(const Model& model, Row s) {
+    constexpr double hair = 1e-6;
+    const auto& subs = model.sub_contacts;
+    const Row c = subs.contact[s];
+    const Span span = model.contacts.sub_contacts[c];
+    Vec3 middle = Vec3::Zero();
+    for (Row k = span.first; k < span.end(); ++k) middle += subs.position[k] / span.count;
+    const Vec3 blocks =
+        0.5 * (block_centroid(model, model.contacts.block1[c]) + block_centroid(model, model.contacts.block2[c]));
+    return (1 - 2 * hair) * Vec3(subs.position[s]) + hair * middle + hair * blocks;
+}
+
+} // namespace
+
+void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                       const std::vector<Row>& sub_contacts, const StressField& stress) {
+    for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
+    set_tie_tractions(model, zones);
+    const std::vector<Vec3> places = places_of_tractions(model, sub_contacts);
+    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
+}
+
+void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                           const std::vector<Row>& sub_contacts, double kx, double ky) {
+    const Overburden overburden(model);
+    const auto stress_at = [&](const Vec3& place) {
+        const double vertical = -overburden.at(place);
+        Stress stress = Stress::Zero();
+        stress.head<3>() = Vec3(kx * vertical, ky * vertical, vertical);
+        return stress;
+    };
+    for_chunks(zones.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
+    });
+    set_tie_tractions(model, zones);
+    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
+}
+
+void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
+                          const Vec3& gradient) {
+    for (const Row z : zones) model.zones.stress[z][component] = at_origin + gradient.dot(zone_centroid(model, z));
+    set_tie_tractions(model, zones);
+    ModelEdit(model, Change::properties);
+}
+
+void set_pore_pressure(Model& model, const std::vector<Row>& gridpoints, double at_origin, const Vec3& gradient) {
+    auto& points = model.gridpoints;
+    for (const Row g : gridpoints) points.pore_pressure[g] = at_origin + gradient.dot(points.position[g]);
+    model.settings.water = Water::points;
+    ModelEdit(model, Change::properties);
+}
+
+} // namespace kaya

@@ -1,0 +1,31 @@
+// Initial stress of the ground.
+#pragma once
+
+#include "laws/joint_model.hpp"
+#include "mechanics/supports/boundary.hpp"
+#include "model/tables/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+/// Gives zones the stress at their centroid, and sub-contacts the forces of that stress on their area: with n from block 1 to block 2,
+/// -n.s.n of normal stress (compression positive) and the rest of -s.n as shear. Forces beyond the strength of a joint are reduced by its
+/// model in the next cycle. Displacements are unchanged. Contacts must be up to date. `zones` and `sub_contacts` are ascending rows.
+void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                       const std::vector<Row>& sub_contacts, const StressField& stress);
+
+/// The same with the stress of the overburden: szz is minus the weight per area of all blocks vertically above, sxx = kx szz, syy = ky szz,
+/// no shear. Throws Diagnostic as Overburden does.
+void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                           const std::vector<Row>& sub_contacts, double kx, double ky);
+
+/// Sets one component of the stress of zones to its value at their centroid; `component` counts xx yy zz xy xz yz.
+void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
+                          const Vec3& gradient);
+
+/// Sets a pore pressure of gridpoints that is linear in position. Water in joints is then taken from gridpoints; those without a value have
+/// 0.
+void set_pore_pressure(Model& model, const std::vector<Row>& gridpoints, double at_origin, const Vec3& gradient);
+
+} // namespace kaya

@@ -1,0 +1,23 @@
+// Joints between rigid blocks with sub-contacts at their corners only, as 3DEC has them (`facetri corners`).
+#pragma once
+
+#include "model/tables/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaya {
+
+/// The spacing of sub-contacts that two blocks ask for: the shorter of two lengths; 0: as the joint needs; infinity: at its corners only.
+inline double length_between(const Model& model, Row block1, Row block2) {
+    const double a = model.blocks.face_edge[block1], b = model.blocks.face_edge[block2];
+    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
+}
+
+/// Whether a joint between two rigid blocks has sub-contacts at its corners only. It opens corner by corner, where other joints become an
+/// overlap.
+inline bool stands_on_corners(const Model& model, Row block1, Row block2) {
+    return std::isinf(length_between(model, block1, block2));
+}
+
+} // namespace kaya

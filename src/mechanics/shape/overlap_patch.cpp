@@ -1,0 +1,350 @@
+#include "mechanics/shape/overlap_patch.hpp"
+
+#include "mechanics/shape/overlap_scratch.hpp"
+#include "mechanics/shape/surfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace kaya {
+
+namespace {
+
+/// Calls `visit` with the corners of a rigid block's face, in order: its triangles are a fan.
+template <class Visit> void for_corners(const Model& model, Row face, const Visit& visit) {
+    const Span span = model.faces.triangles[face];
+    if (span.count == 0) return;
+    const auto& first = model.triangles.gridpoints[span.first];
+    visit(first[0]);
+    visit(first[1]);
+    for (Row t = span.first; t < span.end(); ++t) visit(model.triangles.gridpoints[t][2]);
+}
+
+/// The contribution of one block to a clip.
+struct Side {
+    Row block;
+    double sense; ///< +1: its outward normals point along the contact's normal
+};
+
+/// A closing offset moves block 1 along its direction, or block 2 against it.
+Vec3 shift(const Side& side, const Vec3& x, const ClosureOffset& offset, const Vec3& offset_origin) {
+    return side.sense * (offset.closure + offset.tilt.dot(x - offset_origin)) * offset.along;
+}
+
+/// The half space of a face of the polyhedron to be clipped.
+HalfSpace half_space_of(const ConvexClip& clip, std::size_t face) {
+    const Vec3 outward = clip.area_vector(face).normalized();
+    return {outward, outward.dot(clip.corner(face, 0))};
+}
+
+void add_subject(const Model& model, const Side& side, const Vec3& origin, const ClosureOffset& offset,
+                 const Vec3& offset_origin, OverlapScratch& work) {
+    const Span points = model.blocks.gridpoints[side.block];
+    const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0);
+    for (Row g = points.first; g < points.end(); ++g) {
+        const Vec3& x = model.gridpoints.position[g];
+        work.clip.add_vertex(shifted ? Vec3(x + shift(side, x, offset, offset_origin) - origin) : Vec3(x - origin));
+    }
+    const Span faces = model.blocks.faces[side.block];
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        if (model.faces.triangles[f].count == 0) continue;
+        work.clip.begin_face();
+        for_corners(model, f, [&](Row g) { work.clip.add_corner(static_cast<int>(g - points.first)); });
+    }
+    for (std::size_t f = 0; f < work.clip.face_count(); ++f) work.of_subject.push_back(half_space_of(work.clip, f));
+}
+
+void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, OverlapScratch& work) {
+    const Span faces = model.blocks.faces[side.block];
+    std::size_t best = 0;
+    double most = -2;
+    for (Row f = faces.first; f < faces.end(); ++f) {
+        if (model.faces.triangles[f].count == 0) continue;
+        const Vec3 outward = current_normal(model, f);
+        const Row corner = model.triangles.gridpoints[model.faces.triangles[f].first][0];
+        const double cosine = side.sense * outward.dot(normal);
+        if (cosine > most) {
+            most = cosine;
+            best = work.of_other.size();
+        }
+        work.of_other.push_back({outward, outward.dot(model.gridpoints.position[corner] - origin)});
+    }
+    if (work.of_other.empty()) return;
+    // The face that points most directly at the other block first: it leaves little for the others.
+    work.clip.clip(work.of_other[best], FaceOrigin::clipper);
+    for (std::size_t i = 0; i < work.of_other.size() && !work.clip.empty(); ++i)
+        if (i != best) work.clip.clip(work.of_other[i], FaceOrigin::clipper);
+}
+
+Vec3 longest_edge_across(const ConvexClip& clip, const Vec3& normal) {
+    Vec3 longest = Vec3::Zero();
+    for (std::size_t f = 0; f < clip.face_count(); ++f)
+        for (int i = 0, n = clip.corner_count(f); i < n; ++i) {
+            Vec3 edge = clip.corner(f, (i + 1) % n) - clip.corner(f, i);
+            edge -= edge.dot(normal) * normal;
+            if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+        }
+    return longest;
+}
+
+/// Puts one face of a block, out of the list of its faces, into `one`.
+void take_face(const Model& model, Row face, const std::vector<HalfSpace>& faces, std::vector<HalfSpace>& one) {
+    std::size_t place = 0;
+    for (Row f = model.blocks.faces[model.faces.block[face]].first; f < face; ++f)
+        place += model.faces.triangles[f].count > 0;
+    one.assign(1, faces[place]);
+}
+
+/// Blending weight of a pair of faces: 1 when they are nearly parallel, 0 from some angle on, and for corners or edges.
+struct Flatness {
+    double value = 0;
+    Vec3 turned = Vec3::Zero(); ///< minus its derivative to a turn of block 2
+
+    Flatness(const Model& model, const OverlapPair& pair) {
+        constexpr double low = 6.1e-4, high = 7.6e-3; // 1 - cosine of 2 and 7 degrees
+        if (pair.face1 == no_row || pair.face2 == no_row) return;
+        const Vec3 n1 = current_normal(model, pair.face1), n2 = current_normal(model, pair.face2);
+        const double t = (1 + n1.dot(n2) - low) / (high - low);
+        if (t >= 1) return;
+        value = 1;
+        if (t <= 0) return;
+        value -= t * t * (3 - 2 * t);
+        turned = 6 * t * (1 - t) / (high - low) * n2.cross(n1);
+    }
+};
+
+} // namespace
+
+bool lie_on_each_other(const Model& model, const OverlapPair& pair) { return Flatness(model, pair).value > 0.5; }
+
+double part_of_first(const Model& model, Row block1, Row block2) {
+    constexpr double larger = 2;
+    const auto& volume = model.blocks.volume;
+    if (volume[block1] > larger * volume[block2]) return 1;
+    return volume[block2] > larger * volume[block1] ? 0 : 0.5;
+}
+
+namespace {
+
+/// The common volume of two blocks, relative to its own origin.
+struct CommonPart {
+    OverlapGradient volume, depth;
+    OverlapMoments moments;
+    double flatness = 0; ///< see Flatness
+    Vec3 turned = Vec3::Zero();
+};
+
+/// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is larger, by a smooth norm that is
+/// exact far from where they are equal. Returns minus its gradient.
+OverlapGradient energy_of(const CommonPart& common, double least_area) {
+    const OverlapGradient &volume = common.volume, &depth = common.depth;
+    // The power is 8: it is three squarings, and its root three square roots.
+    const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
+    const auto eighth_root = [](double x) { return std::sqrt(std::sqrt(std::sqrt(x))); };
+    const auto seventh_power = [](double x) { return x * x * x * (x * x) * (x * x); };
+    // The mean depth of a sharp corner is a sixth of its greatest depth. Under a nearly flat face it is a third or more, and the least area
+    // must not hide the force of that wedge.
+    constexpr double of_corner = 6, of_flat = 4;
+    const double closure = of_corner + common.flatness * (of_flat - of_corner);
+    const double mean = depth.value / volume.value;
+    const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
+    const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
+    const double sum = eighth_root(eighth_power(one) + eighth_power(other)); // over the larger
+    const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum);
+    OverlapGradient energy;
+    energy.value = larger * sum;
+    energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force -
+                   of_joint * 2 * joint / volume.value * volume.force;
+    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment -
+                    of_joint * 2 * joint / volume.value * volume.moment +
+                    of_joint * 2 * joint / closure * (of_flat - of_corner) * common.turned;
+    return energy;
+}
+
+} // namespace
+
+bool between_rigid(const Model& model, Row c) {
+    return !model.blocks.deformable[model.contacts.block1[c]] && !model.blocks.deformable[model.contacts.block2[c]];
+}
+
+namespace {
+
+/// Which of the two blocks is shifted by the offset, and clipped.
+bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) {
+    return blocks.volume[pair.block2] < blocks.volume[pair.block1];
+}
+
+void take_corners(const Model& model, const Side& side, Row face, const Vec3& origin, const ClosureOffset* offset,
+                  const Vec3& offset_origin, ConvexFace& taken) {
+    taken.corners.clear();
+    for_corners(model, face, [&](Row g) {
+        const Vec3& x = model.gridpoints.position[g];
+        taken.corners.push_back(offset ? Vec3(x + shift(side, x, *offset, offset_origin) - origin) : Vec3(x - origin));
+    });
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 1; i + 1 < taken.corners.size(); ++i)
+        sum += (taken.corners[i] - taken.corners[0]).cross(taken.corners[i + 1] - taken.corners[0]);
+    const double length = sum.norm();
+    taken.outward = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+}
+
+/// Result for two parallel faces, without the rest of the blocks.
+enum class Flat { apart, found, not_known };
+
+/// Nearly all joints that are open in part are flat enough for the wedge between their faces to define the overlap.
+Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, const ClosureOffset& offset,
+               OverlapScratch& work) {
+    constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
+    constexpr double thin_enough =
+        1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
+    if (pair.face1 == no_row || pair.face2 == no_row) return Flat::not_known;
+    const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0), second = second_is_subject(model.blocks, pair);
+    if (shifted && Flatness(model, pair).value < 1) return Flat::not_known;
+    const Vec3& offset_origin = model.blocks.centroid[pair.block1];
+    take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin,
+                 work.face1);
+    take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin,
+                 work.face2);
+    if (!(1 + work.face1.outward.dot(work.face2.outward) < flat_enough)) return Flat::not_known;
+    const bool found = work.flat.find(work.face1, work.face2);
+    if (work.flat.deepest_below() > thin_enough * std::sqrt(pair.least_area)) return Flat::not_known; // sides count too
+    return found ? Flat::found : Flat::apart;
+}
+
+/// Clips one block with the faces of the other. False where nothing remains, or nothing carries.
+bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
+                  const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
+    work.clip.clear();
+    work.of_subject.clear();
+    work.of_other.clear();
+    const bool second = second_is_subject(model.blocks, pair);
+    const Side one{pair.block1, 1}, two{pair.block2, -1};
+    add_subject(model, second ? two : one, origin, offset, model.blocks.centroid[pair.block1], work);
+    clip_by(model, second ? one : two, origin, normal, work);
+    if (work.clip.empty()) return false;
+    common.moments = moments_of(work.clip);
+    if (!(common.moments.volume > 0)) return false;
+    const Flatness flatness(model, pair);
+    common.flatness = flatness.value;
+    common.volume = volume_gradient(work.clip, common.moments.volume, second);
+    const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
+    const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject,
+                                 const std::vector<HalfSpace>& faces_of_other) {
+        OverlapGradient depth;
+        if (of_subject > 0)
+            depth.add(depth_gradient(work.clip, faces_of_subject, true, second, work.depth), of_subject);
+        if (of_subject < 1)
+            depth.add(depth_gradient(work.clip, faces_of_other, false, second, work.depth), 1 - of_subject);
+        return depth;
+    };
+    if (flatness.value < 1) common.depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
+    if (flatness.value > 0) {
+        const double of_all = flatness.value < 1 ? common.depth.value / (1 - flatness.value) : 0;
+        take_face(model, second ? pair.face2 : pair.face1, work.of_subject, work.face_of_subject);
+        take_face(model, second ? pair.face1 : pair.face2, work.of_other, work.face_of_other);
+        const OverlapGradient of_faces = depth_below(work.face_of_subject, work.face_of_other);
+        common.depth.add(of_faces, flatness.value);
+        common.depth.moment += (of_faces.value - of_all) * flatness.turned;
+    }
+    common.turned = flatness.turned;
+    return common.depth.value > 0;
+}
+
+double area_along(const ConvexClip& clip, const Vec3& n) {
+    double area = 0;
+    for (std::size_t f = 0; f < clip.face_count(); ++f) area += 0.5 * std::abs(clip.area_vector(f).dot(n));
+    return area;
+}
+
+} // namespace
+
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
+                           OverlapScratch& work) {
+    const Vec3 origin = model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
+    ClosureOffset moved = offset;
+    if (moved.along.isZero(0)) moved.along = normal;
+    OverlapPatch patch;
+    patch.normal = normal;
+    CommonPart common;
+    const Flat flat = find_flat(model, pair, origin, moved, work);
+    if (flat == Flat::apart) return patch;
+    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1, Vec3::Zero()};
+    else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
+    patch.lies = common.flatness > 0.5;
+    const OverlapGradient energy = energy_of(common, pair.least_area);
+    const double force = energy.force.norm();
+    if (!(force > 0)) return patch;
+
+    patch.carried = force;
+    patch.energy = energy.value;
+    patch.normal = energy.force / force;
+    const Vec3& n = patch.normal;
+    double low = std::numeric_limits<double>::infinity(), high = -low, extent = 0;
+    for (const Vec3& v : flat == Flat::found ? work.flat.vertices() : work.clip.vertices()) {
+        low = std::min(low, n.dot(v));
+        high = std::max(high, n.dot(v));
+        extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
+    }
+    // Between flat faces the force may lean by the closure over their size, and the wedge is as thin.
+    patch.depth = flat == Flat::found ? work.flat.deepest() : high - low;
+    if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
+    // Corners carry up to four joints of the least area, thin slivers some ten: far more is a rounding artefact.
+    constexpr double most_carried = 100;
+    const double area = flat == Flat::found ? work.flat.area() : area_along(work.clip, n);
+    if (force > most_carried * (area + pair.least_area) * patch.depth) return OverlapPatch{.normal = normal};
+    // The line of action of the force, at the height of the common volume. It passes through or close to that volume: a line far from it is
+    // a rounding artefact too.
+    const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
+    const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(pair.least_area);
+    if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
+        return OverlapPatch{.normal = normal};
+    patch.area = area;
+    patch.centre = origin + arm - aside.dot(n) * n;
+    patch.twist = twist;
+    patch.second = common.moments.second;
+    patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
+    return patch;
+}
+
+OverlapPair pair_of(const Contacts& contacts, Row c) {
+    return {contacts.block1[c], contacts.block2[c], contacts.face1[c], contacts.face2[c], contacts.least_area[c]};
+}
+
+ClosureOffset offset_of(const Contacts& contacts, Row c) {
+    return {contacts.offset[c], contacts.offset_tilt[c], contacts.offset_normal[c]};
+}
+
+double rung_above(double area, double least) {
+    constexpr double per_octave = 4, same = 1e-9; // an area that is a rung but for rounding is that rung
+    if (!(area > (1 + same) * least)) return least;
+    return least * std::exp2(std::ceil(per_octave * std::log2(area / least) - same) / per_octave);
+}
+
+Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
+    for (const Vec3& candidate : {axis, wanted}) {
+        const Vec3 flat = candidate - candidate.dot(normal) * normal;
+        if (flat.squaredNorm() > 1e-24 + 1e-6 * candidate.squaredNorm()) return flat.normalized();
+    }
+    int least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    return normal.cross(Vec3::Unit(least)).normalized();
+}
+
+std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u) {
+    const Vec3 v = patch.normal.cross(u);
+    const double uu = std::max(0.0, u.dot(patch.second * u)), vv = std::max(0.0, v.dot(patch.second * v)),
+                 uv = u.dot(patch.second * v);
+    // The root of the 2 x 2 matrix: (M + s I)/t with s^2 = det M, t^2 = trace M + 2 s.
+    const double s = std::sqrt(std::max(0.0, uu * vv - uv * uv)), t = std::sqrt(uu + vv + 2 * s);
+    const double a = t > 0 ? (uu + s) / t : 0, b = t > 0 ? uv / t : 0, d = t > 0 ? (vv + s) / t : 0;
+    std::array<Vec3, carriers> places;
+    constexpr double sign[carriers][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (Row k = 0; k < carriers; ++k)
+        places[k] = patch.centre + (a * sign[k][0] + b * sign[k][1]) * u + (b * sign[k][0] + d * sign[k][1]) * v;
+    return places;
+}
+
+} // namespace kaya

@@ -1,0 +1,86 @@
+// The common volume of two rigid blocks and the force that follows from it. docs/theory/contacts.md, "Corners and edges".
+#pragma once
+
+#include "model/tables/model.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kaya {
+
+struct OverlapScratch;
+
+/// Sub-contacts that carry the force of an overlap; the others are unloaded.
+constexpr Row carriers = 4;
+
+/// The common volume of two rigid blocks as a contact sees it.
+struct OverlapPatch {
+    double carried = 0;         ///< normal force over normal stiffness, length^3; 0 when they do not overlap
+    double energy = 0;          ///< energy over the normal stiffness: length^4
+    double depth = 0;           ///< greatest thickness along the normal
+    double area = 0;            ///< seen along the normal
+    bool lies = false;          ///< faces are parallel, or nearly so
+    double twist = 0;           ///< moment about the normal over the normal force: length
+    Vec3 normal = Vec3::Zero(); ///< unit, from block 1 to block 2
+    Vec3 centre = Vec3::Zero(); ///< the normal force acts along the line through it
+    Mat3 second = Mat3::Zero(); ///< second moments of the common volume about its centroid, over the volume: length^2
+
+    /// A joint of this area, closed by the depth, carries the same force.
+    double carrying_area(double least) const { return carried > 0 ? carried / depth : least; }
+    Vec3 longest_edge = Vec3::Zero(); ///< direction of the longest edge of the common part in the plane of the contact
+};
+
+/// Closure in addition to that of the positions of the blocks: `closure` + tilt . (x - centroid of block 1), along a direction.
+struct ClosureOffset {
+    double closure = 0;
+    Vec3 tilt = Vec3::Zero();
+    Vec3 along = Vec3::Zero(); ///< unit; zero is the contact's normal
+};
+
+/// Two rigid blocks that may overlap.
+struct OverlapPair {
+    Row block1, block2;
+    Row face1 = no_row,
+        face2 = no_row; ///< nearly parallel faces; none for corners or edges
+    double least_area;  ///< see ContactPlane
+};
+
+/// The common volume of two rigid blocks, the second one shifted against `along` by the offset. Its force is the gradient of an energy, so
+/// no motion of the blocks creates energy. `normal` is also the normal of an empty patch.
+OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
+                           OverlapScratch& scratch);
+
+/// Whose surface defines the normal and the depth of a contact between rigid blocks: 1, that of block 1; 0, that of block 2, where one is
+/// more than twice as large as the other; 0.5, the mean of both. It depends on the two blocks only, not on their order.
+double part_of_first(const Model& model, Row block1, Row block2);
+
+/// Both blocks are rigid.
+bool between_rigid(const Model& model, Row contact);
+
+/// Whether depths are measured below one face of each block. Any depth fixed to a block would do; this one is the closure of the joint, and
+/// the surrounding faces, which bound a strip as wide as the closure, do not count.
+bool lie_on_each_other(const Model& model, const OverlapPair& pair);
+
+/// The offset of a contact; along its normal if none was stored.
+ClosureOffset offset_of(const Contacts& contacts, Row contact);
+
+/// The two blocks of a contact.
+OverlapPair pair_of(const Contacts& contacts, Row contact);
+
+/// The next step above an area of a ladder with four steps per octave: the stiffness of a rolling contact does not change in each cycle.
+double rung_above(double area, double least);
+
+/// The area of the shear springs of an overlap, on a rung. It does not follow vibrations of the contact: a block at rest would creep, and gain
+/// energy from its weight.
+inline double shear_area(const Contacts& contacts, Row contact) {
+    return std::max(contacts.stiffness_area[contact], contacts.area[contact]);
+}
+
+/// A unit vector in the plane of a normal: along `axis`, or along `wanted` where that has no direction.
+Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal);
+
+/// Four places around the centre that share the force equally and have the second moments of its pressure. `u` is a unit vector in the
+/// plane; the places lie between it and the direction across.
+std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u);
+
+} // namespace kaya

@@ -1,0 +1,312 @@
+#include "base/reduce.hpp"
+#include "laws/zone_trial.hpp"
+#include "mechanics/zones/cell_motion.hpp"
+#include "mechanics/contact/dashpots.hpp"
+#include "mechanics/zones/run_cells.hpp"
+#include "mechanics/zones/run_flowing_cells.hpp"
+#include "mechanics/zones/run_zone_models.hpp"
+#include "mechanics/zones/tile_rows.hpp"
+#include "mechanics/zones/zone_columns.hpp"
+#include "mechanics/zones/zone_laws.hpp"
+#include "model/measure/water.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Work of one tile on its zones, without averaging.
+class TileRun {
+public:
+    TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+            std::vector<PointRow>& forces)
+        : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
+          averages_(law_.together == Together::at_points), damped_(stiffness_damping(model.settings) > 0),
+          rows_(model, laws.tiles, tile, scratch.pressure), forces_(tile, forces) {}
+
+    ZoneSums run() {
+        ZoneSums sums;
+        const Row whole = static_cast<Row>(most_zones_in_batch);
+        for (Row first = tile_.first; first < tile_.last; first += whole)
+            sums.add(run_batch(first, std::min(whole, tile_.last - first)));
+        if (law_.together == Together::cells) sums.work += hold_cells(model_, rows_, tile_, law_, forces_);
+        return sums;
+    }
+
+private:
+    ZoneSums run_batch(Row first, Row count) {
+        ZoneColumns columns(model_, first, count, law_);
+        strain(columns, first, count);
+        const auto failure = run_guarded(*law_.model, columns.batch, model_.clock.cycle, first + 1);
+        if (failure) throw failed_zone(model_, law_, first + static_cast<Row>(failure->row), *failure);
+        ZoneSums sums;
+        sums.work = finish(columns, first, count);
+        if (damped_) {
+            sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
+            if (!averages_) add_damped_forces(columns, first, count);
+        }
+        return sums;
+    }
+
+    /// Strains of the step, and the stresses turned with the material.
+    void strain(ZoneColumns& columns, Row first, Row count) {
+        const bool large = model_.settings.large_strain;
+        const bool wet = model_.settings.water != Water::none;
+        for (Row i = 0; i < count; i += eight) {
+            const ZoneGroup zones = rows_.group_at(first + i);
+            const Edges edges = rows_.edges(zones);
+            const Deformation d = rows_.deformation(zones, edges, large);
+            check_volumes(model_, first + i, 1, std::min<Row>(count - i, eight), d.volume);
+            columns.keep(i, edges);
+            store(columns.volume + i, d.volume);
+            const Eight pressure = wet ? rows_.pressure(zones) : Eight{};
+            store(columns.pressure + i, pressure);
+            Eight more{};
+            if (averages_) {
+                more = (load_rows(scratch_.mean_strain.data() + first + i, count - i) - d.volume_strain) / 3.0;
+                store(columns.volume_strain + i, d.volume_strain);
+            }
+            SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
+            if (large) {
+                stress = turned(stress, d.half_spin);
+                store_spin(columns, i, d.half_spin);
+            }
+            for (std::size_t k = 0; k < 6; ++k) {
+                store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
+                store(columns.before[k] + i, stress[k]);
+                store(columns.stress[k] + i, k < 3 ? stress[k] + pressure : stress[k]);
+            }
+        }
+    }
+
+    /// Writes total stresses to the zones, updates their state, and computes their forces, unless the stresses change again.
+    double finish(ZoneColumns& columns, Row first, Row count) {
+        const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
+        const bool are_final = !averages_ && !damped_;
+        Lanes whole = Lanes::Zero();
+        for (Row i = 0; i < count; i += eight) {
+            const Eight pressure = ZoneColumns::at(columns.pressure + i);
+            Eight work{}, change{}, both{};
+            SixEights stresses;
+            for (std::size_t k = 0; k < 6; ++k) {
+                const Eight before = ZoneColumns::at(columns.before[k] + i);
+                Eight stress = ZoneColumns::at(columns.stress[k] + i);
+                if (k < 3) {
+                    stress -= pressure;
+                    change += stress - before;
+                    both += stress + before;
+                }
+                const Eight part = (before + stress) * ZoneColumns::at(columns.strain[k] + i);
+                work += k < 3 ? part : 2 * part;
+                stresses[k] = stress;
+            }
+            if (averages_) {
+                const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
+                store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
+                work +=
+                    both / 3.0 *
+                    (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on the zone's own deformation
+            }
+            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
+            for (Row l = count - i; l < eight; ++l) energy[l] = 0;
+            add_to(whole, energy);
+            store_stresses(model_.zones.stress, first + i, count - i, stresses);
+            if (are_final)
+                forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stresses);
+            else if (damped_)
+                for (std::size_t k = 0; k < 3; ++k) store(columns.stress[k] + i, stresses[k]);
+        }
+        return sum(whole);
+    }
+
+    /// Adds viscous stresses. Returns the work they dissipate.
+    double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
+        double whole = 0;
+        for (Row i = 0; i < count; ++i) {
+            Stress& dashpot = model_.zones.dashpot[first + i];
+            double work = 0;
+            for (int k = 0; k < 6; ++k) {
+                const double after = damping * (columns.stress[k][i] - columns.before[k][i]);
+                work += (k < 3 ? 1 : 2) * (dashpot[k] + after) * columns.strain[k][i];
+                dashpot[k] = after;
+            }
+            whole += 0.5 * columns.volume[i] * work;
+        }
+        return whole;
+    }
+
+    /// Forces of the stresses of the zones and of their dashpots.
+    void add_damped_forces(const ZoneColumns& columns, Row first, Row count) {
+        for (Row i = 0; i < count; i += eight) {
+            SixEights stress = load_stresses(model_.zones.dashpot, first + i, count - i);
+            for (std::size_t k = 0; k < 6; ++k) stress[k] = ZoneColumns::at(columns.stress[k] + i) + stress[k];
+            forces_.add(rows_.group_at(first + i), std::min<Row>(count - i, eight), columns.edges(i), stress);
+        }
+    }
+
+    Model& model_;
+    const ZoneTile& tile_;
+    const ZoneLaw& law_;
+    ZoneScratch& scratch_;
+    const bool averages_; ///< over gridpoints
+    const bool damped_;   ///< by viscous stresses
+    TileRows rows_;
+    TileForces forces_;
+};
+
+/// Once for all tiles: below a ground surface it is slow.
+void find_pressure(const Model& model, std::vector<double>& pressure) {
+    pressure.clear();
+    if (model.settings.water == Water::none || model.zones.size() == 0) return;
+    pressure.resize(model.gridpoints.size());
+    const WaterPressure water(model);
+    constexpr std::size_t grain = 512;
+    for_chunks(pressure.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t g = first; g < last; ++g) pressure[g] = water.at_gridpoint(static_cast<Row>(g));
+    });
+}
+
+/// Calls each(tile) for all tiles whose law averages.
+template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
+    const auto& tiles = laws.tiles.tiles;
+    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) {
+        if (laws.laws[tiles[first].law].together == Together::at_points) each(tiles[first]);
+    });
+}
+
+/// Means of a quantity over neighbours, by volume: over the zones at each gridpoint and back. Zones of other blocks and materials do not
+/// count.
+template <class Put>
+void average(const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& values, const Put& put) {
+    const auto& volume = scratch.volume;
+    const ZoneTiles& tiles = laws.tiles;
+    scratch.at_point.resize(tiles.gridpoints.size());
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        auto* const sums = scratch.at_point.data() + tile.points.first;
+        std::fill_n(sums, tile.points.count, ZoneScratch::Mean{});
+        for (Row z = tile.first; z < tile.last; ++z)
+            for (const Row p : tiles.corners[z]) {
+                sums[p].sum += volume[z] * values[z];
+                sums[p].volume += volume[z];
+            }
+    });
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        std::array<double, most_points_in_tile> mean;
+        for (Row p = 0; p < tile.points.count; ++p) {
+            const Row g = tiles.gridpoints[tile.points.first + p];
+            ZoneScratch::Mean whole;
+            for (auto part = tiles.points_of.begin(g); part != tiles.points_of.end(g); ++part) {
+                whole.sum += scratch.at_point[*part].sum;
+                whole.volume += scratch.at_point[*part].volume;
+            }
+            mean[p] = whole.sum / whole.volume;
+        }
+        for (Row z = tile.first; z < tile.last; ++z) {
+            const auto& c = tiles.corners[z];
+            put(z, 0.25 * (mean[c[0]] + mean[c[1]] + mean[c[2]] + mean[c[3]]));
+        }
+    });
+}
+
+/// Volume strains of averaging zones, and their means.
+void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
+    const std::size_t zones = model.zones.size();
+    for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
+    for_averaging(laws, [&](const ZoneTile& tile) {
+        const TileRows rows(model, laws.tiles, tile);
+        for (Row z = tile.first; z < tile.last; z += eight) {
+            const ZoneGroup group = rows.group_at(z);
+            const Deformation d = rows.deformation(group, rows.edges(group), model.settings.large_strain);
+            store_rows(scratch.volume.data() + z, tile.last - z, d.volume);
+            store_rows(scratch.strain.data() + z, tile.last - z, d.volume_strain);
+        }
+    });
+    average(laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
+}
+
+/// Forces of all zones of a tile from their present stresses.
+void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
+    const ZoneLaw& law = laws.laws[tile.law];
+    if (law.together == Together::flow_in_cells ||
+        (law.together == Together::cells && cells_go_together(model.settings)))
+        return cell_forces(model, laws.tiles, tile, law, forces);
+    const TileRows rows(model, laws.tiles, tile);
+    TileForces sums(tile, forces);
+    const bool damped = zones_are_damped(model);
+    for (Row z = tile.first; z < tile.last; z += eight) {
+        SixEights stress = load_stresses(model.zones.stress, z, tile.last - z);
+        if (damped) {
+            const SixEights viscous = load_stresses(model.zones.dashpot, z, tile.last - z);
+            for (std::size_t k = 0; k < 6; ++k) stress[k] += viscous[k];
+        }
+        const ZoneGroup zones = rows.group_at(z);
+        sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
+    }
+    if (law.together == Together::cells) held_forces(model, rows, tile, law, sums);
+}
+
+/// Averages the plastic change of the mean stress, then computes the forces. Returns the corresponding work.
+ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    average(laws, scratch, scratch.flow, [&](Row z, double mean) { scratch.flow[z] = mean - scratch.flow[z]; });
+    const auto& tiles = laws.tiles.tiles;
+    return reduce_chunks(
+        tiles.size(), 1, ZoneSums{},
+        [&](std::size_t first, std::size_t) {
+            ZoneSums sums;
+            const ZoneTile& tile = tiles[first];
+            if (laws.laws[tile.law].together != Together::at_points) return sums;
+            for (Row z = tile.first; z < tile.last; ++z) {
+                for (int k = 0; k < 3; ++k) model.zones.stress[z][k] += scratch.flow[z];
+                sums.work += 0.5 * scratch.volume[z] * scratch.flow[z] * scratch.strain[z];
+            }
+            add_all(model, laws, tile, forces);
+            return sums;
+        },
+        [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
+}
+
+} // namespace
+
+void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
+    scratch.cells.make_room(laws.tiles);
+    if (!scratch.cells.wanted) scratch.cells.give_back(model, laws.tiles);
+    if (stiffness_damping(model.settings) > 0) model.zones.keep_dashpots();
+    find_pressure(model, scratch.pressure);
+    if (laws.any_averages_at_points()) average_strain(model, laws, scratch);
+    if (!cells_go_together(model.settings)) keep_cell_motion(model, laws);
+}
+
+bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
+    return model.settings.water == Water::none && !laws.any_averages_at_points();
+}
+
+ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                  std::vector<PointRow>& forces) {
+    const ZoneLaw& law = laws.laws[tile.law];
+    if (law.together == Together::flow_in_cells)
+        return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
+    if (law.together == Together::cells && cells_go_together(model.settings))
+        return run_cells(model, laws.tiles, tile, law, scratch, forces);
+    return TileRun(model, laws, tile, scratch, forces).run();
+}
+
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    begin_zones(model, laws, scratch);
+    const auto& tiles = laws.tiles.tiles;
+    ZoneSums sums = reduce_chunks(
+        tiles.size(), 1, ZoneSums{},
+        [&](std::size_t first, std::size_t) { return run_tile(model, laws, tiles[first], scratch, forces); },
+        [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
+    if (laws.any_averages_at_points()) sums.add(average_flow(model, laws, scratch, forces));
+    return sums;
+}
+
+void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces) {
+    const auto& tiles = laws.tiles.tiles;
+    forces.resize(laws.tiles.gridpoints.size());
+    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) { add_all(model, laws, tiles[first], forces); });
+}
+
+} // namespace kaya

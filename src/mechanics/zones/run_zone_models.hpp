@@ -1,0 +1,46 @@
+// Advances zones by one step: docs/theory/zones.md.
+// reads: gridpoints.position, gridpoints.velocity, gridpoints.pore_pressure, zone_properties, clock.time_step
+// writes: zones.stress, zones.state, zones.history, zones.dashpot
+#pragma once
+
+#include "mechanics/zones/cell_stresses.hpp"
+#include "mechanics/common/phase_sums.hpp"
+#include "mechanics/zones/zone_tiles.hpp"
+#include "model/tables/model.hpp"
+
+#include <vector>
+
+namespace kaya {
+
+class ZoneLaws;
+
+/// Scratch memory of zones within a step, and of cells between steps; it is reused.
+struct ZoneScratch {
+    struct Mean {
+        double sum = 0, volume = 0; ///< of a quantity times volume
+    };
+    std::vector<double> volume, strain, mean_strain,
+        flow;                     ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<Mean> at_point;   ///< by point of the tiles
+    std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water
+    CellStresses cells;
+};
+
+/// Preparations before the zones of a step.
+void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch);
+
+/// Whether the zones of a tile depend on no gridpoint but their own.
+bool tiles_go_alone(const Model& model, const ZoneLaws& laws);
+
+/// Runs the zones of one tile, if tiles are independent, after begin_zones.
+ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                  std::vector<PointRow>& forces);
+
+/// Also writes `forces`: by point of the tiles, with the sum of the magnitudes of the forces of single zones. Throws Diagnostic when a zone
+/// model fails.
+ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);
+
+/// Forces of the present stresses, without a step.
+void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces);
+
+} // namespace kaya

@@ -1,0 +1,65 @@
+// The stiffness of zones against the masses of their gridpoints, which bounds the time step.
+#include "mechanics/zones/zone_frequencies.hpp"
+
+#include "base/parallel.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace kaya {
+
+namespace {
+
+constexpr double rounding = 1e-9; ///< of an eigenvalue
+
+/// Volume and gradients of the shape functions of a linear tetrahedron.
+struct Corners {
+    std::array<Vec3, 4> gradient;
+    double volume;
+
+    explicit Corners(const std::array<Vec3, 4>& x) {
+        const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], e3 = x[3] - x[0];
+        const Vec3 c1 = e2.cross(e3), c2 = e3.cross(e1), c3 = e1.cross(e2);
+        const double six_volumes = e1.dot(c1);
+        volume = six_volumes / 6;
+        gradient[1] = c1 / six_volumes;
+        gradient[2] = c2 / six_volumes;
+        gradient[3] = c3 / six_volumes;
+        gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+    }
+};
+
+std::array<Vec3, 4> places(const Model& model, Row z) {
+    std::array<Vec3, 4> x;
+    for (int a = 0; a < 4; ++a) x[a] = model.gridpoints.position[model.zones.gridpoints[z][a]];
+    return x;
+}
+
+} // namespace
+
+void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic) {
+    auto& g = model.gridpoints;
+    std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
+    constexpr std::size_t blocks_in_chunk = 4;
+    // The zones of a block have its gridpoints alone.
+    for_chunks(model.blocks.size(), blocks_in_chunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            const Span zones = model.blocks.zones[b];
+            // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
+            const auto& [lambda, two_shear] = elastic[b];
+            for (Row z = zones.first; z < zones.end(); ++z) {
+                const Corners now(places(model, z));
+                Mat3 squares = Mat3::Zero();
+                for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
+                Eigen::SelfAdjointEigenSolver<Mat3> solver;
+                solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+                const double largest = (1 + rounding) * solver.eigenvalues()[2];
+                const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
+                for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
+            }
+        }
+    });
+}
+
+} // namespace kaya
