@@ -11,7 +11,7 @@ set(CPACK_COMPONENTS_ALL program development)
 if(KAYA_PAINTER_BUILT)
   list(APPEND CPACK_COMPONENTS_ALL pictures)
 endif()
-add_custom_target(packaged DEPENDS program) # all that the packages hold
+add_custom_target(packaged DEPENDS program kaya_library) # all that the packages hold
 if(TARGET kaya_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
   add_dependencies(packaged kaya_python)

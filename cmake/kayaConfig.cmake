@@ -1,2 +1,3 @@
-# find_package(kaya): kaya_add_joint_model(), KAYA_INCLUDE_DIR, KAYA_PROGRAM.
+# find_package(kaya): kaya_add_joint_model(), KAYA_INCLUDE_DIR, KAYA_PROGRAM, and the target kaya::kaya, the library.
 include("${CMAKE_CURRENT_LIST_DIR}/KayaJointModel.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/kayaTargets.cmake" OPTIONAL)

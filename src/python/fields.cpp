@@ -1,6 +1,6 @@
 #include "python/fields.hpp"
 
-#include "mechanics/contact_properties.hpp"
+#include "mechanics/assign/contact_properties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,7 @@ namespace py = pybind11;
 namespace {
 
 const Field& field_of(ObjectKind kind, const std::string& name) {
-    for (const auto& field : fields())
-        if (field.kind == kind && (field.name == name || field.classic == name || field.modern == name)) return field;
+    if (const Field* field = find_any_field(kind, name)) return *field;
     const auto shown = kind == ObjectKind::global ? std::string("model") : std::string(info_of(kind).name);
     throw py::key_error("a " + shown + " has no field '" + name + "'; fields() lists them");
 }
@@ -76,10 +75,7 @@ FieldValue given_value(const py::handle& value) {
 } // namespace
 
 ObjectKind kind_of(const std::string& name) {
-    if (name == "model") return ObjectKind::global;
-    for (const auto& info : kinds())
-        if (info.kind < end_of_script_kinds && (info.name == name || std::string(info.name) + "s" == name))
-            return info.kind;
+    if (const auto kind = find_kind(name)) return *kind;
     throw py::key_error("there are no objects of a kind '" + name + "'");
 }
 

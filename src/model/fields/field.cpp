@@ -93,6 +93,20 @@ const Field* find_classic_field(std::string_view classic) {
     return classic.empty() ? nullptr : find_field(index, classic);
 }
 
+const Field* find_any_field(ObjectKind kind, std::string_view name) {
+    for (const auto& field : fields())
+        if (field.kind == kind && (field.name == name || field.classic == name || field.modern == name)) return &field;
+    return nullptr;
+}
+
+std::optional<ObjectKind> find_kind(std::string_view name) {
+    if (name == "model") return ObjectKind::global;
+    for (const auto& info : kinds())
+        if (info.kind < end_of_script_kinds && (info.name == name || std::string(info.name) + "s" == name))
+            return info.kind;
+    return std::nullopt;
+}
+
 std::optional<std::int64_t> object_number(const Model& model, const Link& link) {
     const auto number = info_of(link.kind).number;
     if (link.row == no_row || number == nullptr) return std::nullopt;

@@ -36,6 +36,10 @@ struct Field {
 std::span<const Field> fields();
 const Field* find_field(ObjectKind kind, std::string_view name);
 const Field* find_classic_field(std::string_view classic);
+/// By any of its names.
+const Field* find_any_field(ObjectKind kind, std::string_view name);
+/// The kind that is called so, also in the plural: "block", "blocks"; "model" for fields of the whole model. Of scripts' kinds only.
+std::optional<ObjectKind> find_kind(std::string_view name);
 
 /// The number of an object for users; none for no object and for kinds without numbers, such as a corner.
 std::optional<std::int64_t> object_number(const Model& model, const Link& link);
