@@ -45,8 +45,8 @@ extern "C" {
  * their names and meanings, and new ones come last: a library that was built for an older version, from
  * KAYA_JMODEL_OLDEST on, still loads, and a source made for one compiles again. A library made for a newer version than
  * the program's is refused, with both numbers.
- * 1: batches. 2: objects, tables, `row`. 3: places and fields, values of objects, wider limits. */
-#define KAYA_JMODEL_INTERFACE 3
+ * 1: batches. 2: objects, tables, `row`. 3: places and fields, values of objects, wider limits. 4: roles of properties. */
+#define KAYA_JMODEL_INTERFACE 4
 #define KAYA_JMODEL_OLDEST 2
 
 #define KAYA_JMODEL_MAX_PROPERTIES 256 /* properties of one model, at most */
@@ -54,6 +54,37 @@ extern "C" {
 #define KAYA_JMODEL_MAX_STATES 32      /* state names of one model, at most */
 #define KAYA_JMODEL_MAX_FIELDS 8       /* fields of one model, at most */
 #define KAYA_JMODEL_MESSAGE 256        /* bytes of a message, with the closing zero */
+
+/* Last members that a model leaves out are NULL, in C by the language, in C++ by this. */
+#ifdef __cplusplus
+#define KAYA_JMODEL_NONE = NULL
+#define KAYA_JMODEL_ZERO = 0
+#else
+#define KAYA_JMODEL_NONE
+#define KAYA_JMODEL_ZERO
+#endif
+
+/* What a property means. A factor of safety divides cohesions and tensions, and the tangents of friction; `solve elastic` raises cohesion
+ * and tension; checks of values, `list forces` and slices ask for the role and not for the name. A property that states none, and each of a
+ * library made for interface 3 or older, has the role of its name where it has one of those below and the unit in brackets. */
+typedef enum kaya_jrole {
+    KAYA_JROLE_BY_NAME = 0,
+    KAYA_JROLE_NONE = 1,              /* none, whatever its name */
+    KAYA_JROLE_STIFFNESS_NORMAL = 2,  /* stiffness-normal [stress/length] */
+    KAYA_JROLE_STIFFNESS_SHEAR = 3,   /* stiffness-shear [stress/length] */
+    KAYA_JROLE_FRICTION = 4,          /* friction [angle]: of the peak, degrees */
+    KAYA_JROLE_FRICTION_RESIDUAL = 5, /* friction-residual [angle] */
+    KAYA_JROLE_FRICTION_OTHER = 6,    /* friction-... [angle]: another angle that is part of the strength */
+    KAYA_JROLE_COHESION = 7,          /* cohesion [stress]: of the peak */
+    KAYA_JROLE_COHESION_RESIDUAL = 8, /* cohesion-residual [stress] */
+    KAYA_JROLE_STRENGTH_OTHER = 9,    /* cohesion-... [stress]: another strength in shear */
+    KAYA_JROLE_TENSION = 10,          /* tension [stress]: tensile strength */
+    KAYA_JROLE_TENSION_RESIDUAL = 11, /* tension-residual, tension-... [stress] */
+    KAYA_JROLE_DILATION = 12,         /* dilation [angle] */
+    KAYA_JROLE_WALL_STRENGTH = 13,    /* jcso [stress]: compressive strength of the walls */
+    KAYA_JROLE_STRENGTH_FACTOR =
+        14 /* strength-factor [-]: the model divides its strength by it; no other property is then reduced */
+} kaya_jrole;
 
 /* One property, in the order of the values that `run` gets. Only `name` must not be NULL. */
 typedef struct kaya_jproperty {
@@ -65,6 +96,9 @@ typedef struct kaya_jproperty {
     double minimum;      /* limits, inclusive; -INFINITY and INFINITY for none */
     double maximum;
     uint32_t optional; /* with an initial NAN: 0, the user must give a value; 1, the model gets NAN */
+
+    /* From interface 4 on. */
+    uint32_t role KAYA_JMODEL_ZERO; /* kaya_jrole */
 } kaya_jproperty;
 
 /* A number that the model keeps per sub-contact from cycle to cycle; starts as 0. It is saved,
@@ -144,15 +178,6 @@ typedef struct kaya_jbatch {
 
 /* What a model may ask for. */
 #define KAYA_JMODEL_NEEDS_PLACE 1u /* the columns position, normal and block */
-
-/* Last members that a model leaves out are NULL, in C by the language, in C++ by this. */
-#ifdef __cplusplus
-#define KAYA_JMODEL_NONE = NULL
-#define KAYA_JMODEL_ZERO = 0
-#else
-#define KAYA_JMODEL_NONE
-#define KAYA_JMODEL_ZERO
-#endif
 
 /* `name`, `initialise`, `run` and `max_stiffness` must not be NULL; neither must a table whose count
  * is not 0. */

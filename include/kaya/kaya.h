@@ -37,7 +37,7 @@ typedef struct kaya_options {
     int strict;    /* not 0: warnings are errors */
     int trust;     /* not 0: scripts may use files and other programs */
     const char*
-        joints; /* folder of joint models, with that of zone models beside it; NULL: those installed with the library */
+        joints; /* folder of joint models, with the folder of zone models next to it; NULL: those installed with the library */
     kaya_writer output;   /* what commands print; NULL: not kept */
     kaya_writer messages; /* notes and warnings; NULL: not kept */
     void* user;           /* first argument of both */

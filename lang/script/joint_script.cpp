@@ -80,7 +80,8 @@ JointScript::JointScript(const std::filesystem::path& file)
     descriptor_.state_names = text();
     for (const auto& p : table.properties) {
         const char *name = text(), *aliases = text(), *unit = text(), *help = text();
-        properties_.push_back({name, aliases, unit, help, p.initial, p.minimum, p.maximum, p.optional ? 1u : 0u});
+        properties_.push_back(
+            {name, aliases, unit, help, p.initial, p.minimum, p.maximum, p.optional ? 1u : 0u, p.role});
     }
     for (std::size_t k = 0; k < table.history.size(); ++k) {
         const char *name = text(), *unit = text(), *help = text();

@@ -1,5 +1,6 @@
 #include "lang/script/joint_script_state.hpp"
 
+#include "kaya/law/roles.hpp"
 #include "lang/script/joint_script_names.hpp"
 #include "lang/script/lua_headers.hpp"
 
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -108,12 +110,24 @@ template <class Visit> void each_entry(lua_State* L, const char* list, Visit vis
     lua_pop(L, 1);
 }
 
+/// "friction", ...: a role of kaya/jmodel.h; by the name of the property where none is stated.
+kaya_jrole role_named(const std::string& word, const std::string& property) {
+    if (word.empty()) return KAYA_JROLE_BY_NAME;
+    std::vector<std::string_view> words;
+    for (const auto& known : law::role_words) {
+        if (known.word == word) return known.role;
+        words.push_back(known.word);
+    }
+    fail(fmt::format("the role of property '{}' is '{}'; roles are {}", property, word, fmt::join(words, ", ")));
+}
+
 JointScriptTable::Property property_on_stack(lua_State* L) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    JointScriptTable::Property p{first_text(L, "properties"), "", "-", "", std::nan(""), -infinity, infinity, false};
+    JointScriptTable::Property p{first_text(L, "properties"), "", "-", "", std::nan(""), -infinity, infinity, false,
+                                 KAYA_JROLE_BY_NAME};
     if (lua_type(L, -1) != LUA_TTABLE) return p;
     refuse_other_names(L, fmt::format("the entry of property '{}'", p.name),
-                       {"unit", "help", "initial", "minimum", "maximum", "optional"});
+                       {"unit", "help", "initial", "minimum", "maximum", "optional", "role"});
     lua_rawgeti(L, -1, 2);
     if (lua_type(L, -1) == LUA_TSTRING) p.aliases = lua_tostring(L, -1);
     lua_pop(L, 1);
@@ -125,6 +139,7 @@ JointScriptTable::Property property_on_stack(lua_State* L) {
     lua_getfield(L, -1, "optional");
     p.optional = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
+    p.role = role_named(text_field(L, "role", ""), p.name);
     return p;
 }
 

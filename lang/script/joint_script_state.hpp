@@ -16,6 +16,7 @@ struct JointScriptTable {
         std::string name, aliases, unit, help;
         double initial, minimum, maximum;
         bool optional;
+        kaya_jrole role;
     };
     struct Kept {
         std::string name, unit, help;

@@ -8,6 +8,7 @@
 #include "commands/world/lua_joint_models.hpp"
 #include "commands/program/output.hpp"
 #include "laws/joint_model.hpp"
+#include "laws/property_roles.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -54,6 +55,11 @@ void describe(const LawTable& model, const char* kind, std::uint32_t interface, 
 
 void describe(const JointModel& model) {
     describe(model, "joint model", model.descriptor().interface_version, model.keeps_objects());
+    std::vector<std::string> roles;
+    for (const auto& property : model.properties)
+        if (property.role != KAYA_JROLE_NONE && word_of(property.role) != property.name)
+            roles.push_back(fmt::format("{} is {}", property.name, word_of(property.role)));
+    if (!roles.empty()) print_result(fmt::format("  {:<11} {}", "roles", fmt::join(roles, ", ")));
     std::vector<std::string> fields;
     for (const auto& field : model.fields) fields.push_back(field.name);
     if (!fields.empty()) print_result(fmt::format("  {:<11} {}", "fields", fmt::join(fields, ", ")));

@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
 #include "laws/crash_report.hpp"
+#include "laws/property_roles.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -48,6 +49,14 @@ std::size_t size_of_version(const kaya_zmodel& d) { return sizeof d; }
 
 std::uint32_t reduction_of(const kaya_jproperty&) { return KAYA_ZREDUCE_NONE; }
 std::uint32_t reduction_of(const kaya_zproperty& p) { return p.reduction; }
+
+constexpr std::uint32_t roles_since = 4; // interface version: in older tables these bytes are padding
+
+/// KAYA_JROLE_BY_NAME where the table states no role.
+std::uint32_t stated_role(const kaya_jmodel& d, const kaya_jproperty& p) {
+    return d.interface_version < roles_since ? 0 : p.role;
+}
+std::uint32_t stated_role(const kaya_zmodel&, const kaya_zproperty&) { return KAYA_JROLE_NONE; }
 
 /// The words of a table with their properties, and conflicts between them.
 struct Words {
@@ -130,8 +139,13 @@ template <class Descriptor> void LawTable::read_table(const LawKind& kind, const
         if (p.initial < p.minimum || p.initial > p.maximum)
             refuse(kind, fmt::format("the initial value of property '{}' is {}, outside its limits {} and {}", p.name,
                                      p.initial, p.minimum, p.maximum));
-        properties.push_back({p.name, words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help), p.initial,
-                              p.minimum, p.maximum, p.optional != 0, reduction_of(p)});
+        const std::uint32_t role = stated_role(d, p);
+        if (role > KAYA_JROLE_STRENGTH_FACTOR)
+            refuse(kind, fmt::format("the role of property '{}' is {}, which means nothing", p.name, role));
+        properties.push_back(
+            {p.name, words_of(p.aliases), text_or_empty(p.unit), text_or_empty(p.help), p.initial, p.minimum, p.maximum,
+             p.optional != 0, reduction_of(p),
+             role == KAYA_JROLE_BY_NAME ? role_by_name(p.name, text_or_empty(p.unit)) : static_cast<kaya_jrole>(role)});
     }
     Words words;
     for (const auto& property : properties) {

@@ -33,9 +33,10 @@ public:
         std::string name;
         std::vector<std::string> aliases;
         std::string unit, help;
-        double initial, minimum, maximum; ///< initial is NaN when there is none
-        bool optional;                    ///< with an initial NaN: the law gets NaN
-        std::uint32_t reduction = 0;      ///< kaya_zreduction
+        double initial, minimum, maximum;  ///< initial is NaN when there is none
+        bool optional;                     ///< with an initial NaN: the law gets NaN
+        std::uint32_t reduction = 0;       ///< kaya_zreduction; of zone models
+        kaya_jrole role = KAYA_JROLE_NONE; ///< of joint models
 
         /// Whether the property is optional.
         bool has_default() const { return optional || initial == initial; }

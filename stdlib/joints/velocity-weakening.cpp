@@ -21,7 +21,8 @@ constexpr auto all_properties = [] {
              "1: speed counts only while the joint slips, a joint that sticks has its friction at rest", 0, 0, 1, 0},
         });
     // The values before and after failure of the other models are the values at low and high speed here.
-    rows[friction] = {"friction-static", "friction jfriction fric", "angle", "angle of friction at rest", 0, 0, 90, 0};
+    rows[friction] = {"friction-static",  "friction jfriction fric", "angle", "angle of friction at rest", 0, 0, 90, 0,
+                      KAYA_JROLE_FRICTION};
     rows[friction_residual] = {
         "friction-dynamic", "", "angle", "angle of friction of fast sliding; not given: that at rest", NAN, 0, 90, 1};
     return rows;

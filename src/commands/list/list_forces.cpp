@@ -3,6 +3,7 @@
 #include "commands/list/row_table.hpp"
 
 #include "base/counted.hpp"
+#include "laws/property_roles.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "commands/list/reactions.hpp"
 #include "commands/list/interfaces.hpp"
@@ -19,16 +20,14 @@ namespace kaya {
 
 namespace {
 
-/// A property of the joint model of a contact.
-std::optional<double> property_of(const Session& session, Row contact, std::string_view name) {
+/// The value of a property with a role, of the joint model of a contact.
+std::optional<double> property_of(const Session& session, Row contact, kaya_jrole role) {
     const Row row = session.model.contacts.properties[contact];
     if (row == no_row) return std::nullopt;
     const JointProperties& properties = session.model.joint_properties[static_cast<std::size_t>(row)];
     const JointModel* joint = session.joints.find(properties.model);
     if (joint == nullptr) return std::nullopt;
-    for (std::size_t k = 0; k < joint->properties.size() && k < properties.values.size(); ++k)
-        if (joint->properties[k].name == name) return properties.values[k];
-    return std::nullopt;
+    return value_of_role(*joint, properties.values, role);
 }
 
 /// The shear force over what friction and cohesion can take at this normal force; "-" where the joint model has no friction or the interface
@@ -37,11 +36,12 @@ std::string utilisation_of(const Session& session, const Interface& one) {
     constexpr double degree = std::numbers::pi / 180;
     double tangent = 0, cohesion = 0;
     for (const Row contact : one.contacts) {
-        const auto friction = property_of(session, contact, "friction");
+        const auto friction = property_of(session, contact, KAYA_JROLE_FRICTION);
         if (!friction) return "-";
         const double share = one.area > 0 ? session.model.contacts.area[contact] / one.area : 1.0 / one.contacts.size();
         tangent += share * std::tan(*friction * degree);
-        cohesion += session.model.contacts.area[contact] * property_of(session, contact, "cohesion").value_or(0);
+        cohesion +=
+            session.model.contacts.area[contact] * property_of(session, contact, KAYA_JROLE_COHESION).value_or(0);
     }
     const double strength = std::max(0.0, one.normal_force()) * tangent + cohesion;
     return strength > 0 ? number_text(one.shear_force() / strength) : "-";

@@ -1,5 +1,6 @@
 #include "commands/list/model_strengths.hpp"
 
+#include "laws/property_roles.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
 #include <algorithm>
@@ -74,7 +75,10 @@ std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, 
     if (!law.missing(set.values).empty()) return std::nullopt;
     const Values values(law, set.values);
     if (auto strength = barton_of(values)) return strength;
-    return coulomb_of(values);
+    const auto friction = value_of_role(law, set.values, KAYA_JROLE_FRICTION),
+               cohesion = value_of_role(law, set.values, KAYA_JROLE_COHESION);
+    if (!friction && !cohesion) return std::nullopt;
+    return Strength::coulomb(cohesion.value_or(0), friction.value_or(0));
 }
 
 } // namespace kaya

@@ -15,6 +15,7 @@
 #include "commands/conditions/tables.hpp"
 #include "commands/run/time_step.hpp"
 #include "laws/guard.hpp"
+#include "laws/property_roles.hpp"
 #include "mechanics/contact/take_over.hpp"
 #include "model/kinds/nearest.hpp"
 #include "model/measure/time_step_fraction.hpp"
@@ -395,8 +396,8 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
     for (const Row row : property_sets_in_use(session.model)) {
         auto& set = session.model.joint_properties[row];
         const JointModel& model = session.joints.get(set.model);
-        for (const char* word : {"jcohesion", "jtension"})
-            if (const auto index = model.find_property(word)) {
+        for (const kaya_jrole role : {KAYA_JROLE_COHESION, KAYA_JROLE_TENSION})
+            if (const auto index = find_role(model, role)) {
                 set.values[*index] = strong;
                 strengthened_ = true;
             }

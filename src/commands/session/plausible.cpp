@@ -6,6 +6,7 @@
 #include "commands/monitors/rest_monitor.hpp"
 #include "commands/session/session.hpp"
 #include "commands/program/text_table.hpp"
+#include "laws/property_roles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,7 @@ bool is_friction_angle(const JointRegistry& joints, const std::string& word) {
     return std::ranges::any_of(joints.loaded(), [&](const auto& model) {
         const auto found = model->find_property(word);
         if (!found) return false;
-        const auto& property = model->properties[*found];
-        return property.unit.starts_with("deg") && property.name.find("friction") != std::string::npos;
+        return strength_part(model->properties[*found].role) == StrengthPart::friction;
     });
 }
 
@@ -110,17 +110,7 @@ void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
     session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
 }
 
-namespace {
-
-/// The value of a property by its own name and unit, and none where the model has no such property.
-std::optional<double> value_of(const JointModel& model, const JointProperties& set, std::string_view name,
-                               std::string_view unit) {
-    for (std::size_t k = 0; k < model.properties.size() && k < set.values.size(); ++k)
-        if (model.properties[k].name == name && model.properties[k].unit == unit) return set.values[k];
-    return std::nullopt;
-}
-
-} // namespace
+namespace {} // namespace
 
 void doubt_joints(Session& session) {
     double density = 0;
@@ -136,10 +126,9 @@ void doubt_joints(Session& session) {
             const std::string text = fmt::format("{} ({})", message, where);
             if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
         };
-        const auto friction = value_of(*joint, set, "friction", "angle"),
-                   dilation = value_of(*joint, set, "dilation", "angle"),
-                   stiffness = value_of(*joint, set, "stiffness-normal", "stress/length"),
-                   walls = value_of(*joint, set, "jcso", "stress");
+        const auto value = [&](kaya_jrole role) { return value_of_role(*joint, set.values, role); };
+        const auto friction = value(KAYA_JROLE_FRICTION), dilation = value(KAYA_JROLE_DILATION),
+                   stiffness = value(KAYA_JROLE_STIFFNESS_NORMAL), walls = value(KAYA_JROLE_WALL_STRENGTH);
         if (friction && dilation && *dilation > *friction)
             say(fmt::format("dilation {} is above friction {}: a joint that slips would give energy",
                             number_text(*dilation), number_text(*friction)),
@@ -160,7 +149,8 @@ void doubt_joints(Session& session) {
                 "is it in MPa/m or GPa/m, and the rest in Pa?");
         constexpr double far_below = 0.01; // MPa for Pa is a factor of a million
         if (walls && *walls > 0 && *walls < far_below * weight)
-            say(fmt::format("jcso {} is far below the stress of the model's weight, {:.3g}", number_text(*walls),
+            say(fmt::format("{} {} is far below the stress of the model's weight, {:.3g}",
+                            joint->properties[*find_role(*joint, KAYA_JROLE_WALL_STRENGTH)].name, number_text(*walls),
                             weight),
                 "are the strengths in MPa and the rest in Pa?");
     }

@@ -1,6 +1,7 @@
 #include "commands/stability/strength_reduction.hpp"
 
 #include "commands/program/text_table.hpp"
+#include "laws/property_roles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,6 @@ namespace kaya {
 
 namespace {
 
-/// How a property gets weaker by a factor: the name that it begins with, and the unit that it then has.
-struct Strength {
-    std::string_view name, unit;
-    double (*divided)(double value, double factor);
-    Reduced kind;
-};
-
 double divided(double value, double factor) { return value / factor; }
 
 double with_tangent_divided(double degrees, double factor) {
@@ -25,20 +19,17 @@ double with_tangent_divided(double degrees, double factor) {
     return std::atan(std::tan(degrees * radian) / factor) / radian;
 }
 
-constexpr std::array<Strength, 3> strengths{{
-    {"friction", "angle", with_tangent_divided, Reduced::friction},
-    {"cohesion", "stress", divided, Reduced::cohesion},
-    {"tension", "stress", divided, Reduced::tension},
+/// How a part of the strength gets weaker by a factor, and the word of `solve` that selects it.
+struct Weakening {
+    StrengthPart part;
+    double (*divided)(double value, double factor);
+    Reduced kind;
+};
+constexpr std::array<Weakening, 3> weakenings{{
+    {StrengthPart::friction, with_tangent_divided, Reduced::friction},
+    {StrengthPart::cohesion, divided, Reduced::cohesion},
+    {StrengthPart::tension, divided, Reduced::tension},
 }};
-
-/// A law with this property divides its strength by it; its other properties are unchanged.
-constexpr std::string_view own_factor = "strength-factor";
-
-/// By the whole name of the property; no number where there is none.
-double value_of(const JointModel& joint, const std::vector<double>& values, std::string_view name) {
-    const auto found = std::ranges::find(joint.properties, name, &LawTable::Property::name);
-    return found == joint.properties.end() ? NAN : values[static_cast<std::size_t>(found - joint.properties.begin())];
-}
 
 } // namespace
 
@@ -58,18 +49,14 @@ Asked::Asked(const lang::Solve& command) {
 
 std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
                                            const Asked& asked) {
-    if (const auto own = std::ranges::find(joint.properties, own_factor, &LawTable::Property::name);
-        own != joint.properties.end()) {
-        values[static_cast<std::size_t>(own - joint.properties.begin())] *= factor;
+    if (const auto own = find_role(joint, KAYA_JROLE_STRENGTH_FACTOR)) {
+        values[*own] *= factor;
         return values;
     }
     bool any = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto& property = joint.properties[i];
-        const auto found = std::ranges::find_if(strengths, [&](const Strength& strength) {
-            return property.name.starts_with(strength.name) && property.unit == strength.unit;
-        });
-        if (found == strengths.end() || !asked(found->kind)) continue;
+        const auto found = std::ranges::find(weakenings, strength_part(joint.properties[i].role), &Weakening::part);
+        if (found == weakenings.end() || !asked(found->kind)) continue;
         values[i] = found->divided(values[i], factor);
         any = true;
     }
@@ -77,18 +64,22 @@ std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<
 }
 
 bool loses_strength(const JointModel& joint, const std::vector<double>& values) {
-    constexpr std::string_view residual = "-residual";
-    return std::ranges::any_of(joint.properties, [&](const auto& property) {
-        const std::string_view name = property.name;
-        return name.ends_with(residual) &&
-               value_of(joint, values, name) < value_of(joint, values, name.substr(0, name.size() - residual.size()));
+    constexpr std::array<std::pair<kaya_jrole, kaya_jrole>, 3> peaks{{
+        {KAYA_JROLE_FRICTION, KAYA_JROLE_FRICTION_RESIDUAL},
+        {KAYA_JROLE_COHESION, KAYA_JROLE_COHESION_RESIDUAL},
+        {KAYA_JROLE_TENSION, KAYA_JROLE_TENSION_RESIDUAL},
+    }};
+    return std::ranges::any_of(peaks, [&](const auto& of) {
+        const auto peak = value_of_role(joint, values, of.first), residual = value_of_role(joint, values, of.second);
+        return peak && residual && *residual < *peak;
     });
 }
 
 std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set) {
     constexpr double rounding = 1e-9, radian = std::numbers::pi / 180;
-    const double tension = value_of(joint, set.values, "tension"), cohesion = value_of(joint, set.values, "cohesion"),
-                 tangent = std::tan(value_of(joint, set.values, "friction") * radian);
+    const auto value = [&](kaya_jrole role) { return value_of_role(joint, set.values, role).value_or(NAN); };
+    const double tension = value(KAYA_JROLE_TENSION), cohesion = value(KAYA_JROLE_COHESION),
+                 tangent = std::tan(value(KAYA_JROLE_FRICTION) * radian);
     if (!(tension * tangent > cohesion * (1 + rounding))) return std::nullopt;
     Diagnostic d(
         fmt::format("the tensile strength {} of joints is above cohesion/tan(friction) = {}", number_text(tension),

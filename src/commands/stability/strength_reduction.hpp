@@ -1,4 +1,4 @@
-// Strengths of joint models that a factor of safety divides, by their properties.
+// Strengths of joint models that a factor of safety divides, by the roles of their properties.
 #pragma once
 
 #include "base/diagnostic.hpp"
@@ -32,7 +32,7 @@ std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<
 /// others together, whose friction increases. None without such a strength.
 std::optional<Diagnostic> doubtful_tension(const JointModel& joint, const JointProperties& set);
 
-/// Whether a joint with these values loses strength at failure: a value "x-residual" is below "x".
+/// Whether a joint with these values loses strength at failure: a residual value is below that of the peak.
 bool loses_strength(const JointModel& joint, const std::vector<double>& values);
 
 } // namespace kaya

@@ -16,7 +16,7 @@ struct Member {
 #define KAYA_MEMBER(type, member, recorded) \
     Member { #type "." #member, offsetof(type, member), recorded }
 
-// Layout of interface version 3, 64 bits; members of version 2 are unchanged.
+// Layout of interface version 4, 64 bits; members of versions 2 and 3 are unchanged.
 const Member members[] = {
     KAYA_MEMBER(kaya_jproperty, name, 0),
     KAYA_MEMBER(kaya_jproperty, aliases, 8),
@@ -26,6 +26,7 @@ const Member members[] = {
     KAYA_MEMBER(kaya_jproperty, minimum, 40),
     KAYA_MEMBER(kaya_jproperty, maximum, 48),
     KAYA_MEMBER(kaya_jproperty, optional, 56),
+    KAYA_MEMBER(kaya_jproperty, role, 60), // padding before version 4
     KAYA_MEMBER(kaya_jhistory, name, 0),
     KAYA_MEMBER(kaya_jhistory, unit, 8),
     KAYA_MEMBER(kaya_jhistory, help, 16),
@@ -88,7 +89,7 @@ const Member members[] = {
 };
 
 TEST(JointInterface, LaysItsStructsOutAsRecorded) {
-    EXPECT_EQ(KAYA_JMODEL_INTERFACE, 3);
+    EXPECT_EQ(KAYA_JMODEL_INTERFACE, 4);
     EXPECT_EQ(KAYA_JMODEL_OLDEST, 2);
     for (const auto& member : members) EXPECT_EQ(member.offset, member.recorded) << member.name;
     EXPECT_EQ(sizeof(kaya_jproperty), 64u);

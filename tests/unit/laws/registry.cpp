@@ -1,3 +1,4 @@
+#include "laws/property_roles.hpp"
 #include "test_joint.hpp"
 
 #include "base/diagnostic.hpp"
@@ -160,6 +161,44 @@ TEST(JointRegistry, LoadsALibraryOfAnOlderInterface) {
     EXPECT_FALSE(model.needs_place());
     const auto stiffness = initial_stiffness(model, {5});
     EXPECT_EQ(stiffness.normal, 5);
+}
+
+TEST(JointRegistry, ReadsNoRolesOfALibraryThatHasNone) {
+    JointRegistry registry;
+    const auto& model = registry.get((plugin_folder / "interface-3.so").string());
+    EXPECT_EQ(model.descriptor().interface_version, 3u);
+    EXPECT_EQ(model.properties[0].role, KAYA_JROLE_FRICTION) << "by its name";
+    EXPECT_EQ(model.properties[1].role, KAYA_JROLE_NONE);
+}
+
+TEST(JointRegistry, ReadsRolesThatPropertiesState) {
+    JointRegistry registry;
+    const auto& model = registry.get((plugin_folder / "own-words.so").string());
+    const std::vector<double> values{1e9, 5e8, 30, NAN, 45};
+    EXPECT_EQ(find_role(model, KAYA_JROLE_FRICTION), 2u);
+    EXPECT_EQ(value_of_role(model, values, KAYA_JROLE_FRICTION), 30);
+    EXPECT_EQ(value_of_role(model, values, KAYA_JROLE_COHESION), std::nullopt) << "no value";
+    EXPECT_EQ(value_of_role(model, values, KAYA_JROLE_TENSION), std::nullopt) << "no property";
+    EXPECT_EQ(model.properties[4].role, KAYA_JROLE_NONE) << "stated against its name";
+}
+
+TEST(JointRegistry, KnowsTheRolesOfNames) {
+    EXPECT_EQ(role_by_name("friction", "angle"), KAYA_JROLE_FRICTION);
+    EXPECT_EQ(role_by_name("friction", "-"), KAYA_JROLE_NONE) << "a coefficient is no angle";
+    EXPECT_EQ(role_by_name("friction-residual", "angle"), KAYA_JROLE_FRICTION_RESIDUAL);
+    EXPECT_EQ(role_by_name("friction-static", "angle"), KAYA_JROLE_FRICTION_OTHER);
+    EXPECT_EQ(role_by_name("cohesion-2", "stress"), KAYA_JROLE_STRENGTH_OTHER);
+    EXPECT_EQ(role_by_name("tension", "stress"), KAYA_JROLE_TENSION);
+    EXPECT_EQ(role_by_name("dilation", "angle"), KAYA_JROLE_DILATION);
+    EXPECT_EQ(role_by_name("dilation", "-"), KAYA_JROLE_NONE);
+    EXPECT_EQ(role_by_name("phi", "angle"), KAYA_JROLE_NONE);
+    EXPECT_EQ(role_by_name("none", ""), KAYA_JROLE_NONE);
+    EXPECT_EQ(role_by_name("strength-factor", "-"), KAYA_JROLE_STRENGTH_FACTOR);
+}
+
+TEST(JointRegistry, RefusesARoleThatMeansNothing) {
+    EXPECT_THAT(refusal_of_plugin("wrong-role").message,
+                HasSubstr("the role of property 'stiffness' is 99, which means nothing"));
 }
 
 TEST(JointRegistry, TakesAModelAsLargeAsTheHeaderSays) {
