@@ -74,12 +74,13 @@ function(kaya_files_run_once)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${KAYA_RUN_ONCE_PER_COMMAND}")
 endfunction()
 
-# kaya_library(NAME [ONCE] [GROUPS n] [APART files...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current folder and of its
-# rooms, the folders in it.
+# kaya_library(NAME [ONCE] [GROUPS n] [APART files...] [ROOMS folders...] [PUBLIC deps...] [PRIVATE deps...]): all .cpp files of the current
+# folder and of its rooms.
 # The link line defines which folders may be included. ONCE: kaya_runs_once.
 function(kaya_library name)
-  cmake_parse_arguments(arg "ONCE" "GROUPS" "APART;PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp */*.cpp)
+  cmake_parse_arguments(arg "ONCE" "GROUPS" "APART;ROOMS;PUBLIC;PRIVATE" ${ARGN})
+  list(TRANSFORM arg_ROOMS APPEND /*.cpp OUTPUT_VARIABLE in_rooms)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp ${in_rooms})
   add_library(${name} STATIC ${sources})
   kaya_compile_together(${name} "${arg_GROUPS}" "${arg_APART}" ${sources})
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
