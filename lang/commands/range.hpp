@@ -14,13 +14,14 @@ namespace kaya::lang {
 /// One element of a range phrase.
 struct RangeElement {
     using Kind = RangeKind;
-    static constexpr Kind last_kind = RangeKind::ground;
+    static constexpr Kind last_kind = RangeKind::geometry_distance;
     Kind kind = Kind::x;
     double low = 0, high = 0;
     Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();
     double radius1 = 0, radius2 = 0, distance = 0;
     int side = 0;
     std::string name, second_name;
+    std::vector<std::string> sets; ///< of surfaces, in lower case
     std::vector<std::int64_t> numbers;
     std::vector<Vec3> vertices;
     bool both = false; ///< `matches 2`: both blocks of a contact

@@ -201,8 +201,6 @@ void elements_to_come(Keywords<RangePhrase>& table) {
         {"sregion", "regions of surfaces"},
         {"fid", "fractures of a network"},
         {"dfn", "fractures of a network"},
-        {"geometry-space", "surfaces in a range"},
-        {"geometry-distance", "surfaces in a range"},
     };
     for (const auto& [word, help] : known) table.not_yet({Spelling{word, 4}}, help);
 }

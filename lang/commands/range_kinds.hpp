@@ -45,7 +45,9 @@ enum class RangeKind {
     leader,              ///< low..high, number of the first block of a body
     polygon,             ///< vertices; distance from its plane
     ellipse,             ///< centre, half axes end2 and normal; distance from its plane
-    ground               ///< above (side 1) or below (-1) the ground surface of the file name, moved by centre
+    ground,              ///< above (side 1) or below (-1) the ground surface of the file name, moved by centre
+    geometry_space, ///< a ray along normal crosses the surfaces of sets an odd (side 1) or even (-1) number of times, or `low` times (2)
+    geometry_distance ///< within distance of the surfaces of sets
 };
 
 /// How the element of a kind is written.

@@ -210,6 +210,79 @@ void ground(Keywords<RangePhrase>& table) {
         "above or below a ground surface; objects outside of its plan are neither", words);
 }
 
+/// More sets of surfaces than the first: `set 'name'`.
+void add_set_word(Keywords<RangeElement>& list) {
+    list.keyword(
+        {"set"}, text("name"), [](RangeElement& e, const std::string& name) { e.sets.push_back(fold(name)); },
+        "another set of surfaces");
+}
+
+/// Reads the name of the first set after the word of an element.
+RangeElement& of_surfaces(Reader& reader, RangePhrase& phrase, Kind kind, const ArgumentSpec& name) {
+    add(reader, phrase, kind);
+    phrase.elements.back().sets.push_back(fold(reader.text(name)));
+    return phrase.elements.back();
+}
+
+void geometry_space(Keywords<RangePhrase>& table) {
+    static const std::vector<KeywordSpec> words = [] {
+        Keywords<RangeElement> list;
+        add_set_word(list);
+        list.action(
+            {"inside"}, [](RangeElement& e) { e.side = 1; },
+            "objects inside of closed surfaces: an odd number of crossings");
+        list.action(
+            {"outside"}, [](RangeElement& e) { e.side = -1; }, "objects outside of them: an even number");
+        const auto count = integer("n").at_least(0);
+        list.special(
+            {"count"}, {count.spec},
+            [count](Reader& reader, RangeElement& e) {
+                const Word* next = reader.peek();
+                const bool odd = next != nullptr && next->folded == "odd";
+                if (odd || (next != nullptr && next->folded == "even")) {
+                    reader.take();
+                    e.side = odd ? 1 : -1;
+                    return;
+                }
+                e.side = 2;
+                e.low = static_cast<double>(reader.integer(count.spec));
+            },
+            "objects from which a ray crosses the surfaces so many times; or `count odd`, `count even`");
+        list.keyword({"direction"}, vector("x y z"), &RangeElement::normal, "of the ray, upward if not given");
+        return std::move(list).list();
+    }();
+    const auto name = text("name").spec;
+    table.special(
+        {Spelling{"geometry-space", 10}}, {name},
+        [name](Reader& reader, RangePhrase& phrase) {
+            RangeElement& element = of_surfaces(reader, phrase, Kind::geometry_space, name);
+            read_keywords(reader, words, &element);
+            if (element.side == 0)
+                lacks_part(reader, "geometry-space", words, "the element does not say which part is meant",
+                           "write: geometry-space 'name' inside, outside, or count n");
+            if (!reader.wildcards() && !(element.normal.norm() > 0))
+                throw Diagnostic("the direction has no length").at(reader.previous().place);
+        },
+        "inside or outside of the surfaces of `geometry set`, by the number of them that a ray crosses", words);
+}
+
+void geometry_distance(Keywords<RangePhrase>& table) {
+    static const std::vector<KeywordSpec> words = [] {
+        Keywords<RangeElement> list;
+        add_set_word(list);
+        list.keyword({"gap"}, real("distance").unit("length").at_least(0), &RangeElement::distance,
+                     "greatest distance; only objects on the surfaces if not given");
+        return std::move(list).list();
+    }();
+    const auto name = text("name").spec;
+    table.special(
+        {Spelling{"geometry-distance", 10}}, {name},
+        [name](Reader& reader, RangePhrase& phrase) {
+            read_keywords(reader, words, &of_surfaces(reader, phrase, Kind::geometry_distance, name));
+        },
+        "near the surfaces of `geometry set`", words);
+}
+
 /// A plane figure while its words are read.
 struct FigureText {
     std::vector<Vec3> vertices;
@@ -328,6 +401,8 @@ void space_elements(Keywords<RangePhrase>& table) {
 void figure_elements(Keywords<RangePhrase>& table) {
     orientation(table);
     ground(table);
+    geometry_space(table);
+    geometry_distance(table);
     figures(table);
 }
 

@@ -1,5 +1,7 @@
 // Range elements that are places in space.
+#include "commands/ranges/flat_figure.hpp"
 #include "commands/ranges/range_tests.hpp"
+#include "commands/ranges/surface_space.hpp"
 
 #include "base/diagnostic.hpp"
 #include "model/measure/measure.hpp"
@@ -67,38 +69,6 @@ RangeTest in_cylinder(const RangeElement& e, RangeContext& context) {
     });
 }
 
-/// A plane figure in its own axes: two along the plane, one across.
-struct FigurePlane {
-    Vec3 origin, along, across, normal;
-
-    Eigen::Vector2d flat(const Vec3& p) const { return {along.dot(p - origin), across.dot(p - origin)}; }
-    double height(const Vec3& p) const { return std::abs(normal.dot(p - origin)); }
-};
-
-FigurePlane plane_of(const Vec3& origin, const Vec3& along, const Vec3& normal) {
-    const Vec3 first = along.normalized();
-    return {origin, first, normal.normalized().cross(first), normal.normalized()};
-}
-
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d edge = b - a;
-    const double length2 = edge.squaredNorm();
-    const double share = length2 > 0 ? std::clamp(edge.dot(p - a) / length2, 0.0, 1.0) : 0;
-    return (p - a - share * edge).norm();
-}
-
-/// Inside, or within the tolerance of the outline. Counts the edges crossed by a ray along the first axis.
-bool inside_outline(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p, double tolerance) {
-    bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        if (distance_to_segment(p, a, b) <= tolerance) return true;
-        if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-        if (p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
-    }
-    return inside;
-}
-
 RangeTest in_polygon(const RangeElement& e, RangeContext& context) {
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 1; i + 1 < e.vertices.size(); ++i)
@@ -140,6 +110,35 @@ RangeTest by_ground(const RangeElement& e, RangeContext& context) {
     }
 }
 
+/// The polygons of all sets of an element.
+PolygonSet polygons_of(const RangeElement& e, const RangeContext& context) {
+    if (!context.extras.surfaces) throw std::logic_error("a range of surfaces without the sets of the session");
+    PolygonSet all;
+    for (const auto& name : e.sets) {
+        const PolygonSet* set = context.extras.surfaces(name);
+        if (set == nullptr)
+            throw Diagnostic(fmt::format("there is no set of surfaces named '{}'", name),
+                             "make it before: geometry set 'name', geometry import 'file'")
+                .at(e.place);
+        all.insert(all.end(), set->begin(), set->end());
+    }
+    return all;
+}
+
+RangeTest by_crossings(const RangeElement& e, RangeContext& context) {
+    const auto rays = std::make_shared<const SurfaceRays>(polygons_of(e, context), e.normal.normalized());
+    if (e.side == 2)
+        return on_place(context, [rays, wanted = e.low](const Vec3& p) { return rays->crossings(p) == wanted; });
+    return on_place(context, [rays, odd = e.side > 0](const Vec3& p) { return (rays->crossings(p) % 2 == 1) == odd; });
+}
+
+RangeTest by_distance(const RangeElement& e, RangeContext& context) {
+    const auto surfaces = std::make_shared<const SurfaceDistance>(polygons_of(e, context));
+    return on_place(context, [surfaces, most = e.distance + context.tolerance](const Vec3& p) {
+        return surfaces->within(p, most);
+    });
+}
+
 RangeTest by_orientation(const RangeElement& e, RangeContext& context) {
     // As wide as rounding makes equal normals different.
     const double least = std::cos(e.radius1 * std::numbers::pi / 180) - 1e-9;
@@ -165,11 +164,18 @@ RangeTest by_orientation(const RangeElement& e, RangeContext& context) {
 
 using Kind = RangeElement::Kind;
 constexpr std::array place_tests{
-    RangeEntry{Kind::x, along_axis<0>},      RangeEntry{Kind::y, along_axis<1>},
-    RangeEntry{Kind::z, along_axis<2>},      RangeEntry{Kind::box, in_box},
-    RangeEntry{Kind::plane, by_plane},       RangeEntry{Kind::sphere, in_sphere},
-    RangeEntry{Kind::cylinder, in_cylinder}, RangeEntry{Kind::polygon, in_polygon},
-    RangeEntry{Kind::ellipse, in_ellipse},   RangeEntry{Kind::ground, by_ground},
+    RangeEntry{Kind::x, along_axis<0>},
+    RangeEntry{Kind::y, along_axis<1>},
+    RangeEntry{Kind::z, along_axis<2>},
+    RangeEntry{Kind::box, in_box},
+    RangeEntry{Kind::plane, by_plane},
+    RangeEntry{Kind::sphere, in_sphere},
+    RangeEntry{Kind::cylinder, in_cylinder},
+    RangeEntry{Kind::polygon, in_polygon},
+    RangeEntry{Kind::ellipse, in_ellipse},
+    RangeEntry{Kind::ground, by_ground},
+    RangeEntry{Kind::geometry_space, by_crossings},
+    RangeEntry{Kind::geometry_distance, by_distance},
 };
 constexpr std::array face_tests{RangeEntry{Kind::orientation, by_orientation}};
 

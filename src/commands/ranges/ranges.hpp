@@ -1,6 +1,7 @@
 // Range phrases of the language become tests of the engine.
 #pragma once
 
+#include "commands/ranges/surface_sets.hpp"
 #include "lang/commands/range.hpp"
 #include "geometry/ground/ground.hpp"
 #include "model/kinds/selection.hpp"
@@ -19,7 +20,9 @@ using NamedRanges = std::map<std::string, lang::RangePhrase>;
 struct RangeExtras {
     const JointRegistry* joints = nullptr;                 ///< for states of joint models
     std::function<Ground(const std::string&)> ground = {}; ///< reads the file of a ground surface
-    bool excavated = false;                                ///< the model is that of the blocks that fill can put back
+    std::function<const PolygonSet*(const std::string&)> surfaces =
+        {};                 ///< a set of `geometry set`; null: there is none
+    bool excavated = false; ///< the model is that of the blocks that fill can put back
 };
 
 /// Whether a phrase, or a named range in it, has an element of that kind.

@@ -22,6 +22,11 @@ template <class Element, class Visit> void visit_numbers(Element& e, Visit visit
     visit(e.distance);
 }
 
+/// The others have no sets, so that ranges of earlier versions have the same text.
+bool names_sets(RangeElement::Kind kind) {
+    return kind == RangeElement::Kind::geometry_space || kind == RangeElement::Kind::geometry_distance;
+}
+
 std::string element_text(const RangeElement& e) {
     std::string text = fmt::format("{} {} {} {}", static_cast<int>(e.kind), e.side, e.negated ? 1 : 0, e.both ? 1 : 0);
     visit_numbers(e, [&](double value) { text += fmt::format(" {:a}", value); });
@@ -30,7 +35,12 @@ std::string element_text(const RangeElement& e) {
     text += fmt::format(" {}", e.vertices.size());
     for (const Vec3& vertex : e.vertices)
         for (int k = 0; k < 3; ++k) text += fmt::format(" {:a}", vertex[k]);
-    return text + fmt::format(" {} {} {} {}\n", e.name.size(), e.name, e.second_name.size(), e.second_name);
+    text += fmt::format(" {} {} {} {}", e.name.size(), e.name, e.second_name.size(), e.second_name);
+    if (names_sets(e.kind)) {
+        text += fmt::format(" {}", e.sets.size());
+        for (const auto& set : e.sets) text += fmt::format(" {} {}", set.size(), set);
+    }
+    return text + "\n";
 }
 
 RangeElement read_element(SavedText& text) {
@@ -47,6 +57,8 @@ RangeElement read_element(SavedText& text) {
     }
     e.name = text.name();
     e.second_name = text.name();
+    if (names_sets(e.kind))
+        for (std::size_t left = text.count(); left > 0; --left) e.sets.push_back(text.name());
     return e;
 }
 

@@ -1,4 +1,4 @@
-#include "commands/session/surface_sets.hpp"
+#include "commands/ranges/surface_sets.hpp"
 
 #include "commands/ranges/saved_text.hpp"
 

@@ -4,7 +4,7 @@
 #include "base/units.hpp"
 #include "commands/session/given_properties.hpp"
 #include "commands/ranges/ranges.hpp"
-#include "commands/session/surface_sets.hpp"
+#include "commands/ranges/surface_sets.hpp"
 
 #include "lang/interp/interpreter.hpp"
 #include "lang/script/world.hpp"

@@ -26,6 +26,10 @@ std::vector<Row> Session::pick_rows(ObjectKind kind, const lang::RangePhrase& ra
 RangeExtras Session::range_extras(bool excavated) {
     return {.joints = &joints,
             .ground = [this](const std::string& file) { return read_ground(input_file(file).string()); },
+            .surfaces = [this](const std::string& name) -> const PolygonSet* {
+                const auto found = surface_sets.surfaces.find(name);
+                return found == surface_sets.surfaces.end() ? nullptr : &found->second;
+            },
             .excavated = excavated};
 }
 

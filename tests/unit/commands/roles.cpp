@@ -1,4 +1,4 @@
-// What commands do with a joint model whose properties have words of their own and state what they mean.
+// What commands do with a joint model whose properties have other words than those of kaya and state what they mean.
 #include "running.hpp"
 
 #include <cmath>

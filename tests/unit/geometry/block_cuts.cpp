@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 using namespace kaya;
-using kaya::testing::closed;
+using kaya::test::closed;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace kaya::testing {
+namespace kaya::test {
 
 inline bool closed(const Polyhedron& p) {
     std::map<std::pair<int, int>, int> half_edges;
@@ -46,4 +46,4 @@ inline double worst_warp(const Polyhedron& p) {
     return worst;
 }
 
-} // namespace kaya::testing
+} // namespace kaya::test

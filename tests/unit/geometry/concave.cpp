@@ -13,7 +13,7 @@
 #include <numbers>
 
 using namespace kaya;
-using kaya::testing::closed;
+using kaya::test::closed;
 
 namespace {
 

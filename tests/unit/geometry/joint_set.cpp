@@ -159,8 +159,8 @@ TEST(JointSet, TenThousandBlocksOfThreeScatteredSets) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     double volume = 0;
     for (const auto& block : blocks) {
-        ASSERT_TRUE(kaya::testing::closed(block));
-        ASSERT_LT(kaya::testing::worst_bulge(block), 1e-9);
+        ASSERT_TRUE(kaya::test::closed(block));
+        ASSERT_LT(kaya::test::worst_bulge(block), 1e-9);
         const double part = mass_properties(block).volume;
         ASSERT_GT(part, 0);
         volume += part;

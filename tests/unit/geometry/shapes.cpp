@@ -8,8 +8,8 @@
 #include <numbers>
 
 using namespace kaya;
-using kaya::testing::closed;
-using kaya::testing::worst_bulge;
+using kaya::test::closed;
+using kaya::test::worst_bulge;
 
 namespace {
 

@@ -11,9 +11,9 @@
 #include <numbers>
 
 using namespace kaya;
-using kaya::testing::closed;
-using kaya::testing::worst_bulge;
-using kaya::testing::worst_warp;
+using kaya::test::closed;
+using kaya::test::worst_bulge;
+using kaya::test::worst_warp;
 
 namespace {
 

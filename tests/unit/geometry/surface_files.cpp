@@ -112,7 +112,7 @@ const std::string vrml_text = "#VRML V2.0 utf8\nTransform { translation 0 0 0 ch
 double volume_of(const NamedSurface& named) {
     const Solid solid = solid_from_surface(named.surface);
     EXPECT_EQ(solid.parts.size(), 1u);
-    EXPECT_TRUE(kaya::testing::closed(solid.parts[0]));
+    EXPECT_TRUE(kaya::test::closed(solid.parts[0]));
     return mass_properties(solid.parts[0]).volume;
 }
 
