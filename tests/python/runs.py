@@ -17,7 +17,7 @@ except ImportError:
     sys.exit(77)
 import kaya
 
-sys.argv.pop()
+PROGRAM = os.path.realpath(sys.argv.pop())
 PILE = """poly brick 0 4 0 4 0 4
 jset dip 0 dd 0 org 0 0 0 spacing 1 num 9
 jset dip 90 dd 0 org 0 0 0 spacing 1 num 9
@@ -33,6 +33,47 @@ def pile(density=2000):
     model = kaya.Model(messages=lambda text: None)
     model.command(PILE.format(density))
     return model
+
+
+class Host(unittest.TestCase):
+    """The process belongs to the program that runs Python."""
+
+    def test_keeps_its_folder_signals_and_timers(self):
+        plugins = os.path.join(os.path.dirname(PROGRAM), "tests", "plugins")
+        if not os.path.exists(os.path.join(plugins, "works.so")):
+            self.skipTest("no library of a user")
+        said = []
+        model = kaya.Model(joints=[plugins], messages=said.append)
+        model.command("poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 dens 2000\nfix range z 0 1\ngravity 0 0 -10\n"
+                      "jmodel model works\njmodel stiffness 1e9\ncycle 10")
+        folder = os.getcwd()
+        with tempfile.TemporaryDirectory() as other:
+            os.chdir(other)
+            before = signal.signal(signal.SIGUSR1, lambda *_: None)
+            signal.setitimer(signal.ITIMER_PROF, 1000)
+            try:
+                model.command("cycle 1500")
+                self.assertEqual(os.path.realpath(os.getcwd()), os.path.realpath(other))
+                self.assertGreater(signal.getitimer(signal.ITIMER_PROF)[0], 0)
+                self.assertTrue(callable(signal.getsignal(signal.SIGUSR1)))
+            finally:
+                os.chdir(folder)
+                signal.signal(signal.SIGUSR1, before)
+                signal.setitimer(signal.ITIMER_PROF, 0)
+        self.assertNotIn("changed", "".join(said))
+
+    def test_may_fork(self):
+        model = pile()
+        model.cycle(10)
+        child = os.fork()
+        if child == 0:
+            try:
+                model.cycle(10)
+                os._exit(0)
+            except BaseException:
+                os._exit(1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        model.cycle(10)
 
 
 class Callbacks(unittest.TestCase):

@@ -21,13 +21,14 @@ namespace kaya {
 
 /// Options of the command line.
 struct Options {
-    std::string colour = "auto";   ///< of messages: auto (on a terminal, unless NO_COLOR is set), always, never
-    int threads = 0;               ///< 0: one for each core
-    bool strict = false;           ///< warnings are errors
-    bool quiet = false;            ///< results and messages only
-    bool echo = false;             ///< each command is shown before it runs
-    bool trust = false;            ///< scripts may use the whole of Lua: files, other programs
-    std::size_t script_memory = 0; ///< megabytes for scripts; 0: no separate limit
+    std::string colour = "auto"; ///< of messages: auto (on a terminal, unless NO_COLOR is set), always, never
+    int threads = 0;             ///< 0: one for each core
+    bool strict = false;         ///< warnings are errors
+    bool quiet = false;          ///< results and messages only
+    bool echo = false;           ///< each command is shown before it runs
+    bool trust = false;          ///< scripts may use the whole of Lua: files, other programs
+    bool in_host = false; ///< inside another program, which owns the process: folder, signals, limits are not checked
+    std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no separate limit
     std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
     std::vector<std::filesystem::path> own_joints; ///< those of the program; their models are loaded for reading a deck
 };
