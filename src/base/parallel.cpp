@@ -1,5 +1,7 @@
 #include "base/parallel.hpp"
 
+#include "base/stop_point.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -17,7 +19,8 @@ namespace kaya {
 
 namespace {
 
-int thread_count = 1;
+std::atomic<int> thread_count = 1;
+std::mutex of_limit; ///< sessions of a process may begin in several threads
 std::unique_ptr<oneapi::tbb::global_control> limit;
 
 /// Calls call(c) for every c in [0, count), on all threads that are allowed.
@@ -39,9 +42,11 @@ template <class Call> void spread(std::size_t count, const Call& call) {
 } // namespace
 
 void set_threads(int count) {
-    thread_count = std::max(1, count);
+    const int allowed = std::max(1, count);
+    const std::lock_guard guard(of_limit);
+    thread_count = allowed;
     limit = std::make_unique<oneapi::tbb::global_control>(oneapi::tbb::global_control::max_allowed_parallelism,
-                                                          static_cast<std::size_t>(thread_count));
+                                                          static_cast<std::size_t>(allowed));
 }
 
 int threads() { return thread_count; }
@@ -57,7 +62,9 @@ void for_chunks(std::size_t n, std::size_t grain, ChunkBody body) {
     std::mutex mutex;
     std::exception_ptr first;
     std::atomic<std::size_t> first_chunk = chunks;
+    const StopListener* const of_caller = StopListener::of_this_thread();
     spread(chunks, [&](std::size_t c) {
+        const SameListener listens(of_caller);
         if (c > first_chunk.load(std::memory_order_relaxed)) return; // its result or exception would be discarded
         try {
             body(c * grain, std::min(n, (c + 1) * grain));

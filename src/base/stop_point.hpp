@@ -5,11 +5,11 @@
 
 namespace kaya {
 
-/// Checks for a request and throws what the listener throws. May be called by any thread, between parts of work that makes no lasting
+/// Checks for a request and throws what the listener throws. May be called by any thread that works for the listening one, between parts of work that makes no lasting
 /// change before its end. Does nothing without a listener.
 void stop_point();
 
-/// Listens while it exists, in place of the previous listener. Construct and destroy it while no work runs.
+/// Listens while it exists to the thread that constructs it, and to the threads of its parallel loops, in place of the previous listener.
 class StopListener {
 public:
     explicit StopListener(std::function<void()> ask);
@@ -17,10 +17,24 @@ public:
     StopListener(const StopListener&) = delete;
     StopListener& operator=(const StopListener&) = delete;
 
+    static const StopListener* of_this_thread();
+
 private:
     friend void stop_point();
     std::function<void()> ask_;
-    StopListener* before_;
+    const StopListener* before_;
+};
+
+/// While it exists, this thread has the listener of the thread that it works for.
+class SameListener {
+public:
+    explicit SameListener(const StopListener* of_caller);
+    ~SameListener();
+    SameListener(const SameListener&) = delete;
+    SameListener& operator=(const SameListener&) = delete;
+
+private:
+    const StopListener* before_;
 };
 
 /// The same in loops with small parts: checks every few parts.

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -51,8 +52,13 @@ bool is_left_over(int descriptor, const std::string& name) {
 /// Removes the left-overs of killed runs in a folder; once for each folder.
 void sweep(int folder, const std::filesystem::path& path) {
     static std::set<std::tuple<dev_t, ino_t, std::filesystem::path>> swept;
+    static std::mutex of_swept;
     struct stat info {};
-    if (::fstat(folder, &info) != 0 || !swept.emplace(info.st_dev, info.st_ino, path.parent_path()).second) return;
+    if (::fstat(folder, &info) != 0) return;
+    {
+        const std::lock_guard guard(of_swept);
+        if (!swept.emplace(info.st_dev, info.st_ino, path.parent_path()).second) return;
+    }
     Descriptor listed = open_beneath(folder, ".", O_RDONLY | O_DIRECTORY);
     const std::unique_ptr<DIR, int (*)(DIR*)> entries(listed ? ::fdopendir(listed.number()) : nullptr, ::closedir);
     if (!entries) return;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstring>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -60,6 +62,10 @@ Handle file_access_in_memory() {
     return access;
 }
 
+/// HDF5 keeps its state for the process and is not made for threads: one model is saved at a time.
+std::recursive_timed_mutex in_library;
+constexpr std::chrono::minutes longest_wait{1};
+
 /// HDF5 identifies files in memory by their name.
 std::string unused_name() {
     static std::atomic<std::uint64_t> count{0};
@@ -110,16 +116,19 @@ bool worth_compressing(Scalar type, const void* numbers, std::size_t rows, std::
 } // namespace
 
 struct TreeWriter::Files {
+    std::unique_lock<std::recursive_timed_mutex> alone;
     Handle file;
     Groups groups;
 };
 
 TreeWriter::TreeWriter() {
+    std::unique_lock<std::recursive_timed_mutex> alone(in_library, longest_wait);
+    if (!alone) throw TreeError("another model of this program is being saved, for more than a minute");
     silence();
     const Handle access = file_access_in_memory();
     Handle file(H5Fcreate(unused_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
     if (!file.ok()) throw TreeError("no file can be made in memory");
-    files_ = std::make_unique<Files>(Files{std::move(file), {}});
+    files_ = std::make_unique<Files>(Files{std::move(alone), std::move(file), {}});
     files_->groups.push(Handle(H5Gopen2(files_->file, "/", H5P_DEFAULT), H5Gclose), "");
 }
 

@@ -81,10 +81,25 @@ struct kaya_model {
         return mistakes.front().status;
     }
 
+    /// The same for commands, which a function inside a cycle may not give.
+    template <class Work> kaya_status command(const Work& work) {
+        if (running) return refuse("commands cannot be given by a function inside a cycle");
+        running = true;
+        const kaya_status status = attempt(work);
+        running = false;
+        return status;
+    }
+
+    kaya_status refuse(const char* message) {
+        mistakes.assign(1, Mistake(KAYA_WRONG, message));
+        return KAYA_WRONG;
+    }
+
     library::Stream output, messages; // the session writes to them until its end
     Session session;
     std::vector<Mistake> mistakes;
     library::FieldSpan span;
+    bool running = false;
 };
 
 extern "C" {
@@ -113,17 +128,24 @@ kaya_status kaya_open(const kaya_options* options, kaya_model** model) {
 void kaya_close(kaya_model* model) { delete model; }
 
 kaya_status kaya_run(kaya_model* model, const char* commands, const char* name) {
-    return model->attempt([=] { model->session.interpreter.run_text(commands, name != nullptr ? name : "commands"); });
+    if (model == nullptr) return KAYA_WRONG;
+    if (commands == nullptr) return model->refuse("there are no commands");
+    return model->command([=] { model->session.interpreter.run_text(commands, name != nullptr ? name : "commands"); });
 }
 
 kaya_status kaya_run_file(kaya_model* model, const char* file) {
-    return model->attempt([=] { model->session.run_deck(file); });
+    if (model == nullptr) return KAYA_WRONG;
+    if (file == nullptr) return model->refuse("there is no name of a file");
+    return model->command([=] { model->session.run_deck(file); });
 }
 
-void kaya_interrupt(kaya_model* model) { model->session.interrupt(); }
+void kaya_interrupt(kaya_model* model) {
+    if (model != nullptr) model->session.interrupt();
+}
 
 kaya_status kaya_after_cycles(kaya_model* model, int64_t interval, void (*function)(void*, kaya_model*), void* user) {
-    return model->attempt([=] {
+    if (model == nullptr) return KAYA_WRONG;
+    return model->command([=] {
         if (interval < 1) throw Diagnostic("the interval is at least 1 cycle");
         if (function == nullptr) throw Diagnostic("there is no function to call");
         auto& callbacks = model->session.callbacks;
@@ -132,24 +154,28 @@ kaya_status kaya_after_cycles(kaya_model* model, int64_t interval, void (*functi
     });
 }
 
-size_t kaya_error_count(const kaya_model* model) { return model->mistakes.size(); }
+size_t kaya_error_count(const kaya_model* model) { return model != nullptr ? model->mistakes.size() : 0; }
 
 kaya_error kaya_error_at(const kaya_model* model, size_t number) {
-    if (number >= model->mistakes.size()) return {KAYA_DONE, "", "", "", 0, 0, ""};
+    if (model == nullptr || number >= model->mistakes.size()) return {KAYA_DONE, "", "", "", 0, 0, ""};
     const auto& one = model->mistakes[number];
     return {one.status, one.message.c_str(), one.hint.c_str(), one.file.c_str(),
             one.line,   one.column,          one.text.c_str()};
 }
 
 kaya_status kaya_field(kaya_model* model, const char* kind, const char* field, kaya_span* span) {
+    if (model == nullptr) return KAYA_WRONG;
+    if (kind == nullptr || field == nullptr || span == nullptr) return model->refuse("a name or the span is NULL");
     return model->attempt([=] { *span = model->span.read(model->session, kind, field); });
 }
 
 kaya_status kaya_set_field(kaya_model* model, const char* kind, const char* field, size_t row, const double* numbers,
                            size_t count) {
+    if (model == nullptr) return KAYA_WRONG;
+    if (kind == nullptr || field == nullptr) return model->refuse("a name is NULL");
     return model->attempt([=] { library::set_field(model->session, kind, field, row, numbers, count); });
 }
 
-uint64_t kaya_hash(kaya_model* model) { return state_hash(model->session.model); }
+uint64_t kaya_hash(kaya_model* model) { return model != nullptr ? state_hash(model->session.model) : 0; }
 
 } // extern "C"

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -59,13 +60,80 @@ TEST(Library, EightSessionsInFourThreadsHaveTheBitsOfOneAlone) {
             // Both models of a thread are alive at once and run in turn.
             Model first, second;
             const std::string of_first = pile(2 * t), of_second = pile(2 * t + 1);
-            EXPECT_EQ(first.run(of_first), KAYA_DONE);
-            EXPECT_EQ(second.run(of_second), KAYA_DONE);
+            EXPECT_EQ(first.run(of_first), KAYA_DONE) << kaya_error_at(first, 0).text;
+            EXPECT_EQ(second.run(of_second), KAYA_DONE) << kaya_error_at(second, 0).text;
             together[static_cast<std::size_t>(2 * t)] = kaya_hash(first);
             together[static_cast<std::size_t>(2 * t + 1)] = kaya_hash(second);
         });
     for (auto& thread : threads) thread.join();
     EXPECT_EQ(together, alone);
+}
+
+TEST(Library, ModelsAreSavedInSeveralThreads) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "kaya-library-saves";
+    std::filesystem::create_directory(folder);
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([t] {
+            Model model, again;
+            const std::string name = "save" + std::to_string(t);
+            EXPECT_EQ(model.run(pile(t)), KAYA_DONE) << kaya_error_at(model, 0).text;
+            for (int k = 0; k < 5; ++k) {
+                EXPECT_EQ(model.run("save " + name), KAYA_DONE) << kaya_error_at(model, 0).text;
+                EXPECT_EQ(again.run("restore " + name), KAYA_DONE) << kaya_error_at(again, 0).text;
+                EXPECT_EQ(kaya_hash(again), kaya_hash(model));
+                EXPECT_EQ(model.run("cycle 10"), KAYA_DONE);
+            }
+        });
+    for (auto& thread : threads) thread.join();
+    std::filesystem::current_path(before);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Library, ALongMeshIsInterrupted) {
+    Model model;
+    ASSERT_EQ(model.run("poly brick 0 1 0 1 0 1"), KAYA_DONE);
+    std::atomic<bool> done = false;
+    std::thread other([&] {
+        // Until it is heard: a request before the command begins is for the command before.
+        while (!done) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            kaya_interrupt(model);
+        }
+    });
+    EXPECT_EQ(model.run("gen edge 0.012"), KAYA_FAILED); // some million zones
+    done = true;
+    other.join();
+    kaya_span span;
+    ASSERT_EQ(kaya_field(model, "zone", "volume", &span), KAYA_DONE);
+    EXPECT_EQ(span.rows, 0u);
+}
+
+TEST(Library, CommandsInsideACycleAreRefused) {
+    Model model;
+    ASSERT_EQ(model.run(pile(1)), KAYA_DONE);
+    kaya_status inside = KAYA_DONE;
+    ASSERT_EQ(kaya_after_cycles(
+                  model, 1,
+                  [](void* user, kaya_model* of) { *static_cast<kaya_status*>(user) = kaya_run(of, "cycle 1", "x"); },
+                  &inside),
+              KAYA_DONE);
+    EXPECT_EQ(model.run("cycle 2"), KAYA_DONE);
+    EXPECT_EQ(inside, KAYA_WRONG);
+}
+
+TEST(Library, NothingIsNoModel) {
+    kaya_span span;
+    EXPECT_EQ(kaya_run(nullptr, "cycle 1", "x"), KAYA_WRONG);
+    EXPECT_EQ(kaya_field(nullptr, "block", "volume", &span), KAYA_WRONG);
+    EXPECT_EQ(kaya_error_count(nullptr), 0u);
+    kaya_interrupt(nullptr);
+    Model model;
+    EXPECT_EQ(kaya_run(model, nullptr, nullptr), KAYA_WRONG);
+    EXPECT_EQ(kaya_field(model, nullptr, "volume", &span), KAYA_WRONG);
+    EXPECT_EQ(kaya_error_count(model), 1u);
 }
 
 TEST(Library, MistakesHaveTheirPlace) {

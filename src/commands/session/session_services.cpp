@@ -1,4 +1,5 @@
 // What a session does for the interpreter and for scripts: it runs commands and reviews decks.
+#include "base/stop_point.hpp"
 #include "commands/session/autosave.hpp"
 #include "commands/review/deck_finding.hpp"
 #include "commands/review/deck_review.hpp"
@@ -8,6 +9,7 @@
 #include "laws/guard.hpp"
 
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 namespace kaya {
@@ -41,7 +43,7 @@ Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)),
       Engine(static_cast<WorldHost&>(*this)), autosave(std::make_unique<Autosave>(*this)) {
     fence_all_calls(options.strict);
-    begin(gate, options.joint_folders, options.trust, options.script_memory);
+    begin(gate, options.joint_folders, options.trust, options.script_memory, options.in_host);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
     interpreter.checks.before_reading = [this](const fs::path& file) { gate->may_read_code(file); };
@@ -59,6 +61,9 @@ lang::Ended Session::run_deck(const std::string& file) {
 }
 
 void Session::run(const lang::BoundCommand& command) {
+    // The program has its own listener.
+    std::optional<StopListener> stops;
+    if (options.in_host) stops.emplace([this] { stop_if_interrupted(); });
     const std::string text = command.text(), place = here();
     const std::string line = text.substr(0, text.find('\n'));
     const AtCommand at_command(place.empty() ? line : fmt::format("{} ({})", line, place));

@@ -26,8 +26,9 @@ public:
     ~Engine();
 
     /// Call before anything runs. The gate is queried before a library is loaded; `script_memory` in megabytes, 0: no separate limit.
+    /// `in_host`: the state of the process is not kept, since it belongs to another program.
     void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
-               std::size_t script_memory);
+               std::size_t script_memory, bool in_host);
 
     /// Runs the hooks of scripts for that moment, then the callbacks.
     void run_hooks(script::Moment moment);
