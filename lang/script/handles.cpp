@@ -1,5 +1,7 @@
 #include "lang/script/handles.hpp"
 
+#include "base/diagnostic.hpp"
+
 namespace kaya::script {
 
 bool is_handle(const World& world, const Handle& handle) {

@@ -288,9 +288,11 @@ void end_by_exit(const void* caller, int status) {
 // These functions of the program take precedence over those of the C library for all loaded libraries. Otherwise a joint model that calls
 // them would end a run without a message and with status 0. Exit handlers do not run at such an exit, so nothing else is lost.
 extern "C" {
-[[noreturn]] void _exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
-[[noreturn]] void _Exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
-[[noreturn]] void quick_exit(int status) noexcept { kaya::end_by_exit(__builtin_return_address(0), status); }
+__attribute__((noreturn)) void _exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
+__attribute__((noreturn)) void _Exit(int status) { kaya::end_by_exit(__builtin_return_address(0), status); }
+__attribute__((noreturn)) void quick_exit(int status) noexcept {
+    kaya::end_by_exit(__builtin_return_address(0), status);
+}
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they define it, too

@@ -75,7 +75,8 @@ constexpr unsigned patience = 30; ///< seconds until the loading of a library is
 } // namespace
 
 std::string fault_of_loading(const std::filesystem::path& name, const char* entry, const Called* who) {
-    if (!who->foreign) return {}; // it ships with the program; and a fork beside other threads may not load a library
+    if (!who->foreign)
+        return {}; // it ships with the program; and a fork in a process with other threads may not load a library
     int ends[2];
     if (pipe(ends) != 0) return {};
     std::fflush(nullptr);

@@ -174,7 +174,7 @@ std::vector<Row> points_in_range(Session& session, const lang::Boundary& command
         if (std::ranges::binary_search(faces, triangles.face[t]))
             points.insert(points.end(), triangles.gridpoints[t].begin(), triangles.gridpoints[t].end());
     std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 

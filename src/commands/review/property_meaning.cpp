@@ -1,6 +1,7 @@
 #include "commands/review/property_meaning.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/program/text_table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -94,7 +94,9 @@ void doubt_units(Session& session) {
             session.warn(doubt(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
                                                     least, most, si, fmt::join(Units::names(), ", "))));
     };
-    for (const auto& [number, material] : session.model.materials) {
+    for (const auto& entry : session.model.materials) {
+        const std::int32_t number = entry.first;
+        const Material& material = entry.second;
         const auto of = [&](const char* what) { return fmt::format("material {}: {}", number, what); };
         doubt_value(of("density"), material.density, units.density_in_si(material.density), "kg/m^3", 100, 25000,
                     "density");

@@ -101,14 +101,17 @@ bool StrengthTrials::stands(double factor) {
     // A model that is unstable at present must not begin to slide on the way to more strength.
     const double first = warm ? stable_->factor : factor > 1 ? 1 : 0.5 * factor;
     Outcome outcome;
+    std::optional<FailureMode> mode;
     // Step by step: a sudden reduction could push joints past their peak, irreversibly.
     for (int step = 1; step < lowering_steps && !outcome.tired && !from_motion; ++step) {
         const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
         lower(lowered);
         if (warm_) outcome.cycles += run(std::max<std::int64_t>(1, span_ / (2 * lowering_steps)), 0).cycles;
-        else settle(outcome, lowered, calm, nullptr);
+        else {
+            mode.emplace(session_.model, *session_.cycle); // it may fail on the way
+            settle(outcome, lowered, calm, nullptr);
+        }
     }
-    std::optional<FailureMode> mode;
     if (!outcome.tired) {
         lower(factor);
         session_.cycle->prepare();

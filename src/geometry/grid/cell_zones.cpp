@@ -35,7 +35,7 @@ std::vector<Zone> zones_of(CellKind kind, std::span<const int> corner) {
         std::vector<int> loop;
         for (const std::size_t k : face) loop.push_back(corner[k]);
         if (std::ranges::find(loop, lowest) != loop.end()) continue;
-        std::ranges::rotate(loop, std::ranges::min_element(loop));
+        std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
         for (std::size_t k = 2; k < loop.size(); ++k) zones.push_back({lowest, loop[0], loop[k - 1], loop[k]});
     }
     return zones;

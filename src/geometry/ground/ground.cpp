@@ -187,7 +187,7 @@ std::vector<int> Ground::near(double x_low, double x_high, double y_low, double 
             found.insert(found.end(), here.begin(), here.end());
         }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -274,7 +274,7 @@ GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& gro
         const bool above = pieces.front().above;
         if (std::ranges::all_of(pieces, [above](const auto& piece) { return piece.above == above; })) continue;
         result.blocks.parents.push_back(static_cast<int>(block));
-        std::ranges::stable_partition(pieces, [](const auto& piece) { return !piece.above; });
+        std::stable_partition(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.above; });
         for (auto& piece : pieces) {
             result.blocks.pieces.push_back({std::move(piece.body), static_cast<int>(block)});
             result.above.push_back(piece.above);

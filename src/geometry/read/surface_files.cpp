@@ -124,10 +124,12 @@ SurfaceFile surfaces_of(const std::vector<FaceSoup>& soups, const Repair& repair
             file.repaired.welded += static_cast<int>(welded(soup).vertices.size() - all.vertices.size());
         repair_surface(all, repair, file.repaired);
         std::vector<Surface> shells = separate(all);
-        const auto walls = std::ranges::stable_partition(shells, [](const Surface& s) { return !is_double_wall(s); });
-        if (walls.size() < shells.size()) { // nothing but walls: the message about it names them
-            for (const Surface& wall : walls) file.repaired.doubled += static_cast<int>(wall.faces.size());
-            shells.erase(walls.begin(), walls.end());
+        const auto walls =
+            std::stable_partition(shells.begin(), shells.end(), [](const Surface& s) { return !is_double_wall(s); });
+        if (walls != shells.begin()) { // nothing but walls: the message about it names them
+            for (auto wall = walls; wall != shells.end(); ++wall)
+                file.repaired.doubled += static_cast<int>(wall->faces.size());
+            shells.erase(walls, shells.end());
         }
         for (NamedSurface& body : nested(soup.name, std::move(shells))) file.surfaces.push_back(std::move(body));
     }

@@ -268,7 +268,6 @@ void gather_rigid(Model& model, const Adjacency& adjacency, const JointForces& j
 
 /// Forces and moments on blocks. Forces on gridpoints are known, and so are the sums of blocks that lie within one chunk.
 Balance gather_blocks(Model& model, const PointForces& forces) {
-    const auto& [adjacency, ties, joints, tiles, zone_forces] = forces;
     auto& blocks = model.blocks;
     return reduce_chunks(
         blocks.size(), grain, Balance{},
@@ -276,8 +275,9 @@ Balance gather_blocks(Model& model, const PointForces& forces) {
             Balance part;
             for (std::size_t i = first; i < last; ++i) {
                 const Row row = static_cast<Row>(i);
-                if (!blocks.deformable[row]) gather_rigid(model, adjacency, joints, row, part);
-                else if (ties.groups() != 0 || !in_one_chunk(blocks.gridpoints[row], grain)) sum_gridpoints(model, row);
+                if (!blocks.deformable[row]) gather_rigid(model, forces.adjacency, forces.joints, row, part);
+                else if (forces.ties.groups() != 0 || !in_one_chunk(blocks.gridpoints[row], grain))
+                    sum_gridpoints(model, row);
             }
             return part;
         },

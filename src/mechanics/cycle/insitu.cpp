@@ -40,8 +40,7 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
         blocks.insert(blocks.end(), {b1, b2});
     }
     std::ranges::sort(blocks);
-    const auto twice = std::ranges::unique(blocks);
-    blocks.erase(twice.begin(), twice.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
     Surfaces surfaces;
     surfaces.update(model, blocks);
     for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
