@@ -1,4 +1,4 @@
-// What names mean that a function does not define itself.
+// Meanings of names that a function does not define.
 #pragma once
 
 #include "base/diagnostic.hpp"

@@ -1,4 +1,4 @@
-// What scripts may do, and when they run.
+// Permissions of scripts, and the moments at which they run.
 #pragma once
 
 #include "base/gate.hpp"

@@ -1,4 +1,4 @@
-// What properties of joint models mean: their roles, and the names of older models for them.
+// Roles of the properties of joint models, and the names that older models have for them.
 #pragma once
 
 #include "laws/law_table.hpp"
@@ -21,7 +21,7 @@ std::optional<std::size_t> find_role(const LawTable& law, kaya_jrole role);
 /// Its value; none where the law has no such property or the value is missing (NaN).
 std::optional<double> value_of_role(const LawTable& law, const std::vector<double>& values, kaya_jrole role);
 
-/// What a factor of safety divides.
+/// Parts of the strength that a factor of safety divides.
 enum class StrengthPart { none, friction, cohesion, tension };
 StrengthPart strength_part(kaya_jrole role);
 

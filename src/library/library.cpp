@@ -1,4 +1,5 @@
 // The functions of include/kaya/kaya.h.
+#include "base/text_stream.hpp"
 #include "kaya/kaya.h"
 
 #include "commands/program/program.hpp"
@@ -7,7 +8,6 @@
 #include "laws/run_record.hpp"
 #include "lang/interp/deck.hpp"
 #include "library/field_span.hpp"
-#include "library/text_stream.hpp"
 #include "model/whole/state_hash.hpp"
 
 #include <dlfcn.h>
@@ -49,12 +49,18 @@ std::vector<fs::path> installed_joints() {
     return {};
 }
 
+/// Without `write` the text is not kept.
+TextStream text_to(kaya_writer write, void* user) {
+    return text_stream([write, user](std::string_view text) {
+        if (write != nullptr) write(user, text.data(), text.size());
+    });
+}
+
 } // namespace
 
 struct kaya_model {
     explicit kaya_model(const kaya_options& options, const Options& of_session)
-        : output(library::stream_to(options.output, options.user)),
-          messages(library::stream_to(options.messages, options.user)),
+        : output(text_to(options.output, options.user)), messages(text_to(options.messages, options.user)),
           session(of_session, output.get(), messages.get()) {
         session.deck = "library";
         session.autosave->set_interval(std::nullopt); // the caller keeps the model
@@ -95,7 +101,7 @@ struct kaya_model {
         return KAYA_WRONG;
     }
 
-    library::Stream output, messages; // the session writes to them until its end
+    TextStream output, messages; // the session writes to them until its end
     Session session;
     std::vector<Mistake> mistakes;
     library::FieldSpan span;
@@ -135,7 +141,7 @@ kaya_status kaya_run(kaya_model* model, const char* commands, const char* name) 
 
 kaya_status kaya_run_file(kaya_model* model, const char* file) {
     if (model == nullptr) return KAYA_WRONG;
-    if (file == nullptr) return model->refuse("there is no name of a file");
+    if (file == nullptr) return model->refuse("the name of the file is missing");
     return model->command([=] { model->session.run_deck(file); });
 }
 

@@ -150,12 +150,7 @@ int PythonSession::call_in_cycles(const py::function& function, const std::strin
     if (interval < 1) throw py::value_error("the interval is at least 1 cycle");
     auto& callbacks = session().callbacks;
     const int number = callbacks.empty() ? 1 : callbacks.back().number + 1;
-    // Copied and deleted by threads that do not hold the interpreter.
-    const std::shared_ptr<const py::function> kept(new py::function(function), [](const py::function* last) {
-        const py::gil_scoped_acquire hold;
-        delete last;
-    });
-    callbacks.push_back({number, moment_of(moment), interval, [this, kept] { call(*kept); }});
+    callbacks.push_back({number, moment_of(moment), interval, [this, called = kept(function)] { call(*called); }});
     return number;
 }
 

@@ -28,8 +28,7 @@ private:
     const std::vector<double>& values_;
 };
 
-std::optional<Strength> coulomb_of(const Values& values) {
-    const auto friction = values.of("friction"), cohesion = values.of("cohesion");
+std::optional<Strength> coulomb_of(std::optional<double> friction, std::optional<double> cohesion) {
     if (!friction && !cohesion) return std::nullopt;
     return Strength::coulomb(cohesion.value_or(0), friction.value_or(0));
 }
@@ -59,7 +58,7 @@ std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, R
         const auto given = zone_model_values(model, block, law);
         const Values values(law, given);
         if (auto strength = hoek_brown_of(values)) return strength;
-        return coulomb_of(values);
+        return coulomb_of(values.of("friction"), values.of("cohesion"));
     }
     const auto material = model.materials.find(model.blocks.material[block]);
     if (material == model.materials.end() || (material->second.cohesion == 0 && material->second.friction == 0))
@@ -75,10 +74,8 @@ std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, 
     if (!law.missing(set.values).empty()) return std::nullopt;
     const Values values(law, set.values);
     if (auto strength = barton_of(values)) return strength;
-    const auto friction = value_of_role(law, set.values, KAYA_JROLE_FRICTION),
-               cohesion = value_of_role(law, set.values, KAYA_JROLE_COHESION);
-    if (!friction && !cohesion) return std::nullopt;
-    return Strength::coulomb(cohesion.value_or(0), friction.value_or(0));
+    return coulomb_of(value_of_role(law, set.values, KAYA_JROLE_FRICTION),
+                      value_of_role(law, set.values, KAYA_JROLE_COHESION));
 }
 
 } // namespace kaya

@@ -4,6 +4,7 @@
 #include "commands/ranges/surface_space.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/polyhedra/face_contact.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -70,10 +71,7 @@ RangeTest in_cylinder(const RangeElement& e, RangeContext& context) {
 }
 
 RangeTest in_polygon(const RangeElement& e, RangeContext& context) {
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 1; i + 1 < e.vertices.size(); ++i)
-        normal += (e.vertices[i] - e.vertices[0]).cross(e.vertices[i + 1] - e.vertices[0]);
-    const FigurePlane plane = plane_of(e.vertices[0], e.vertices[1] - e.vertices[0], normal);
+    const FigurePlane plane = plane_of(e.vertices[0], e.vertices[1] - e.vertices[0], area_vector(e.vertices));
     std::vector<Eigen::Vector2d> outline;
     for (const Vec3& vertex : e.vertices) outline.push_back(plane.flat(vertex));
     const double slack = context.tolerance, far = e.distance + slack;

@@ -1,18 +1,13 @@
 #include "commands/ranges/surface_space.hpp"
 
-#include <limits>
+#include "geometry/polyhedra/face_contact.hpp"
+
+#include <cmath>
+#include <utility>
 
 namespace kaya {
 
 namespace {
-
-/// Twice the area times the unit normal: Newell's sum, from the first corner.
-Vec3 area_of(const std::vector<Vec3>& corners) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-        sum += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-    return sum;
-}
 
 /// The parity of crossings of a ray in the plane, to larger first coordinates; edges take their lower end and not their upper one.
 bool encloses(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& p) {
@@ -33,7 +28,7 @@ SurfaceRays::SurfaceRays(const PolygonSet& polygons, const Vec3& direction)
     : direction_(direction), across_(direction.unitOrthogonal()), along_(direction.cross(across_)) {
     constexpr double edge_on = 1e-9; // sine of the angle to the polygon
     for (const auto& polygon : polygons) {
-        const Vec3 area = area_of(polygon);
+        const Vec3 area = area_vector(polygon);
         const double faces = area.dot(direction_);
         if (!(std::abs(faces) > edge_on * area.norm())) continue;
         Outline outline;
@@ -60,7 +55,7 @@ int SurfaceRays::crossings(const Vec3& place) const {
 
 SurfaceDistance::SurfaceDistance(const PolygonSet& polygons) {
     for (const auto& polygon : polygons) {
-        const Vec3 area = area_of(polygon);
+        const Vec3 area = area_vector(polygon);
         if (!(area.norm() > 0)) continue;
         Figure figure{plane_of(polygon.front(), polygon[1] - polygon[0], area), {}, polygon.front(), polygon.front()};
         for (const Vec3& corner : polygon) {
@@ -78,13 +73,8 @@ bool SurfaceDistance::within(const Vec3& place, double distance) const {
             continue;
         const double height = figure.plane.height(place);
         if (height > distance) continue;
-        const Eigen::Vector2d p = figure.plane.flat(place);
-        if (inside_outline(figure.outline, p, 0)) return true;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < figure.outline.size(); ++k)
-            nearest = std::min(
-                nearest, distance_to_segment(p, figure.outline[k], figure.outline[(k + 1) % figure.outline.size()]));
-        if (nearest * nearest + height * height <= distance * distance) return true;
+        const double along = std::sqrt(distance * distance - height * height); // what is left of it in the plane
+        if (inside_outline(figure.outline, figure.plane.flat(place), along)) return true;
     }
     return false;
 }

@@ -1,4 +1,4 @@
-// What a session does for the interpreter and for scripts: it runs commands and reviews decks.
+// Services of a session for the interpreter and for scripts: it runs commands and reviews decks.
 #include "base/stop_point.hpp"
 #include "commands/session/autosave.hpp"
 #include "commands/review/deck_finding.hpp"
