@@ -134,33 +134,43 @@ struct CommonPart {
     OverlapGradient volume, depth;
     OverlapMoments moments;
     double flatness = 0; ///< see Flatness
-    Vec3 turned = Vec3::Zero();
 };
 
-/// Energy over stiffness of an overlap: U of the depth, or that of a joint of the least area, whichever is larger, by a smooth norm that is
-/// exact far from where they are equal. Returns minus its gradient.
+/// Tips need a least stiffness: the energy of a joint of the least area closed by six times the mean depth q. Edges and wedges carry by
+/// themselves: the area falls where the volume V is large beside q^3. docs/theory/contacts.md, equation (10).
+struct LeastJoint {
+    double blunt;  ///< t/(1 + t), with t the square of V/q^3 over that of a blunt tip
+    double energy; ///< over stiffness
+
+    LeastJoint(const CommonPart& common, double least_area) {
+        constexpr double of_tip =
+            2700; // V/q^3 of a square pyramid whose sides rise by 10 degrees; of a cube's corner 55
+        const double mean = common.depth.value / common.volume.value,
+                     ratio = common.volume.value / (of_tip * mean * mean * mean), whole = 1 + ratio * ratio;
+        blunt = 1 - 1 / whole;
+        energy = 18 * least_area * (mean * mean) / (whole * whole);
+    }
+};
+
+/// Energy over stiffness of an overlap: U of the depth, or that of the least joint, whichever is larger, by a smooth norm that is exact far
+/// from where they are equal. Returns minus its gradient.
 OverlapGradient energy_of(const CommonPart& common, double least_area) {
     const OverlapGradient &volume = common.volume, &depth = common.depth;
+    const LeastJoint joint(common, least_area);
+    constexpr double no_part = 0.01; // its eighth power is below rounding
+    if (!(joint.energy > no_part * depth.value)) return depth;
     // The power is 8: it is three squarings, and its root three square roots.
     const auto eighth_power = [](double x) { return (x *= x, x *= x, x * x); };
     const auto eighth_root = [](double x) { return std::sqrt(std::sqrt(std::sqrt(x))); };
     const auto seventh_power = [](double x) { return x * x * x * (x * x) * (x * x); };
-    // The mean depth of a sharp corner is a sixth of its greatest depth. Under a nearly flat face it is a third or more, and the least area
-    // must not hide the force of that wedge.
-    constexpr double of_corner = 6, of_flat = 4;
-    const double closure = of_corner + common.flatness * (of_flat - of_corner);
-    const double mean = depth.value / volume.value;
-    const double joint = 0.5 * least_area * (closure * mean) * (closure * mean);
-    const double larger = std::max(joint, depth.value), one = depth.value / larger, other = joint / larger;
+    const double larger = std::max(joint.energy, depth.value), one = depth.value / larger,
+                 other = joint.energy / larger;
     const double sum = eighth_root(eighth_power(one) + eighth_power(other)); // over the larger
-    const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum);
+    const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum) * joint.energy;
     OverlapGradient energy;
+    energy.add(depth, of_depth + of_joint * (2 + 12 * joint.blunt) / depth.value);
+    energy.add(volume, -of_joint * (2 + 16 * joint.blunt) / volume.value);
     energy.value = larger * sum;
-    energy.force = (of_depth + of_joint * 2 * joint / depth.value) * depth.force -
-                   of_joint * 2 * joint / volume.value * volume.force;
-    energy.moment = (of_depth + of_joint * 2 * joint / depth.value) * depth.moment -
-                    of_joint * 2 * joint / volume.value * volume.moment +
-                    of_joint * 2 * joint / closure * (of_flat - of_corner) * common.turned;
     return energy;
 }
 
@@ -249,7 +259,6 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
         common.depth.add(of_faces, flatness.value);
         common.depth.moment += (of_faces.value - of_all) * flatness.turned;
     }
-    common.turned = flatness.turned;
     return common.depth.value > 0;
 }
 
@@ -271,7 +280,7 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     CommonPart common;
     const Flat flat = find_flat(model, pair, origin, moved, work);
     if (flat == Flat::apart) return patch;
-    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1, Vec3::Zero()};
+    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1};
     else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
     patch.lies = common.flatness > 0.5;
     const OverlapGradient energy = energy_of(common, pair.least_area);
@@ -295,10 +304,13 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     constexpr double most_carried = 100;
     const double area = flat == Flat::found ? work.flat.area() : area_along(work.clip, n);
     if (force > most_carried * (area + pair.least_area) * patch.depth) return OverlapPatch{.normal = normal};
-    // The line of action of the force, at the height of the common volume. It passes through or close to that volume: a line far from it is
-    // a rounding artefact too.
+    // The line of action of the force, at the height of the common volume. It passes through or close to that volume; where the least joint
+    // of a sliver carries, it may pass some lengths of the sliver away, since that joint weakens as the sliver grows. Farther lines are
+    // rounding artefacts too.
+    constexpr double lengths = 10;
     const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
-    const double twist = energy.moment.dot(n) / force, farthest = std::sqrt(extent) + std::sqrt(pair.least_area);
+    const double twist = energy.moment.dot(n) / force,
+                 farthest = lengths * (std::sqrt(extent) + std::sqrt(pair.least_area));
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
         return OverlapPatch{.normal = normal};
     patch.area = area;
