@@ -1,7 +1,7 @@
 #include "app/editor_answers.hpp"
 
-#include "app/completion.hpp"
-#include "app/tools.hpp"
+#include "guide/completion.hpp"
+#include "guide/help_text.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
 #include "lang/modern/language.hpp"

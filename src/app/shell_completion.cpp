@@ -1,6 +1,6 @@
 #include "app/shell_completion.hpp"
 
-#include "app/explanations.hpp"
+#include "guide/explanations.hpp"
 #include "base/diagnostic.hpp"
 #include "lang/modern/language.hpp"
 

@@ -1,7 +1,8 @@
 #include "app/tool_commands.hpp"
 
 #include "app/command_line.hpp"
-#include "app/explanations.hpp"
+#include "guide/explanations.hpp"
+#include "guide/help_text.hpp"
 #include "app/language_server.hpp"
 #include "app/manual.hpp"
 #include "app/permissions.hpp"

@@ -9,9 +9,6 @@
 
 namespace kaya {
 
-/// `kaya help`: about a command, a keyword, or a name of FISH or a field of Lua. Throws Diagnostic when it is none.
-std::string help_text(const std::string& words);
-
 /// `kaya report`: the page of a saved model, over time when there are several. Gives its name. Throws Diagnostic.
 std::string write_report(const std::vector<std::string>& saved, const std::string& page,
                          const std::vector<std::filesystem::path>& joint_folders);

@@ -1,6 +1,6 @@
-#include "app/completion.hpp"
+#include "guide/completion.hpp"
 
-#include "app/explanations.hpp"
+#include "guide/explanations.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"

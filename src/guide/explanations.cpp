@@ -1,4 +1,4 @@
-#include "app/explanations.hpp"
+#include "guide/explanations.hpp"
 
 #include "base/diagnostic.hpp"
 

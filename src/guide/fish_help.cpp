@@ -1,4 +1,4 @@
-#include "app/fish_help.hpp"
+#include "guide/fish_help.hpp"
 
 #include <algorithm>
 #include <array>
