@@ -1,7 +1,11 @@
 #include "commands/list/interfaces.hpp"
 
+#include "laws/property_roles.hpp"
+
 #include <Eigen/Geometry>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 namespace kaya {
 namespace {
@@ -46,7 +50,32 @@ Wrench wrench_of(const Model& model, Row contact) {
     return wrench;
 }
 
+/// The value of a property with a role, of the joint model of a contact.
+std::optional<double> property_of(const Model& model, const JointRegistry& joints, Row contact, kaya_jrole role) {
+    const Row row = model.contacts.properties[contact];
+    if (row == no_row) return std::nullopt;
+    const JointProperties& properties = model.joint_properties[static_cast<std::size_t>(row)];
+    const JointModel* joint = joints.find(properties.model);
+    if (joint == nullptr) return std::nullopt;
+    return value_of_role(*joint, properties.values, role);
+}
+
 } // namespace
+
+std::optional<double> utilisation_of(const Model& model, const JointRegistry& joints, const Interface& one) {
+    constexpr double degree = std::numbers::pi / 180;
+    double tangent = 0, cohesion = 0;
+    for (const Row contact : one.contacts) {
+        const auto friction = property_of(model, joints, contact, KAYA_JROLE_FRICTION);
+        if (!friction) return std::nullopt;
+        const double area = model.contacts.area[contact];
+        tangent += (one.area > 0 ? area / one.area : 1.0 / one.contacts.size()) * std::tan(*friction * degree);
+        cohesion += area * property_of(model, joints, contact, KAYA_JROLE_COHESION).value_or(0);
+    }
+    const double strength = std::max(0.0, one.normal_force()) * tangent + cohesion;
+    if (!(strength > 0)) return std::nullopt;
+    return one.shear_force() / strength;
+}
 
 Vec3 Interface::point_of_action() const {
     constexpr double along_the_plane = 1e-6;

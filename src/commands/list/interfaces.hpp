@@ -1,8 +1,10 @@
 // The force between two bodies, summed over all of their contacts.
 #pragma once
 
+#include "laws/joint_model.hpp"
 #include "model/tables/model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace kaya {
@@ -22,6 +24,10 @@ struct Interface {
     /// Where the line of the force passes through the plane of the interface; the centre where it runs along the plane or there is none.
     Vec3 point_of_action() const;
 };
+
+/// The shear force over what friction and cohesion can take at this normal force; none where the joint model has no friction or the
+/// interface can take none.
+std::optional<double> utilisation_of(const Model& model, const JointRegistry& joints, const Interface& one);
 
 /// The interfaces of these contacts, by the numbers of their blocks.
 std::vector<Interface> interfaces_of(const Model& model, const std::vector<Row>& contacts);

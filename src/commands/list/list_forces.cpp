@@ -3,7 +3,6 @@
 #include "commands/list/row_table.hpp"
 
 #include "base/counted.hpp"
-#include "laws/property_roles.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "commands/list/reactions.hpp"
 #include "commands/list/interfaces.hpp"
@@ -14,37 +13,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
-#include <optional>
 
 namespace kaya {
 
 namespace {
 
-/// The value of a property with a role, of the joint model of a contact.
-std::optional<double> property_of(const Session& session, Row contact, kaya_jrole role) {
-    const Row row = session.model.contacts.properties[contact];
-    if (row == no_row) return std::nullopt;
-    const JointProperties& properties = session.model.joint_properties[static_cast<std::size_t>(row)];
-    const JointModel* joint = session.joints.find(properties.model);
-    if (joint == nullptr) return std::nullopt;
-    return value_of_role(*joint, properties.values, role);
-}
-
-/// The shear force over what friction and cohesion can take at this normal force; "-" where the joint model has no friction or the interface
-/// can take none.
-std::string utilisation_of(const Session& session, const Interface& one) {
-    constexpr double degree = std::numbers::pi / 180;
-    double tangent = 0, cohesion = 0;
-    for (const Row contact : one.contacts) {
-        const auto friction = property_of(session, contact, KAYA_JROLE_FRICTION);
-        if (!friction) return "-";
-        const double share = one.area > 0 ? session.model.contacts.area[contact] / one.area : 1.0 / one.contacts.size();
-        tangent += share * std::tan(*friction * degree);
-        cohesion +=
-            session.model.contacts.area[contact] * property_of(session, contact, KAYA_JROLE_COHESION).value_or(0);
-    }
-    const double strength = std::max(0.0, one.normal_force()) * tangent + cohesion;
-    return strength > 0 ? number_text(one.shear_force() / strength) : "-";
+std::string utilisation_text(const Session& session, const Interface& one) {
+    const auto used = utilisation_of(session.model, session.joints, one);
+    return used ? number_text(*used) : "-";
 }
 
 std::string name_of_group(const Model& model, std::int32_t group) {
@@ -79,7 +55,7 @@ std::string list_interfaces(Session& session, const lang::List& command) {
         const bool loaded = one.force.norm() > 0;
         table.add({std::to_string(model.blocks.number[one.first]), std::to_string(model.blocks.number[one.second]),
                    std::to_string(one.contacts.size()), number_text(one.area), number_text(one.normal_force()),
-                   number_text(one.shear_force()), loaded ? number_text(angle) : "-", utilisation_of(session, one),
+                   number_text(one.shear_force()), loaded ? number_text(angle) : "-", utilisation_text(session, one),
                    place_text(one.force), loaded ? place_text(one.point_of_action()) : "-"});
     }
     std::string text = table.text();

@@ -53,10 +53,10 @@ void Progress::update() {
     else if (since > 0.04) stride_ = std::max<std::int64_t>(stride_ / 2, 1);
     seconds_ = now;
 
-    const double pause = output_.on_terminal() ? 0.2 : 10.0;
+    const double pause = output_.in_place() ? 0.2 : 10.0;
     if (now - shown_ < pause) return;
     shown_ = now;
-    if (output_.on_terminal()) output_.refresh(line());
+    if (output_.in_place()) output_.refresh(line());
     else output_.say(line());
 }
 

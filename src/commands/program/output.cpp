@@ -21,7 +21,7 @@ std::size_t columns_of(std::FILE* terminal) {
 } // namespace
 
 Output::Output(std::FILE* results, std::FILE* messages)
-    : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1) {
+    : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1), in_place_(terminal_) {
     // Results of a long run can be read while it runs.
     std::setvbuf(results_, nullptr, _IOLBF, BUFSIZ);
     colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
@@ -100,7 +100,7 @@ void Output::log_only(std::string_view text) {
 }
 
 void Output::refresh(std::string_view text) {
-    if (quiet || !terminal_) return;
+    if (!in_place_) return;
     const std::string shown = terminal_text(text);
     std::fputs(fmt::format("\r{:<{}}", shown, refreshed_).c_str(), messages_);
     refreshed_ = shown.size();

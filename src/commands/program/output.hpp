@@ -39,11 +39,14 @@ public:
     /// For the log only: the commands.
     void log_only(std::string_view text);
 
-    /// Shows `text` in place of the last progress line. Only on a terminal.
+    /// Shows `text` in place of the last progress line; nothing where lines are not shown in place.
     void refresh(std::string_view text);
     /// Clears the progress line, so that the next line starts at the left.
     void end_refresh();
     bool on_terminal() const { return terminal_; }
+    /// Whether a line of progress replaces the one before it: on a terminal, unless set otherwise.
+    bool in_place() const { return in_place_; }
+    void set_in_place(bool on) { in_place_ = on; }
     /// Whether messages are coloured; without it they are on a terminal, unless NO_COLOR is set.
     void set_colour(bool on) { colour_ = on; }
 
@@ -82,6 +85,7 @@ private:
     door::Stream log_;
     std::string log_name_;
     bool terminal_ = false;
+    bool in_place_ = false;
     bool colour_ = false;
     std::string* caught_ = nullptr; ///< the present capture; null: the stream
     std::size_t refreshed_ = 0;     ///< width of the present progress line

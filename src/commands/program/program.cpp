@@ -10,6 +10,7 @@ namespace kaya {
 Program::Program(const Options& given, std::FILE* results, std::FILE* messages)
     : options(given), output(results, messages) {
     output.quiet = options.quiet;
+    output.set_in_place(options.progress.value_or(output.in_place() && !options.quiet));
     if (options.colour != "auto") output.set_colour(options.colour == "always");
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
@@ -45,6 +46,7 @@ void Program::show_note(Diagnostic note) {
 
 const std::string& Program::output_file(const std::string& name) {
     gate->may_write(name);
+    files_written.push_back(name);
     return name;
 }
 

@@ -21,12 +21,13 @@ namespace kaya {
 
 /// Options of the command line.
 struct Options {
-    std::string colour = "auto"; ///< of messages: auto (on a terminal, unless NO_COLOR is set), always, never
-    int threads = 0;             ///< 0: one for each core
-    bool strict = false;         ///< warnings are errors
-    bool quiet = false;          ///< results and messages only
-    bool echo = false;           ///< each command is shown before it runs
-    bool trust = false;          ///< scripts may use the whole of Lua: files, other programs
+    std::string colour = "auto";  ///< of messages: auto (on a terminal, unless NO_COLOR is set), always, never
+    int threads = 0;              ///< 0: one for each core
+    bool strict = false;          ///< warnings are errors
+    bool quiet = false;           ///< results and messages only
+    std::optional<bool> progress; ///< a line that is renewed in place; empty: on a terminal, unless quiet
+    bool echo = false;            ///< each command is shown before it runs
+    bool trust = false;           ///< scripts may use the whole of Lua: files, other programs
     bool in_host = false; ///< inside another program, which owns the process: folder, signals, limits are not checked
     std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no separate limit
     std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
@@ -87,6 +88,7 @@ public:
     std::size_t warnings = 0;               ///< shown so far
     std::vector<std::string> warning_texts; ///< the first hundred of them
     std::set<std::string> said_once;        ///< notes that are not repeated
+    std::vector<std::string> files_written; ///< names of files that commands have written, in their order
     std::set<std::string> files_read;       ///< names of files that commands have read, decks not among them
 
 protected:

@@ -20,11 +20,11 @@ void LongWork::operator()(double done) {
     if (--until_check_ > 0) return;
     until_check_ = stride;
     const auto now = std::chrono::steady_clock::now();
-    const bool terminal = session_.output.on_terminal();
-    if (std::chrono::duration<double>(now - shown_).count() < (terminal ? 0.2 : 10.0)) return;
+    const bool in_place = session_.output.in_place();
+    if (std::chrono::duration<double>(now - shown_).count() < (in_place ? 0.2 : 10.0)) return;
     shown_ = now;
     const std::string line = fmt::format("{}: {:.0f} %", what_, 100 * done);
-    if (terminal) session_.output.refresh(line);
+    if (in_place) session_.output.refresh(line);
     else session_.output.say(line);
 }
 
