@@ -34,5 +34,5 @@ class Engine(build_ext):
 
 
 setup(version=re.search(r"project\(kaya VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1),
-      packages=["kaya"], package_dir={"kaya": "stdlib/python/kaya"}, package_data={"kaya": ["py.typed"]},
+      packages=["kaya"], package_dir={"kaya": "stdlib/python/kaya"}, package_data={"kaya": ["py.typed", "*.pyi"]},
       ext_modules=[Extension("kaya._kaya", [])], cmdclass={"build_ext": Engine})

@@ -10,7 +10,7 @@ Words, units and files are those of decks; nothing is converted.
 """
 
 from ._kaya import Error, __version__
-from .model import Model, open, run
+from .model import History, Model, help, open, run
 from .table import StaleView, Table, View
 
-__all__ = ["Error", "Model", "StaleView", "Table", "View", "open", "run", "__version__"]
+__all__ = ["Error", "History", "Model", "StaleView", "Table", "View", "help", "open", "run", "__version__"]

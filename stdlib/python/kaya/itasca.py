@@ -11,9 +11,10 @@ it.block.subcontact.list() gives, and set_force_norm(value) where FISH can set i
 
 from __future__ import annotations
 
-from typing import Any, Iterator
+from typing import Any, Iterator, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .model import Model
 from .table import Table
@@ -46,13 +47,13 @@ def cycle() -> int:
 
 
 class _Fish:
-    def get(self, name: str):
+    def get(self, name: str) -> Any:
         return model().get(name)
 
-    def set(self, name: str, value) -> None:
+    def set(self, name: str, value: Any) -> None:
         model().set(name, value)
 
-    def call_function(self, name: str, arguments=()):
+    def call_function(self, name: str, arguments: Sequence[Any] = ()) -> Any:
         shown = ", ".join(f"'{a}'" if isinstance(a, str) else repr(a) for a in arguments)
         return model().get(f"{name}({shown})" if arguments else name)
 
@@ -75,7 +76,7 @@ class Object:
     def __init__(self, kind: str, row: int):
         self._kind, self._row = kind, row
 
-    def __getattr__(self, name: str):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         methods = _methods(self._kind)
@@ -105,7 +106,7 @@ class _Kind:
         rows = np.flatnonzero(_table(self._kind)["id"] == number)
         return Object(self._kind, int(rows[0])) if len(rows) else None
 
-    def near(self, place) -> Object | None:
+    def near(self, place: ArrayLike) -> Object | None:
         """The object that is nearest to a place."""
         places = _table(self._kind)["position"]
         return Object(self._kind, int(np.argmin(((places - np.asarray(place)) ** 2).sum(axis=1)))) if len(places) else None
@@ -117,7 +118,7 @@ class _Array:
     def __init__(self, kind: str):
         self._kind = kind
 
-    def __getattr__(self, name: str):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         methods = _methods(self._kind)

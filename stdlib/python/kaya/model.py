@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
 from pathlib import Path
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, Iterable, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _kaya
+from .quantities import Quantities
 from .table import Table, View
-
-_TABLES = {kind + "s": kind for kind in _kaya.kinds()}
-
 
 def _own_joints() -> list[Path]:
     """Folders with the joint and zone models of kaya: of a build, of an installation, of a wheel."""
@@ -22,30 +22,45 @@ def _own_joints() -> list[Path]:
     return [folder for folder in folders if folder.is_dir()]
 
 
+def _painter() -> Path:
+    """The program that draws: of a build, or an installed one; empty where there is none."""
+    built = Path(__file__).resolve().parents[2] / "kaya-painter"
+    return built if built.exists() else Path(shutil.which("kaya-painter") or "")
+
+
+def _shows_lines_in_place() -> bool:
+    """Whether messages go to a terminal or a notebook."""
+    return sys.stderr is not None and (sys.stderr.isatty() or type(sys.stderr).__module__.startswith("ipykernel"))
+
+
 class History(NamedTuple):
     """A recorded quantity: arrays of the same length."""
 
     number: int
     label: str
-    time: np.ndarray
-    cycle: np.ndarray
-    values: np.ndarray
+    time: NDArray[np.float64]
+    cycle: NDArray[np.float64]
+    values: NDArray[np.float64]
 
 
-class Model:
+class Model(Quantities):
     """One model with its own commands, functions and results; several may exist at once, and run in threads.
 
     threads: 0 takes all cores, as the program does (one number for all models of the process); the bits of a result do not depend on it.
-    strict: warnings are errors. quiet: no progress, only results and messages. trust: scripts may use all of Lua.
+    strict: warnings are errors. quiet: results and messages only. trust: scripts may use all of Lua.
+    progress: a line that shows how far a run is, renewed in place; by default in terminals and notebooks.
     joints: folders that are searched for joint and zone models. out, messages: functions that take printed text (default: sys.stdout,
     sys.stderr).
     """
 
-    def __init__(self, *, threads: int = 0, strict: bool = False, quiet: bool = True, trust: bool = False, joints=(),
-                 out: Callable[[str], Any] | None = None, messages: Callable[[str], Any] | None = None):
+    def __init__(self, *, threads: int = 0, strict: bool = False, quiet: bool = True, trust: bool = False,
+                 progress: bool | None = None, joints: Iterable[str | os.PathLike[str]] = (),
+                 out: Callable[[str], Any] | None = None, messages: Callable[[str], Any] | None = None) -> None:
         listed = [Path(folder) for folder in os.environ.get("KAYA_JOINTS", "").split(":") if folder]
         self._session = _kaya.Session(out or (lambda text: sys.stdout.write(text)), messages or (lambda text: sys.stderr.write(text)),
-                                      threads, strict, quiet, trust, [Path(folder) for folder in joints] + listed, _own_joints())
+                                      threads, strict, quiet, trust,
+                                      messages is None and _shows_lines_in_place() if progress is None else progress,
+                                      [Path(folder) for folder in joints] + listed, _own_joints(), _painter())
 
     # Running.
 
@@ -57,7 +72,7 @@ class Model:
         """The same; returns what the commands print."""
         return self._session.text(text, "python", True)
 
-    def run(self, deck: str | os.PathLike, **parameters) -> "Model":
+    def run(self, deck: str | os.PathLike[str], **parameters: object) -> "Model":
         """Runs a deck. Parameters replace those that it sets with `param`."""
         for name, value in parameters.items():
             shown = f"'{value}'" if isinstance(value, str) else repr(value)
@@ -66,16 +81,19 @@ class Model:
         return self
 
     def cycle(self, count: int = 1) -> None:
+        """Runs that many cycles."""
         self.command(f"cycle {int(count)}")
 
-    def solve(self, *words) -> None:
-        """solve("ratio", 1e-6)"""
+    def solve(self, *words: object) -> None:
+        """The command `solve` with these words: m.solve("ratio", 1e-6). kaya.help("solve") lists them."""
         self.command(" ".join(["solve", *map(str, words)]))
 
-    def save(self, file: str | os.PathLike) -> None:
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes the whole model into a file (docs/save-files.md)."""
         self.command(f"save '{os.fspath(file)}'")
 
-    def restore(self, file: str | os.PathLike) -> "Model":
+    def restore(self, file: str | os.PathLike[str]) -> "Model":
+        """Replaces the model by a saved one. Raises kaya.Error; the model is then unchanged."""
         self.command(f"restore '{os.fspath(file)}'")
         return self
 
@@ -93,19 +111,6 @@ class Model:
         return lambda: self._session.leave_out(number)
 
     # Reading.
-
-    def __getattr__(self, name: str):
-        if name.startswith("_"):
-            raise AttributeError(name)
-        if name in _TABLES:
-            return Table(self, _TABLES[name])
-        try:
-            return self._session.quantity(name)
-        except KeyError:
-            raise AttributeError(f"a model has no '{name}'; quantities() and dir() list what it has") from None
-
-    def __dir__(self):
-        return [*super().__dir__(), *_TABLES, *self.quantities()]
 
     def quantities(self) -> dict[str, dict[str, Any]]:
         """Quantities of the whole model by name, such as m.time and m.unbalanced_force: {name: {unit, help, ...}}."""
@@ -130,14 +135,15 @@ class Model:
         """A column of the stored state; columns() has their names."""
         return View(self, table, column)
 
-    def columns(self) -> dict[str, dict[str, tuple]]:
+    def columns(self) -> dict[str, dict[str, tuple[np.dtype[Any], tuple[int, ...]]]]:
         """{table: {column: (dtype, shape)}} of the stored state (docs/save-files.md)."""
         return self._session.columns()
 
     def interfaces(self) -> list[dict[str, Any]]:
         """The interfaces of blocks that touch: block1, block2 (numbers; joined blocks count as one), area, normal (from the first to the
         second), force of the first on the second with its moment about `centre`, the point where it acts, normal_force (compression
-        positive), shear_force, polygons of the common area, rows of the contacts."""
+        positive), shear_force, utilisation (the shear force over what friction and cohesion can take; None where that is unknown), polygons of
+        the common area, rows of the contacts."""
         return self._session.interfaces()
 
     def reactions(self) -> dict[str, Any]:
@@ -146,11 +152,11 @@ class Model:
 
     # FISH.
 
-    def get(self, expression: str):
+    def get(self, expression: str) -> Any:
         """The value of a FISH variable, function or expression: m.get("f(2) + x")."""
         return self._session.value(expression)
 
-    def set(self, name: str, value) -> None:
+    def set(self, name: str, value: Any) -> None:
         """Sets a FISH variable."""
         self._session.set_value(name, value)
 
@@ -160,14 +166,19 @@ class Model:
     @property
     def cycle_number(self) -> int:
         """Cycles done so far."""
-        return self._session.quantity("cycle")
+        return int(self._session.quantity("cycle"))
 
 
-def open(file: str | os.PathLike, **options) -> Model:
+def open(file: str | os.PathLike[str], **options: Any) -> Model:
     """A saved model. Options are those of Model."""
     return Model(**options).restore(file)
 
 
-def run(deck: str | os.PathLike, **parameters) -> Model:
+def run(deck: str | os.PathLike[str], **parameters: object) -> Model:
     """Runs a deck in a new model and returns it."""
     return Model().run(deck, **parameters)
+
+
+def help(words: str = "") -> str:
+    """The page on a command ("poly brick"), a keyword, a statement or function of FISH, or a field; without words the list of commands."""
+    return _kaya.help(words)

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from . import _kaya
+
+if TYPE_CHECKING:
+    from .model import Model
 
 
 class Table:
@@ -15,37 +21,37 @@ class Table:
     their three names. Raises KeyError for a name that the kind does not have.
     """
 
-    def __init__(self, model: "Model", kind: str):
+    def __init__(self, model: Model, kind: str):
         self._model, self._kind = model, kind
 
     def __len__(self) -> int:
         return self._model._session.count(self._kind)
 
-    def __getitem__(self, field: str):
+    def __getitem__(self, field: str) -> Any:
         return self._model._session.values(self._kind, field)
 
-    def __setitem__(self, field: str, values) -> None:
+    def __setitem__(self, field: str, values: Any) -> None:
         """Sets a field of all objects: one value for all, or one for each."""
         self.set(field, values)
 
-    def set(self, field: str, values, rows: Sequence[int] | None = None) -> None:
+    def set(self, field: str, values: Any, rows: ArrayLike | None = None) -> None:
         """Sets a field of these rows (all of them when None). Raises kaya.Error where the field or a value does not allow it."""
-        rows = np.arange(len(self)) if rows is None else np.asarray(rows, dtype=np.int64).ravel()
-        if isinstance(values, np.ndarray) or (isinstance(values, (list, tuple)) and len(values) == len(rows) and not _is_vector(values)):
+        chosen = np.arange(len(self)) if rows is None else np.asarray(rows, dtype=np.int64).ravel()
+        if isinstance(values, np.ndarray) or (isinstance(values, (list, tuple)) and len(values) == len(chosen) and not _is_vector(values)):
             values = [v.tolist() if isinstance(v, (np.ndarray, np.generic)) else v for v in values]
-        self._model._session.set_values(self._kind, field, rows, values)
+        self._model._session.set_values(self._kind, field, chosen, values)
 
     def fields(self) -> dict[str, dict[str, Any]]:
         """{name: {unit, help, classic, modern, writable}}: `unit` is a kind of quantity, such as "stress", in the units of the deck."""
         names = ("unit", "help", "classic", "modern", "writable")
-        return {name: dict(zip(names, rest)) for name, *rest in self._model._session.fields(self._kind)}
+        return {name: dict(zip(names, rest)) for name, *rest in _kaya.fields(self._kind)}
 
     def keys(self) -> Iterator[str]:
         return iter(self.fields())
 
-    def frame(self, fields: Sequence[str] | None = None):
+    def frame(self, fields: Sequence[str] | None = None) -> Any:
         """A table of pandas with these fields (all that are not vectors, when None); vectors become three columns, x_, y_ and z_."""
-        import pandas
+        import pandas  # type: ignore[import]
 
         columns: dict[str, Any] = {}
         for field in self.fields() if fields is None else fields:
@@ -62,7 +68,12 @@ class Table:
         return f"<{len(self)} {self._kind}: {', '.join(self.keys())}>"
 
 
-def _is_vector(values) -> bool:
+def described(help: str, unit: str) -> str:
+    """The help of a field with the kind of its quantity."""
+    return help if unit == "-" else f"{help} [{unit}]"
+
+
+def _is_vector(values: Any) -> bool:
     """Three numbers for three rows are one vector only as a tuple."""
     return isinstance(values, tuple) and len(values) == 3 and all(np.isscalar(v) for v in values)
 
@@ -75,32 +86,32 @@ class View:
     kaya.StaleView, since its rows may be other objects.
     """
 
-    def __init__(self, model: "Model", table: str, column: str):
+    def __init__(self, model: Model, table: str, column: str):
         self._model, self.table, self.column = model, table, column
         with self as array:
             self.shape, self.dtype = array.shape, array.dtype
             del array
 
-    def _array(self):
+    def _array(self) -> NDArray[Any]:
         array = self._model._session.column(self.table, self.column)
         if hasattr(self, "shape") and array.shape != self.shape:
             raise StaleView(f"{self.table}.{self.column} had shape {self.shape} and has {array.shape}: take a new view")
         return array
 
-    def __enter__(self) -> np.ndarray:
+    def __enter__(self) -> NDArray[Any]:
         return self._array()
 
-    def __exit__(self, *_) -> None:
+    def __exit__(self, *_: object) -> None:
         pass
 
-    def __getitem__(self, rows):
+    def __getitem__(self, rows: Any) -> Any:
         return np.array(self._array()[rows])
 
-    def __array__(self, dtype=None, copy=None):
+    def __array__(self, dtype: DTypeLike = None, copy: bool | None = None) -> NDArray[Any]:
         return np.array(self._array(), dtype=dtype)
 
     def __len__(self) -> int:
-        return self.shape[0]
+        return int(self.shape[0])
 
     def __repr__(self) -> str:
         return f"<view of {self.table}.{self.column}: {self.dtype} {self.shape}>"
