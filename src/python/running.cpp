@@ -97,8 +97,13 @@ void PythonSession::run(const std::function<void(Session&)>& work) {
                 session.stop_if_interrupted();
             } catch (const Diagnostic&) { asked = false; } // a wish for the command before
             work(session);
-            session.output.flush();
         } catch (...) { failed = std::current_exception(); }
+        try {
+            session.output.end_refresh(); // a run that an exception has ended leaves its line
+            session.output.flush();
+        } catch (...) {
+            if (!failed) failed = std::current_exception();
+        }
     }
     running_ = false;
     if (raised_) {
