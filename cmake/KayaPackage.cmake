@@ -28,9 +28,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), g++")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kaya)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "kaya (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-ipykernel, python3-matplotlib, python3-pandas")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "models of kaya in Python
 Commands, FISH and results of the distinct element program kaya in Python,
-columns as arrays of numpy.")
+columns as arrays of numpy; a kernel for Jupyter whose cells are decks.")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "distinct element program for jointed rock and masonry
 kaya runs command files in the style of 3DEC: polyhedral blocks, rigid or
 divided into zones, cut by joints, move in time by the distinct element

@@ -104,7 +104,7 @@ class Stubs(unittest.TestCase):
             program = Path(folder) / "program.py"
             program.write_text(PROGRAM_OF_A_USER)
             path = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
-            self.check("mypy", "--strict", "--cache-dir", folder + "/cache", "-p", "kaya", cwd=folder, env=path)
+            self.check("mypy", "--config-file", SOURCE / "pyproject.toml", "--cache-dir", folder + "/cache", "-p", "kaya", cwd=folder, env=path)
             self.check("mypy", "--strict", "--cache-dir", folder + "/cache", str(program), cwd=folder, env=path)
             program.write_text(PROGRAM_OF_A_USER + "m.nosuch\n")
             with self.assertRaisesRegex(AssertionError, 'has no attribute "nosuch"'):
@@ -114,7 +114,7 @@ class Stubs(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             allowed = Path(folder) / "allowed"
             allowed.write_text("kaya._kaya.Session\n")  # its metaclass is pybind11's
-            self.check("stubtest", "--allowlist", str(allowed), "kaya._kaya", "kaya.quantities", cwd=folder,
+            self.check("stubtest", "--mypy-config-file", SOURCE / "pyproject.toml", "--allowlist", str(allowed), "kaya._kaya", "kaya.quantities", cwd=folder,
                        env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
 
 

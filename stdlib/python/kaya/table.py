@@ -51,7 +51,7 @@ class Table:
 
     def frame(self, fields: Sequence[str] | None = None) -> Any:
         """A table of pandas with these fields (all that are not vectors, when None); vectors become three columns, x_, y_ and z_."""
-        import pandas  # type: ignore[import]
+        import pandas
 
         columns: dict[str, Any] = {}
         for field in self.fields() if fields is None else fields:
