@@ -101,7 +101,7 @@ class Kernel(unittest.TestCase):
         self.assertIn("brick", text)
         reply, _, _ = self.run_cell("%%lua\nlocal x = 1\nerror('mine')")
         self.assertRegex("\n".join(reply["traceback"]), r"cell \d+:3")
-        self.assertEqual(self.run_cell("poly brick 0 1 0 1 0 1")[0]["status"], "ok") # the kernel goes on
+        self.assertEqual(self.run_cell("poly brick 0 1 0 1 0 1")[0]["status"], "ok") # the kernel continues
 
     def test_completes_words_names_and_lua(self):
         self.fresh()
