@@ -4,7 +4,9 @@
 #include "guide/help_text.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
-#include "lang/modern/language.hpp"
+#include "lang/interp/command_words.hpp"
+#include "lang/commands/language.hpp"
+#include "lang/modern/convert.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -129,9 +131,16 @@ Json EditorAnswers::range_of(const OpenDeck& deck, const OpenDeck::Piece& piece)
     return {{"start", position(piece.begin)}, {"end", position(piece.end)}};
 }
 
+void EditorAnswers::propose(std::string_view dialect) {
+    const auto wanted = lang::dialects_of(dialect);
+    language_ = wanted == lang::Dialects::modern    ? &lang::modern()
+                : wanted == lang::Dialects::classic ? &lang::classic()
+                                                    : &lang::language();
+}
+
 Json EditorAnswers::completions(const Asked& asked) const {
     const auto typed = asked.deck.typed_at(asked.spot);
-    const Proposals found = proposals(*session_, typed.before, typed.line);
+    const Proposals found = proposals(*session_, typed.before, typed.line, *language_);
     std::set<std::string> words(found.words.begin(), found.words.end());
     const std::string begun =
         lang::fold(typed.line.substr(typed.line.size() - std::min(found.typed, typed.line.size())));
@@ -254,6 +263,25 @@ Json EditorAnswers::proposed_edits(const std::string& uri, const Json& diagnosti
                            {"edit", {{"changes", {{uri, Json::array({edit})}}}}}});
     }
     return actions;
+}
+
+Json EditorAnswers::converted(const OpenDeck& deck, const std::string& uri, int line) {
+    const auto* stretch = deck.stretch_at(line);
+    if (stretch == nullptr || stretch->body <= stretch->last) return Json::array(); // functions are of both dialects
+    std::string text;
+    for (int k = stretch->first; k <= stretch->last; ++k) text += deck.lines()[static_cast<std::size_t>(k)] + "\n";
+    const bool modern = &lang::dialect_of(lang::language(), stretch->statement) == &lang::modern();
+    try {
+        const auto other =
+            lang::convert_deck(lang::source_from_text("deck", text), modern ? lang::To::classic : lang::To::modern);
+        if (other.changed == 0) return Json::array();
+        const Json range{{"start", {{"line", stretch->first}, {"character", 0}}},
+                         {"end", {{"line", stretch->last + 1}, {"character", 0}}}};
+        const Json edit{{"range", range}, {"newText", other.text}};
+        return Json::array({{{"title", fmt::format("write in {} words", modern ? "classic" : "modern")},
+                             {"kind", "refactor.rewrite"},
+                             {"edit", {{"changes", {{uri, Json::array({edit})}}}}}}});
+    } catch (const Diagnostic&) { return Json::array(); } // a line with a mistake
 }
 
 } // namespace kaya

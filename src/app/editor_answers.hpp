@@ -5,9 +5,11 @@
 #include "app/open_deck.hpp"
 #include "commands/session/deck_report.hpp"
 #include "commands/session/session.hpp"
+#include "lang/modern/language.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace kaya {
 
@@ -29,6 +31,9 @@ public:
         std::string uri; ///< of the deck
     };
 
+    /// The dialect of proposed words: modern, classic, or both for any other word.
+    void propose(std::string_view dialect);
+
     /// All of them return null, or an empty list, where there is nothing.
     Json completions(const Asked& asked) const;
     Json hover(const Asked& asked) const;
@@ -45,6 +50,8 @@ public:
     static Json diagnostic(const OpenDeck& deck, const std::string& path, const ReportLine& line);
     /// "did you mean 'x'?" of the diagnostics as edits.
     static Json proposed_edits(const std::string& uri, const Json& diagnostics);
+    /// The command on a line in the words of the other dialect, as an edit; an empty list where they say it no other way.
+    static Json converted(const OpenDeck& deck, const std::string& uri, int line);
 
 private:
     /// The name at a place, in lower case. Throws Refusal.
@@ -55,6 +62,7 @@ private:
     Named own_name(const Asked& asked) const;
     bool is_built_in(const std::string& folded) const;
 
+    const lang::Language* language_ = &lang::language();                      ///< of proposed words
     std::unique_ptr<Session> session_ = std::make_unique<Session>(Options{}); ///< knows built-in names
 };
 

@@ -82,7 +82,7 @@ private:
     using Method = std::function<Json(Server&, const Json&)>;
     static const std::map<std::string, Method>& methods() {
         static const std::map<std::string, Method> all{
-            {"initialize", [](Server& s, const Json&) { return s.abilities(); }},
+            {"initialize", [](Server& s, const Json& p) { return s.begin(p); }},
             {"initialized", [](Server&, const Json&) { return Json(); }},
             {"shutdown", [](Server& s, const Json&) { return s.shut_down_ = true, Json(); }},
             {"exit", [](Server& s, const Json&) { return s.ended_ = true, Json(); }},
@@ -103,13 +103,15 @@ private:
             {"textDocument/formatting", [](Server& s, const Json& p) { return s.format(p); }},
             {"textDocument/documentSymbol",
              [](Server& s, const Json& p) { return EditorAnswers::functions(s.deck(s.open(p))); }},
-            {"textDocument/codeAction",
-             [](Server&, const Json& p) {
-                 return EditorAnswers::proposed_edits(p.at("textDocument").at("uri"),
-                                                      p.at("context").at("diagnostics"));
-             }},
+            {"textDocument/codeAction", [](Server& s, const Json& p) { return s.actions(p); }},
         };
         return all;
+    }
+
+    Json begin(const Json& parameters) {
+        const Json wanted = parameters.value("initializationOptions", Json::object());
+        if (wanted.is_object()) answers_.propose(wanted.value("dialect", "both"));
+        return abilities();
     }
 
     static Json abilities() {
@@ -122,7 +124,7 @@ private:
                   {"renameProvider", {{"prepareProvider", true}}},
                   {"documentFormattingProvider", true},
                   {"documentSymbolProvider", true},
-                  {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}}}},
+                  {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite"}}}}}},
                 {"serverInfo", {{"name", "kaya"}, {"version", program_version()}}}};
     }
 
@@ -217,6 +219,17 @@ private:
     EditorAnswers::Asked asked(const Json& parameters) {
         const OpenDeck& shown = deck(open(parameters));
         return {shown, spot_of(shown, parameters), parameters["textDocument"]["uri"].get<std::string>()};
+    }
+
+    Json actions(const Json& parameters) {
+        const OpenDeck& shown = deck(open(parameters));
+        const std::string uri = parameters["textDocument"]["uri"];
+        Json actions = EditorAnswers::proposed_edits(uri, parameters.at("context").at("diagnostics"));
+        const auto line = parameters.at("range").at("start").at("line").get<std::int64_t>();
+        if (line >= 0 && line < static_cast<std::int64_t>(shown.lines().size()))
+            for (auto& action : EditorAnswers::converted(shown, uri, static_cast<int>(line)))
+                actions.push_back(std::move(action));
+        return actions;
     }
 
     Json format(const Json& parameters) {

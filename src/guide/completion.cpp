@@ -1,7 +1,6 @@
 #include "guide/completion.hpp"
 
 #include "guide/explanations.hpp"
-#include "lang/modern/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
 
@@ -136,7 +135,8 @@ Names codes() {
     return names;
 }
 
-Names all_names(const Session& session, const std::string& before, const std::string& line, const std::string& typed) {
+Names all_names(const Session& session, const std::string& before, const std::string& line, const std::string& typed,
+                const lang::Language& language) {
     const auto words = words_of(line.substr(0, line.size() - typed.size()));
     const Inside inside = inside_of(before);
     Names names;
@@ -155,7 +155,7 @@ Names all_names(const Session& session, const std::string& before, const std::st
     for (auto& model : models(session, words)) names.insert(std::move(model));
     if (!names.empty()) return names;
     if (takes_file(words)) return files(typed);
-    for (auto& word : lang::completions(lang::language(), line)) names.insert(std::move(word));
+    for (auto& word : lang::completions(language, line)) names.insert(std::move(word));
     if (words.empty()) names.insert({"help", "explain"});
     add_properties(names, session, words);
     return names;
@@ -163,13 +163,14 @@ Names all_names(const Session& session, const std::string& before, const std::st
 
 } // namespace
 
-Proposals proposals(const Session& session, const std::string& before, const std::string& line) {
+Proposals proposals(const Session& session, const std::string& before, const std::string& line,
+                    const lang::Language& language) {
     const bool lua = inside_of(before) == Inside::lua;
     const auto blank = line.find_last_of(lua ? " \t=,()[]{}.:" : " \t=,()[]'\"");
     const std::string typed = line.substr(blank == line.npos ? 0 : blank + 1);
     Names names;
     if (lua && blank != line.npos && (line[blank] == '.' || line[blank] == ':')) names = lua_names(session, true);
-    else names = all_names(session, before, line, typed);
+    else names = all_names(session, before, line, typed, language);
     Proposals result{typed.size(), {}};
     const std::string folded = lang::fold(typed);
     for (const auto& name : names)
