@@ -6,7 +6,7 @@ const { LanguageClient } = require('vscode-languageclient/node');
 
 /** @type {LanguageClient | undefined} */
 let client;
-/** Starts and stops run one after the other. @type {Promise<void>} */
+/** Starts and stops run in order. @type {Promise<void>} */
 let last = Promise.resolve();
 
 /** @returns {LanguageClient} */
