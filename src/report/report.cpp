@@ -57,7 +57,7 @@ std::string warning_list(const std::vector<std::string>& warnings) {
 
 constexpr const char* view =
     R"(<div id="view"><canvas id="blocks" tabindex="0" aria-label="the blocks; drag to turn, wheel to come nearer"></canvas>
-<svg id="axes" viewBox="0 0 90 90"></svg><div id="coarse"></div><div id="legend"></div><div id="picked" role="status"></div></div>
+<svg id="axes" viewBox="0 0 90 90" aria-hidden="true"></svg><div id="coarse"></div><div id="legend"></div><div id="picked" role="status"></div></div>
 <div id="controls"><label id="states">state <input id="state" type="range" min="0" max="0" value="0"> <output id="state-value"></output></label>
 <label id="whats">show <select id="what"><option>blocks</option><option>joints</option></select></label>
 <label>colour <select id="field"></select></label>

@@ -31,7 +31,7 @@ class CurveView {
         this.box.className = 'curve';
         const head = document.createElement('h3');
         head.textContent = title;
-        this.svg = svgElement('svg', { viewBox: '0 0 760 280', role: 'img' });
+        this.svg = svgElement('svg', { viewBox: '0 0 760 280', role: 'img', 'aria-label': `${title} over ${along}` });
         this.read = document.createElement('div');
         this.read.className = 'read';
         const button = document.createElement('button');

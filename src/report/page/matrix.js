@@ -19,6 +19,6 @@ function lookAt(target, distance, heading, pitch) {
     const dot = v => -(v[0] * eye[0] + v[1] * eye[1] + v[2] * eye[2]);
     return {
         matrix: new Float32Array([right[0], up[0], -forward[0], 0, right[1], up[1], -forward[1], 0, right[2], up[2], -forward[2], 0, dot(right), dot(up), -dot(forward), 1]),
-        right, up,
+        right, up, back: forward.map(v => -v),
     };
 }

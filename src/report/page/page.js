@@ -192,7 +192,16 @@ async function showCurves(data, place, along) {
         new CurveView(document.getElementById(place), curve.title, await unpack(curve.times, Float64Array), await unpack(curve.values, Float64Array), along);
 }
 
+// What is wider than the window is scrolled by keyboard too.
+function reachScrolled() {
+    for (const box of document.querySelectorAll('section, pre')) {
+        if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+        else box.removeAttribute('tabindex');
+    }
+}
+
 async function start() {
+    new ResizeObserver(reachScrolled).observe(document.body);
     await showCurves('history-data', 'curves', 'time');
     await showCurves('course-data', 'course-curves', 'cycle');
     const states = await readStates(), scene = states.at(-1).scene;

@@ -6,6 +6,7 @@ layout(location = 2) in float value;
 layout(location = 3) in float block;
 uniform mat4 camera;
 uniform float factor;
+uniform float towards; // edges lie in front of their faces
 out vec3 where;
 out float amount;
 flat out float number;
@@ -14,6 +15,7 @@ void main() {
     amount = value;
     number = block;
     gl_Position = camera * vec4(where, 1.0);
+    gl_Position.z -= towards;
 }`;
 
 const faceShader = `#version 300 es
@@ -41,11 +43,11 @@ void main() {
         colour = vec4(float(n & 255), float(n >> 8 & 255), float(n >> 16 & 255), 255.0) / 255.0;
         return;
     }
-    if (lines) { colour = vec4(0.12, 0.12, 0.12, 1.0); return; }
     vec3 normal = normalize(cross(dFdx(where), dFdy(where)));
-    float bright = 0.55 + 0.45 * abs(dot(normal, light));
+    float bright = 0.7 + 0.3 * abs(dot(normal, light));
     vec3 base = vec3(0.8);
     if (amount == amount) base = names > 0 ? colours[int(mod(amount + 0.5, 8.0)) + 1] : sequential((amount - ends.x) / max(ends.y - ends.x, 1e-30));
+    if (lines) { colour = vec4(vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.2 ? 0.5 : 0.12), 1.0); return; } // seen on dark faces too
     if (number == picked) base = vec3(0.95, 0.45, 0.1);
     colour = vec4(bright * base, 1.0);
 }`;

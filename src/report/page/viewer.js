@@ -1,4 +1,5 @@
 // The blocks, to be turned, coloured, cut and picked.
+const opening = 0.7; // angle of the view from bottom to top
 const sides = { // heading and pitch
     front: [Math.PI, 0], back: [0, 0], left: [-Math.PI / 2, 0], right: [Math.PI / 2, 0], top: [Math.PI, Math.PI / 2], isometric: [0.75 * Math.PI, 0.6155],
 };
@@ -90,14 +91,30 @@ class BlockView {
         this.draw();
     }
     reset() {
-        this.target = [0, 0, 0];
-        this.distance = 1.55 * (this.scene.size || 1);
-        this.heading = Math.PI - 0.5; this.pitch = 0.4; // x to the right, y away
+        this.fit(Math.PI - 0.5, 0.4); // x to the right, y away
     }
     from(side) {
-        this.reset();
-        [this.heading, this.pitch] = sides[side];
+        this.fit(...sides[side]);
         this.draw();
+    }
+    // The model fills the frame, with room for the legend. Perspective moves its middle: three rounds centre it.
+    fit(heading, pitch) {
+        Object.assign(this, { heading, pitch, target: [0, 0, 0], distance: 2 * (this.scene.size || 1) });
+        const box = this.canvas.getBoundingClientRect(), p = this.scene.places, { right, up, back } = lookAt(this.target, 1, heading, pitch);
+        const upward = 0.92 * Math.tan(opening / 2), across = 0.78 / 0.92 * upward * box.width / Math.max(1, box.height);
+        const along = (axis, i) => axis.reduce((sum, a, k) => sum + a * (p[i + k] - this.target[k]), 0);
+        for (let round = 0; round < 3 && p.length > 0; ++round) {
+            let [left, rightmost, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+            for (let i = 0; i < p.length; i += 3) {
+                const away = this.distance - along(back, i), x = along(right, i) / away, y = along(up, i) / away;
+                left = Math.min(left, x); rightmost = Math.max(rightmost, x); low = Math.min(low, y); high = Math.max(high, y);
+            }
+            this.target = this.target.map((t, k) => t + this.distance / 2 * (right[k] * (left + rightmost) + up[k] * (low + high)));
+            this.distance = 0;
+            for (let i = 0; i < p.length; i += 3)
+                this.distance = Math.max(this.distance, along(back, i) + Math.max(Math.abs(along(up, i)) / upward, Math.abs(along(right, i)) / across));
+        }
+        this.distance = this.distance || 1;
     }
     turn(heading, pitch) {
         this.heading += heading;
@@ -112,7 +129,9 @@ class BlockView {
         const size = this.scene.size || 1;
         const far = this.distance + 2 * size, view = lookAt(this.target, this.distance, this.heading, this.pitch);
         this.axes = view;
-        return multiply(perspective(0.7, this.canvas.width / this.canvas.height, Math.max(this.distance - 2 * size, 0.005 * this.distance), far), view.matrix);
+        const near = Math.max(this.distance - 2 * size, 0.005 * this.distance);
+        this.towards = 0.002 * 2 * far * near / (far - near); // in depth: a five-hundredth of the distance
+        return multiply(perspective(opening, this.canvas.width / this.canvas.height, near, far), view.matrix);
     }
     draw() {
         if (this.waiting) return;
@@ -142,13 +161,13 @@ class BlockView {
         gl.uniform3fv(at('colours'), (this.field && this.field.names.length > 0 ? named : viridis).flat().map(c => c / 255));
         gl.uniform1i(at('picking'), picking);
         gl.uniform1i(at('lines'), false);
-        gl.enable(gl.POLYGON_OFFSET_FILL);
-        gl.polygonOffset(1, 1);
+        gl.uniform1f(at('towards'), 0);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.faceBuffer);
         gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
         if (!picking && this.onrender) this.onrender(this.axes, coarse);
         if (picking || !this.state.edges || coarse) return;
         gl.uniform1i(at('lines'), true);
+        gl.uniform1f(at('towards'), this.towards);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.lineBuffer);
         gl.drawElements(gl.LINES, this.counts.lines, gl.UNSIGNED_INT, 0);
     }

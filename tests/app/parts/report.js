@@ -1,0 +1,51 @@
+// report.js PAGE: a reader opens the report of a run on a screen and on a phone: clicks, keys, views, colours.
+'use strict';
+const assert = require('assert'), path = require('path');
+const { browse, cutTexts, barriers } = require('./browser.js');
+
+browse(async (page, size) => {
+    await page.goto(`file://${path.resolve(process.argv[2])}`);
+    await page.waitForSelector('html[data-state=drawn]');
+    const blocks = page.locator('#blocks');
+    const box = await blocks.boundingBox();
+    // How much of the frame the model covers: the share of its width or height between the first and the last pixel that is drawn.
+    const covers = () => blocks.evaluate(canvas => {
+        const gl = canvas.getContext('webgl2'), { width, height } = canvas, pixels = new Uint8Array(4 * width * height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        let left = width, right = 0, low = height, high = 0;
+        for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) if (pixels[4 * (y * width + x) + 3]) {
+            left = Math.min(left, x); right = Math.max(right, x); low = Math.min(low, y); high = Math.max(high, y);
+        }
+        return [(right - left) / width, (high - low) / height];
+    });
+    const frame = () => page.evaluate(() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    for (const side of ['front', 'top', 'isometric']) {
+        await page.click(`#sides button:text-is("${side}")`);
+        await frame();
+        const [across, up] = await covers();
+        assert.ok(across > 0.6 || up > 0.8, `${side} covers ${across} of the width, ${up} of the height`);
+        assert.ok(across <= 0.8 && up <= 0.94, `${side} is cut: ${across}, ${up}`);
+    }
+    const click = async () => size === 'phone' ? page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2) : page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await click();
+    const picked = () => page.textContent('#picked');
+    assert.match(await picked(), /^block \d+\n(.*\n)*displacement: .* length\nvelocity: /);
+    assert.deepStrictEqual(await cutTexts(page), [], size);
+    assert.deepStrictEqual(await barriers(page), [], size);
+    const before = await blocks.screenshot();
+    await blocks.focus();
+    for (const key of ['ArrowLeft', '+']) await page.keyboard.press(key);
+    await frame();
+    assert.ok(!before.equals(await blocks.screenshot()), 'keys do not turn the model');
+    await page.selectOption('#what', 'joints');
+    await page.waitForFunction(() => [...document.querySelectorAll('#field option')].some(option => option.text === 'joint_set'));
+    await page.click('#sides button:text-is("isometric")');
+    await frame();
+    await click();
+    assert.match(await picked(), /^joint \d+\n/);
+    await page.locator('#course-curves svg').first().hover();
+    assert.match(await page.textContent('#course-curves .read >> nth=0'), /^cycle [\d,]+: /);
+}).catch(problem => {
+    console.log(problem.message);
+    process.exit(1);
+});
