@@ -9,5 +9,6 @@ namespace kaya {
 
 std::string png_of(const Scene& scene);
 std::string png_of(const Chart& chart);
+std::string png_of(const ScenePair& pair);
 
 } // namespace kaya

@@ -13,6 +13,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkImageAppend.h>
 #include <vtkLightKit.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -179,8 +180,9 @@ void add_axes(vtkRenderWindow* window, vtkRenderer* corner, vtkCamera* view, con
 
 } // namespace
 
-std::string png_of(const Scene& given) {
-    Scene scene = given;
+namespace {
+
+vtkSmartPointer<vtkImageData> image_of(Scene scene) {
     // Smooth edges: drawn twice as large, and each pixel is the mean of four.
     const int finer = std::max(scene.width, scene.height) <= longest_side / 2 ? 2 : 1;
     scene.width = std::clamp(scene.width, 64, longest_side) * finer;
@@ -206,7 +208,21 @@ std::string png_of(const Scene& given) {
     if (scene.axes)
         add_axes(window, corner, renderer->GetActiveCamera(),
                  {layout.column, 4 * font, layout.column + 7 * font, 11 * font}, font);
-    return png_of(window, scene.paper, finer);
+    return image_of(window, scene.paper, finer);
+}
+
+} // namespace
+
+std::string png_of(const Scene& scene) { return png_of(image_of(scene), scene.paper); }
+
+std::string png_of(const ScenePair& pair) {
+    vtkNew<vtkImageAppend> beside;
+    for (Scene scene : {pair.left, pair.right}) {
+        scene.paper = pair.paper;
+        beside->AddInputData(image_of(std::move(scene)));
+    }
+    beside->Update();
+    return png_of(beside->GetOutput(), pair.paper);
 }
 
 } // namespace kaya

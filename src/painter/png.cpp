@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
@@ -64,27 +63,28 @@ std::string with_dpi(std::string png, std::int32_t dpi) {
     return dpi > 0 && png.size() > header ? png.insert(header, chunk("pHYs", data + '\1')) : png;
 }
 
-std::string png_of(vtkRenderWindow* window, int finer) {
+} // namespace
+
+vtkSmartPointer<vtkImageData> image_of(vtkRenderWindow* window, const Paper& paper, int finer) {
+    window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
     picture->SetInput(window);
     picture->SetInputBufferTypeToRGB();
     picture->ReadFrontBufferOff();
     picture->Update();
+    return smoothed(picture->GetOutput(), paper.fine ? 1 : finer);
+}
+
+std::string png_of(vtkImageData* image, const Paper& paper) {
     vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(smoothed(picture->GetOutput(), finer));
+    writer->SetInputData(image);
     writer->WriteToMemoryOn();
     writer->Write();
     const auto* bytes = writer->GetResult();
     if (bytes == nullptr || bytes->GetNumberOfValues() == 0) throw std::runtime_error("the picture cannot be made");
     const auto* first = const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0);
-    return {reinterpret_cast<const char*>(first), static_cast<std::size_t>(bytes->GetNumberOfValues())};
-}
-
-} // namespace
-
-std::string png_of(vtkRenderWindow* window, const Paper& paper, int finer) {
-    window->Render();
-    return with_dpi(png_of(window, paper.fine ? 1 : finer), paper.dpi);
+    return with_dpi({reinterpret_cast<const char*>(first), static_cast<std::size_t>(bytes->GetNumberOfValues())},
+                    paper.dpi);
 }
 
 } // namespace kaya

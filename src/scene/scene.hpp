@@ -66,6 +66,18 @@ struct Scene {
     }
 };
 
+/// Two states of a model, side by side, with the same colours for the same values.
+struct ScenePair {
+    Scene left, right;                       ///< of the same size
+    std::int32_t width = 2400, height = 900; ///< of both together
+    Paper paper{};
+    template <class Visit> void parts(Visit&& visit) {
+        visit(left), visit(right), visit(width), visit(height), visit(paper);
+    }
+};
+/// Right is the present one, of whose size both are. Colours of one title cover the values of both.
+ScenePair side_by_side(Scene left, Scene right);
+
 struct Curve {
     std::string name; ///< none: not in the legend
     std::vector<double> x, y;

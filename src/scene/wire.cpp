@@ -72,11 +72,12 @@ std::string to_bytes(Drawing drawing) {
 
 std::optional<Drawing> drawing_from(const std::string& bytes) {
     Reader reader{bytes};
-    std::uint8_t kind = 2;
+    std::uint8_t kind = std::variant_size_v<Drawing>;
     reader(kind);
-    if (!reader.whole || kind > 1) return std::nullopt;
+    if (!reader.whole || kind >= std::variant_size_v<Drawing>) return std::nullopt;
     Drawing drawing;
     if (kind == 1) drawing = Chart{};
+    if (kind == 2) drawing = ScenePair{};
     std::visit([&](auto& what) { reader(what); }, drawing);
     if (!reader.whole || reader.at != bytes.size()) return std::nullopt;
     return drawing;

@@ -9,7 +9,7 @@
 
 namespace kaya {
 
-using Drawing = std::variant<Scene, Chart>;
+using Drawing = std::variant<Scene, Chart, ScenePair>;
 
 std::string to_bytes(Drawing drawing);
 /// None when the bytes were not made by to_bytes.

@@ -229,14 +229,23 @@ std::string drawn_chart(Session& session, Chart chart, const std::string& suffix
     return suffix == ".svg" ? svg_of(chart) : drawn(session, std::move(chart), suffix);
 }
 
+bool is_chart(const PlotItem& item) { return item.kind >= PlotItem::Kind::histories; }
+
 /// The picture as the bytes of its file; the suffix selects the format.
 std::string picture_of(Session& session, const PlotView& view, const std::string& suffix) {
     if (view.items.empty()) throw Diagnostic("there is nothing to draw", "name what the picture shows: plot add block");
-    const auto is_chart = [](const PlotItem& item) { return item.kind >= PlotItem::Kind::histories; };
     const bool chart = std::ranges::all_of(view.items, is_chart);
     if (!chart && std::ranges::any_of(view.items, is_chart))
         throw Diagnostic("one picture shows either the model or curves", "write a second plot line for the curves");
-    if (!chart) return drawn(session, scene_of(session, view), suffix);
+    if (!chart && view.beside.empty()) return drawn(session, scene_of(session, view), suffix);
+    if (!chart) {
+        const auto kept = session.plots.kept.find(view.beside);
+        if (kept == session.plots.kept.end())
+            throw Diagnostic(fmt::format("no picture is kept as '{}'", view.beside),
+                             fmt::format("`plot block keep {}` keeps one, earlier in the run", view.beside));
+        return drawn(session, side_by_side(kept->second, scene_of(session, view)), suffix);
+    }
+    if (!view.beside.empty()) throw Diagnostic("curves do not stand beside another picture", "leave out 'beside'");
     Chart curves = chart_of(session, view);
     curves.paper = view.settings.paper;
     return drawn_chart(session, std::move(curves), suffix);
@@ -257,8 +266,23 @@ std::string picture_name(Session& session, const std::string& given) {
     return path.string() + ".png";
 }
 
+/// For a later picture that has it at its side.
+void keep_picture(Session& session, const PlotView& view, const std::string& name) {
+    try {
+        if (std::ranges::any_of(view.items, is_chart))
+            throw Diagnostic("curves are not kept", "only pictures of the model stand side by side");
+        session.plots.kept[name] = scene_of(session, view);
+    } catch (const Diagnostic& problem) {
+        session.warn_once(fmt::format("no picture: {}", problem.message), problem.hint);
+    }
+}
+
 /// One picture at once, or a movie that begins with the next cycle.
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
+    if (!line.keep.empty()) {
+        keep_picture(session, view, line.keep);
+        if (line.file.empty() && view.beside.empty()) return;
+    }
     const std::string file = picture_name(session, line.file);
     if (line.interval == 0) {
         if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));

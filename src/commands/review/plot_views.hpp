@@ -44,6 +44,7 @@ struct PlotItem {
 struct PlotView {
     Scene settings; ///< its layers are made when it is drawn
     std::vector<PlotItem> items;
+    std::string beside; ///< the kept picture to its left; none: alone
 };
 
 /// A picture that is made again and again while the model cycles: NAME-0001.png, NAME-0002.png ...
@@ -57,8 +58,9 @@ struct Movie {
 
 struct PlotViews {
     std::map<std::string, PlotView> views;
-    std::string current;       ///< "": the view without a name
-    std::int32_t pictures = 0; ///< that were named by their number
+    std::string current;               ///< "": the view without a name
+    std::int32_t pictures = 0;         ///< that were named by their number
+    std::map<std::string, Scene> kept; ///< by `plot ... keep NAME`, for `beside NAME`
     std::vector<Movie> movies;
 };
 
@@ -68,6 +70,7 @@ struct PlotLine {
     Task task = Task::draw; ///< of `items`, at once
     std::string name;       ///< of a view
     std::string file;
+    std::string keep;          ///< the name under which the picture is kept, to stand beside a later one
     std::int64_t interval = 0; ///< cycles between the pictures of a movie; 0: one picture
     PlotView view;             ///< the current view, with the changes of the line
     std::vector<PlotItem> items;

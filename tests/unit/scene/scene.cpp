@@ -39,6 +39,33 @@ TEST(Wire, DrawingsAreReadUnchanged) {
     EXPECT_THAT(std::get<Chart>(*chart).curves.at(0).y, ElementsAre(2, 3));
 }
 
+TEST(Wire, TwoPicturesSideBySideShareTheirColours) {
+    Scene before = small_scene(), after = small_scene();
+    before.bars.push_back({"displacement", 0, 1, 0, 1, false, {}, ""});
+    after.bars.push_back({"displacement", -2, 0.5, -2, 0.5, true, {}, ""});
+    after.bars.push_back({"velocity", 3, 4, 3, 4, false, {}, ""});
+    after.width = 800, after.height = 600, after.paper.dpi = 300;
+    const auto read = drawing_from(to_bytes(side_by_side(before, after)));
+    ASSERT_TRUE(read && std::holds_alternative<ScenePair>(*read));
+    const auto& pair = std::get<ScenePair>(*read);
+    EXPECT_EQ(pair.width, 1600);
+    EXPECT_EQ(pair.height, 600);
+    EXPECT_EQ(pair.paper.dpi, 300);
+    EXPECT_EQ(pair.left.width, 800);
+    for (const Scene* scene : {&pair.left, &pair.right}) {
+        const ColourBar& bar = scene->bars.at(1);
+        EXPECT_EQ(bar.low, -2);
+        EXPECT_EQ(bar.high, 1);
+        EXPECT_TRUE(bar.diverging);
+        EXPECT_EQ(scene->bars.at(0).names.size(), 2); // names are not numbers
+    }
+    EXPECT_EQ(pair.left.bars.at(1).greatest, 1); // its own values
+    EXPECT_EQ(pair.right.bars.at(1).greatest, 0.5);
+    EXPECT_EQ(pair.right.bars.at(2).low, 3);
+    const std::string bytes = to_bytes(*read);
+    for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(drawing_from(bytes.substr(0, size))) << size;
+}
+
 TEST(Wire, BytesThatAreCutOffOrTooLongAreRefused) {
     const std::string bytes = to_bytes(small_scene());
     for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(drawing_from(bytes.substr(0, size))) << size;
