@@ -213,6 +213,7 @@ struct List {
     std::vector<std::string> symbols;                         ///< print @a @b: without @
     std::optional<std::int64_t> number;                       ///< list hist n, list prop jmat n
     enum class Part { all, blocks, joints } part = Part::all; ///< list prop mat | jmat
+    std::vector<std::string> subjects;                        ///< what its columns are about; empty: the usual ones
     RangePhrase range;
 };
 struct Ignored {

@@ -2,6 +2,7 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/list_subjects.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -159,6 +160,26 @@ bool read_after(Reader& reader, List& command) {
     return true;
 }
 
+/// `show velocity`: one of the subjects of the list.
+void read_subject(Reader& reader, List& command) {
+    const Word show = reader.previous();
+    const auto subjects = list_subjects(command.what.value_or(List::What::symbols));
+    if (subjects.empty())
+        throw Diagnostic("show follows blocks, contacts, subcontacts, gridpoints, zones or faces",
+                         "write for example: list blocks show velocity")
+            .at(show.place);
+    std::vector<std::string_view> words;
+    for (const ListSubject& subject : subjects) words.push_back(subject.word);
+    if (reader.at_end()) reader.missing(text("subject").spec);
+    const Word& word = *reader.peek();
+    const auto found =
+        std::ranges::find_if(words, [&](std::string_view w) { return Spelling(w, 3).matches(word.folded); });
+    if (found == words.end()) reader.unknown("a subject of this list", words);
+    reader.take();
+    reader.spell(*found);
+    command.subjects.emplace_back(*found);
+}
+
 CommandSpec list() {
     Entry<List> entry({"list", "print"});
     entry.help("shows parts of the model, or the value of a variable");
@@ -175,6 +196,9 @@ CommandSpec list() {
             },
             item.help);
     }
+    entry.special(
+        {"show"}, {text("subject").spec}, read_subject,
+        "what the columns of blocks, contacts, subcontacts, gridpoints, zones or faces are about: velocity, ...");
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (command.what) return read_after(reader, command);
         if (reader.peek()->kind != WordKind::symbol) return false;
@@ -198,6 +222,10 @@ CommandSpec list() {
         .right("print hist 2")
         .right("list frequencies 10")
         .right("print cycle");
+    entry.right("list blocks show velocity show moment range z 0 1").right("list gp show displacement");
+    entry.wrong("list blocks show velocty", "'velocty' is not a subject of this list");
+    entry.wrong("list time show velocity", "show follows blocks, contacts, subcontacts, gridpoints, zones or faces");
+    entry.wrong("list blocks show", "a word is missing after 'show'");
     entry.wrong("list", "list has no subject");
     entry.wrong("print blokcs", "'blokcs' is not a keyword of list");
     entry.wrong("list blocks zones", "one list command shows one thing");

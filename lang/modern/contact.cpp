@@ -234,6 +234,20 @@ CommandSpec contact_reset() {
     return leaf;
 }
 
+/// A list of sub-contacts whose first subject is the word of the line.
+CommandSpec sub_contact_list(std::string_view words, std::string_view subject, std::string_view example,
+                             std::string_view classic, Example wrong) {
+    Leaf<List> leaf(words);
+    leaf.means(classic).help("sub-contacts: the values that the words name");
+    leaf.start([subject](const Statement&, List& command) {
+        command.what = List::What::sub_contacts;
+        command.subjects = {std::string(subject)};
+    });
+    add_subjects(leaf, List::What::sub_contacts);
+    leaf.ranged(&List::range);
+    return leaf.right(example, classic).wrong(wrong.text, wrong.message);
+}
+
 } // namespace
 
 Family contact_family() {
@@ -257,16 +271,32 @@ Family contact_family() {
                 contact_join(),
                 contact_reset(),
                 list_line("block contact list", List::What::contacts, "contacts: blocks, normal, area",
-                          "block contact list range position-z 0 1", "list contacts range z 0 1",
-                          {"summary", "total", "type", "position", "orientation", "joint-set", "model", "group",
-                           "common-plane", "face", "face-face", "edges"},
-                          {"block contact list sumary", "'sumary' is not a keyword of block contact list"}),
-                list_line(
-                    "block contact list subcontacts|force|stress|displacement-normal|pressure|pore-pressure",
-                    List::What::sub_contacts, "sub-contacts: displacements, forces, state",
-                    "block contact list subcontacts", "list subcontacts",
-                    {"subcontacts", "force", "stress", "displacement-normal"},
-                    {"block contact list force strses", "'strses' is not a keyword of block contact list subcontacts"}),
+                          "block contact list orientation range position-z 0 1",
+                          "list contacts show orientation range z 0 1",
+                          {"block contact list orientaton", "'orientaton' is not a keyword of block contact list"}),
+                list_line("block contact list subcontacts", List::What::sub_contacts,
+                          "sub-contacts: displacements, forces, state", "block contact list subcontacts",
+                          "list subcontacts",
+                          {"block contact list subcontacts strses",
+                           "'strses' is not a keyword of block contact list subcontacts"}),
+                sub_contact_list(
+                    "block contact list force", "force", "block contact list force", "list subcontacts show force",
+                    {"block contact list force strss", "'strss' is not a keyword of block contact list force"}),
+                sub_contact_list(
+                    "block contact list stress", "stress", "block contact list stress", "list subcontacts show stress",
+                    {"block contact list stress strss", "'strss' is not a keyword of block contact list stress"}),
+                sub_contact_list("block contact list displacement-normal", "displacement-normal",
+                                 "block contact list displacement-normal", "list subcontacts show displacement-normal",
+                                 {"block contact list displacement-normal strss",
+                                  "'strss' is not a keyword of block contact list displacement-normal"}),
+                sub_contact_list("block contact list displacement-shear", "displacement-shear",
+                                 "block contact list displacement-shear", "list subcontacts show displacement-shear",
+                                 {"block contact list displacement-shear strss",
+                                  "'strss' is not a keyword of block contact list displacement-shear"}),
+                sub_contact_list("block contact list pore-pressure|pressure", "pore-pressure",
+                                 "block contact list pore-pressure", "list subcontacts show pore-pressure",
+                                 {"block contact list pore-pressure strss",
+                                  "'strss' is not a keyword of block contact list pore-pressure"}),
                 list_line("block contact jmodel list", List::What::joint_models,
                           "joint models that are loaded, with their properties", "block contact jmodel list",
                           "list jmodel"),

@@ -81,9 +81,14 @@ void replace_name(std::string name, std::size_t last, Replaced& replaced) {
     for (std::size_t i = 1; i <= last; ++i) replaced[i] = "";
 }
 
-/// A modern keyword in classic words. Several words take one value each: velocity 1 2 3 is xvel 1 yvel 2 zvel 3.
+/// A modern keyword in classic words. Several words take one value each, velocity 1 2 3 is xvel 1 yvel 2 zvel 3, or stand for a keyword
+/// without values: velocity of a list is show velocity.
 void replace_keyword(const Line& line, std::size_t at, const KeywordSpec& keyword, Replaced& replaced) {
     const auto words = words_of(keyword.classic);
+    if (keyword.arguments.empty() && words.size() > 1) {
+        replaced[at] = keyword.classic;
+        return;
+    }
     if (words.empty()) {
         const bool silent = !keyword.classic.empty();
         if (silent || (keyword.support == Support::ignored && keyword.arguments.empty())) replaced[at] = "";
@@ -126,6 +131,9 @@ Replaced in_words_of(const Line& line, const CommandSpec& target, std::string be
         if (at < before) continue;
         const auto& table = at < range ? target.keywords : modern().range_elements;
         const KeywordSpec* keyword = with_classic(table, whole);
+        if (const auto next = line.spelled.find(at + 1); keyword == nullptr && next != line.spelled.end())
+            if ((keyword = with_classic(table, fmt::format("{} {}", whole, next->second))) != nullptr)
+                replaced[at + 1] = "";
         if (keyword == nullptr) continue;
         replaced[at] = keyword->words.front().word;
         const bool value = at + 1 < range && !line.spelled.contains(at + 1);

@@ -111,29 +111,20 @@ CommandSpec gridpoint_initialize() {
     return leaf;
 }
 
-CommandSpec gridpoint_list() {
-    Leaf<List> leaf("block gridpoint list");
-    leaf.means("list gridpoints").help("gridpoints: place, velocity, displacement, force");
-    leaf.start([](const Statement&, List& command) { command.what = List::What::gridpoints; });
-    for (const char* word :
-         {"position", "velocity", "displacement", "force", "information", "mass", "pore-pressure", "stress", "group"})
-        leaf.no_effect(word, "one table has all");
-    leaf.ranged(&List::range);
-    leaf.right("block gridpoint list range position-z 0 1", "list gridpoints range z 0 1");
-    leaf.right("block gridpoint list displacement", "list gridpoints");
-    leaf.wrong("block gridpoint list dsplacement", "'dsplacement' is not a keyword of block gridpoint list");
-    return leaf;
-}
-
 } // namespace
 
 Family gridpoint_family() {
-    return {"block gridpoint",
-            "velocities, forces and initial values of gridpoints",
-            {gridpoint_apply(),
-             apply_remove("block gridpoint apply-remove", "block gridpoint apply-remove velocity-z range group 'wall'",
-                          "bound zfree range group wall"),
-             gridpoint_initialize(), gridpoint_list()}};
+    return {
+        "block gridpoint",
+        "velocities, forces and initial values of gridpoints",
+        {gridpoint_apply(),
+         apply_remove("block gridpoint apply-remove", "block gridpoint apply-remove velocity-z range group 'wall'",
+                      "bound zfree range group wall"),
+         gridpoint_initialize(),
+         list_line("block gridpoint list", List::What::gridpoints, "gridpoints: place, velocity, displacement, force",
+                   "block gridpoint list displacement range position-z 0 1",
+                   "list gridpoints show displacement range z 0 1",
+                   {"block gridpoint list dsplacement", "'dsplacement' is not a keyword of block gridpoint list"})}};
 }
 
 } // namespace kaya::lang

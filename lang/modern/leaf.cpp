@@ -1,5 +1,6 @@
 #include "lang/modern/leaf.hpp"
 
+#include "lang/commands/list_subjects.hpp"
 #include "lang/interp/binder.hpp"
 
 #include <algorithm>
@@ -66,12 +67,29 @@ CommandSpec ignored_line(std::string_view words, std::string_view help, const ch
     return leaf;
 }
 
+void add_subjects(Leaf<List>& leaf, List::What what) {
+    for (const ListSubject& subject : list_subjects(what)) {
+        leaf.action(
+            tree_words(subject.word).front(),
+            [word = subject.word](List& command) { command.subjects.emplace_back(word); }, subject.help);
+        leaf.said(fmt::format("show {}", subject.word));
+    }
+    using enum List::What;
+    if (!list_subjects(what).empty()) leaf.no_effect("information", "the usual columns");
+    if (what == contacts) leaf.no_effect("summary|total|face|face-face|edges|common-plane", "the usual columns");
+    if (what == faces) leaf.no_effect("check|rigid", "the usual columns");
+    constexpr std::string_view none = "values that kaya does not have";
+    if (what == blocks) leaf.not_yet({"wall", "at-v", "brick", "profile", "water-table"}, none);
+    if (what == gridpoints) leaf.not_yet({"stress", "temperature", "join", "density-scaling-factor"}, none);
+    if (what == zones) leaf.not_yet({"displacement", "ratio", "fluid", "thermal"}, none);
+}
+
 CommandSpec list_line(std::string_view words, List::What what, std::string_view help, std::string_view example,
-                      std::string_view classic, std::initializer_list<const char*> columns, Example wrong) {
+                      std::string_view classic, Example wrong) {
     Leaf<List> leaf(words);
-    leaf.means(classic.substr(0, classic.find(" range"))).help(help);
+    leaf.means(classic.substr(0, std::min(classic.find(" range"), classic.find(" show")))).help(help);
     leaf.start([what](const Statement&, List& command) { command.what = what; });
-    for (const char* column : columns) leaf.no_effect(column, "one table has all");
+    add_subjects(leaf, what);
     leaf.ranged(&List::range);
     leaf.right(example, classic);
     if (!wrong.text.empty()) leaf.wrong(wrong.text, wrong.message);

@@ -94,10 +94,11 @@ private:
 
 /// A line that is accepted without effect; `instead` says why that is right.
 CommandSpec ignored_line(std::string_view words, std::string_view help, const char* instead, std::string_view example);
-/// A line that shows a part of the model. `columns` are words that choose what the table has, which are accepted: it has all. `wrong` is a
-/// line with a misspelt one.
+/// The words that choose the columns of a list of objects.
+void add_subjects(Leaf<List>& leaf, List::What what);
+/// A line that shows a part of the model, or the columns that its words ask for. `wrong` is a line with a misspelt one.
 CommandSpec list_line(std::string_view words, List::What what, std::string_view help, std::string_view example,
-                      std::string_view classic, std::initializer_list<const char*> columns = {}, Example wrong = {});
+                      std::string_view classic, Example wrong = {});
 /// A line that is known by name.
 CommandSpec unsupported_line(std::string_view words, std::string_view about);
 

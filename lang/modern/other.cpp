@@ -113,9 +113,8 @@ Family block_family() {
         family.commands.insert(family.commands.end(), commands.begin(), commands.end());
     using enum List::What;
     family.commands.push_back(list_line("block list", blocks, "blocks: place, mass, material, region",
-                                        "block list range position-z 0 1", "list blocks range z 0 1",
-                                        {"information", "position", "velocity", "unbalanced-force", "moment", "apply",
-                                         "condition", "details", "limits", "wall"},
+                                        "block list velocity moment range position-z 0 1",
+                                        "list blocks show velocity show moment range z 0 1",
                                         {"block list velocty", "'velocty' is not a keyword of block list"}));
     family.commands.push_back(ignored_line("block tolerance", "lengths that cuts and blocks use",
                                            "cuts are exact; `jset tolerance` leaves out cuts near corners",
@@ -126,8 +125,9 @@ Family block_family() {
     family.commands.push_back(block_vtk());
     family.commands.push_back(list_line("block list memory", memory, "memory of the tables of the model",
                                         "block list memory", "list memory"));
-    family.commands.push_back(list_line("block list contacts", contacts, "contacts: blocks, normal, area",
-                                        "block list contacts", "list contacts"));
+    family.commands.push_back(list_line(
+        "block list contacts", contacts, "contacts: blocks, normal, area", "block list contacts", "list contacts",
+        {"block list contacts psition", "'psition' is not a keyword of block list contacts"}));
     family.commands.push_back(
         list_line("block list group", groups, "names of groups", "block list group", "list groups"));
     family.commands.push_back(
@@ -136,7 +136,6 @@ Family block_family() {
                                         "block list maxima", "list max"));
     family.commands.push_back(list_line("block face list", faces, "faces: place, normal, area",
                                         "block face list range position-z 2", "list faces range z 2",
-                                        {"information", "position", "vertices", "check", "group", "rigid"},
                                         {"block face list vertces", "'vertces' is not a keyword of block face list"}));
     return family;
 }

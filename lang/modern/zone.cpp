@@ -168,26 +168,24 @@ CommandSpec mixed_discretization() {
 } // namespace
 
 Family zone_family() {
-    return {
-        "block zone",
-        "deformable blocks",
-        {
-            zone_edges(),
-            edges_around(),
-            zone_cells(),
-            zone_assign_word(),
-            zone_assign_name(),
-            zone_load(),
-            zone_property(),
-            zone_initialize(),
-            zone_group(),
-            mixed_discretization(),
-            list_line("block zone list", List::What::zones, "zones: stresses, volume", "block zone list", "list zones",
-                      {"stress", "position", "displacement", "property", "model", "state", "strain", "group", "metric"},
-                      {"block zone list strss", "'strss' is not a keyword of block zone list"}),
-            list_line("block zone list stress-principal", List::What::stresses, "principal stresses of zones",
-                      "block zone list stress-principal", "list stress"),
-        }};
+    return {"block zone",
+            "deformable blocks",
+            {
+                zone_edges(),
+                edges_around(),
+                zone_cells(),
+                zone_assign_word(),
+                zone_assign_name(),
+                zone_load(),
+                zone_property(),
+                zone_initialize(),
+                zone_group(),
+                mixed_discretization(),
+                list_line("block zone list", List::What::zones, "zones: stresses, volume", "block zone list",
+                          "list zones", {"block zone list strss", "'strss' is not a keyword of block zone list"}),
+                list_line("block zone list stress-principal", List::What::stresses, "principal stresses of zones",
+                          "block zone list stress-principal", "list stress"),
+            }};
 }
 
 } // namespace kaya::lang

@@ -2,7 +2,7 @@
 #include "commands/world/joint_values.hpp"
 #include "commands/list/listing.hpp"
 #include "commands/session/new_contacts.hpp"
-#include "commands/list/row_table.hpp"
+#include "commands/list/subject_columns.hpp"
 
 #include "mechanics/assign/contact_properties.hpp"
 #include "model/edit/excavation.hpp"
@@ -16,17 +16,6 @@
 namespace kaya {
 
 namespace {
-
-std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller) {
-    static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
-    std::string text;
-    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if ((fixed & (1u << i)) != 0) add(names[i]);
-    const Roller& held = model.rollers[static_cast<std::size_t>(roller)];
-    for (std::int32_t k = 0; k < held.count; ++k) add(value_text(model, held.direction[static_cast<std::size_t>(k)]));
-    return text.empty() ? "-" : text;
-}
 
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
@@ -64,34 +53,27 @@ std::string none_text(const lang::List& command, ObjectKind kind) {
 std::string rows_text(Session& session, const lang::List& command, ObjectKind kind,
                       const std::vector<ListColumn>& columns) {
     const std::vector<Row> rows = shown_rows(session, command, kind);
-    return rows.empty() ? none_text(command, kind) : rows_text(session.model, rows, kind, columns);
+    if (rows.empty()) return none_text(command, kind);
+    return rows_text(session.model, rows, kind, subject_columns(session.model, command, columns));
 }
 
 std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
     const auto& blocks = model.blocks;
     if (rows.empty()) return none_text(command, ObjectKind::block);
-    const auto fixed = [&](Row row) -> std::string {
-        if (blocks.deformable[row]) return "-";
-        return fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first]);
-    };
-    return rows_text(model, rows, ObjectKind::block,
-                     {{"block", "id"},
-                      {"kind", [&](Row row) { return blocks.deformable[row] ? "deformable" : "rigid"; }},
-                      "region",
-                      {"mat", "material"},
-                      {"cons", "constitutive"},
-                      "group",
-                      {"centroid", "position"},
-                      "volume",
-                      {"points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); }},
-                      {"zones", [&](Row row) { return std::to_string(blocks.zones[row].count); }},
-                      {"fixed", fixed}});
-}
-
-const char* contact_type_text(ContactType type) {
-    static constexpr std::array names{"-",         "face-face",   "face-edge",    "face-vertex",
-                                      "edge-edge", "edge-vertex", "vertex-vertex"};
-    return names[static_cast<std::size_t>(type)];
+    const auto fixed = [&](Row row) { return block_fixity_text(model, row); };
+    const std::vector<ListColumn> usual = {
+        {"block", "id"},
+        {"kind", [&](Row row) { return blocks.deformable[row] ? "deformable" : "rigid"; }},
+        "region",
+        {"mat", "material"},
+        {"cons", "constitutive"},
+        "group",
+        {"centroid", "position"},
+        "volume",
+        {"points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); }},
+        {"zones", [&](Row row) { return std::to_string(blocks.zones[row].count); }},
+        {"fixed", fixed}};
+    return rows_text(model, rows, ObjectKind::block, subject_columns(model, command, usual));
 }
 
 const JointProperties* properties_of(const Model& model, Row contact) {

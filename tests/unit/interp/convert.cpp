@@ -174,6 +174,8 @@ TEST(Convert, WordsInAnotherOrder) {
         {"list blocks range group a union z 1", "block list range group a union position-z 1"},
         {"list contacts range x 0 1", "block list contacts range position-x 0 1"},
         {"list zones range x 0 [d]", "block zone list range position-x 0 [d]"},
+        {"list blocks show velocity show moment range z 1", "block list velocity moment range position-z 1"},
+        {"list subcontacts show force show state", "block contact list subcontacts force state"},
         {"fraction 0.4", "model mechanical timestep safety-factor 0.4"},
         {"solve fos resolution 0.02 cycles 300", "model factor-of-safety resolution 0.02 step-limit 300"},
         {"structure property 1 area 2e-4 young 1e11", "structure cable property cross-sectional-area 2e-4 young 1e11"},
