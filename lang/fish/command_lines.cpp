@@ -88,6 +88,7 @@ private:
         } else {
             if (!result_.evaluated)
                 throw Diagnostic("an assignment cannot stand inside of a command").at(place_of(at_ + 1, inner.size()));
+            result_.one_each = tree.assignment.front().one_each;
             result_.target.push_back(std::move(tree.assignment.front().target));
             piece.expression.push_back(std::move(tree.assignment.front().value));
         }

@@ -110,6 +110,10 @@ std::string ExpressionGenerator::generated(const Node& node, int strength) const
         return in_parentheses(fmt::format("- {}", generated(node.children[0], sign)), strength > sign);
     case NodeKind::logical_not: return fmt::format("(({}) and 1 or 0)", condition(node));
     case NodeKind::binary: return binary(node, strength);
+    case NodeKind::element: return node.text;
+    case NodeKind::split:
+        throw Diagnostic("'::' has no meaning here", "it splits an argument of a function: block.vol(::blocks)")
+            .at(node.place);
     }
     return "0";
 }
@@ -207,7 +211,29 @@ std::string ExpressionGenerator::member_assignment(const Node& target, const std
     return stored ? assignment(whole, changed) : changed;
 }
 
+namespace {
+bool is_split(const Node& node) { return node.kind == NodeKind::split; }
+} // namespace
+
+ExpressionGenerator::Split ExpressionGenerator::split(const Node& node) const {
+    Split parts{node, {}, {}};
+    int count = 0;
+    for (Node& child : parts.one.children) {
+        if (!is_split(child)) continue;
+        parts.lists += ", " + value(child.children[0]);
+        child.kind = NodeKind::element;
+        child.text = fmt::format("part_{}", ++count);
+        child.children.clear();
+        parts.names += (parts.names.empty() ? "" : ", ") + child.text;
+    }
+    return parts;
+}
+
 std::string ExpressionGenerator::name(const Node& node) const {
+    if (std::ranges::any_of(node.children, is_split)) {
+        const Split parts = split(node);
+        return fmt::format("R.split(function({}) return {} end{})", parts.names, name(parts.one), parts.lists);
+    }
     if (makes_value(node)) return fmt::format("A.{}({})", node.text, list(node.children));
     if (modern() && node.text == scope_.function && !node.parentheses) { // it calls itself
         const Meaning own = dictionary_(node.text);
@@ -242,7 +268,12 @@ std::string ExpressionGenerator::indexed(const Node& node) const {
     return fmt::format("R.element_of({}, {}, {})", array, lua_string(node.text), list(node.children));
 }
 
-std::string ExpressionGenerator::assignment(const Node& target, const std::string& value) const {
+std::string ExpressionGenerator::assignment(const Node& target, const std::string& value, bool one_each) const {
+    if (target.kind == NodeKind::name && std::ranges::any_of(target.children, is_split)) {
+        const Split parts = split(target);
+        return fmt::format("R.set_split(function(given_part, {}) {} end, {}, {}{})", parts.names,
+                           assignment(parts.one, "given_part"), value, one_each, parts.lists);
+    }
     if (target.kind == NodeKind::member) return member_assignment(target, value);
     if (target.kind == NodeKind::structure)
         throw Diagnostic("a new structure cannot be assigned", "write: a = struct NAME(1, 2)").at(target.place);

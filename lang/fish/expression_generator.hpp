@@ -35,7 +35,8 @@ public:
     /// Whether the node calls a built-in that makes a new value, which nothing else holds.
     bool is_fresh(const Node& node) const;
     /// Lua statement `target = value`.
-    std::string assignment(const Node& target, const std::string& value) const;
+    /// `one_each`: the elements of a split target get those of the value.
+    std::string assignment(const Node& target, const std::string& value, bool one_each = false) const;
     /// The place where a variable lives: `v_x`, `S["x"]` or `G.x`.
     std::string variable(const Node& name) const;
     /// "a, b, c"
@@ -47,6 +48,12 @@ public:
 private:
     std::string generated(const Node& node, int strength) const;
     std::string binary(const Node& node, int strength) const;
+    /// A call whose split arguments are variables, with the names of these and the lists, each after a comma.
+    struct Split {
+        Node one;
+        std::string names, lists;
+    };
+    Split split(const Node& node) const;
     std::string name(const Node& node) const;
     std::string indexed(const Node& node) const;
     std::string member_value(const Node& node) const;

@@ -103,12 +103,19 @@ private:
         node.parentheses = true;
         if (line_.take_sign(")")) return;
         do {
-            node.children.push_back(disjunction());
+            node.children.push_back(argument());
             if (node.children.size() > most_arguments)
                 throw Diagnostic(fmt::format("'{}' is given more than {} arguments", node.text, most_arguments))
                     .at(node.place);
         } while (line_.take_sign(","));
         line_.expect_sign(")", fmt::format("the arguments of '{}'", node.text));
+    }
+
+    /// `::list` is each of its elements.
+    Node argument() {
+        if (!line_.peek().is_sign("::")) return disjunction();
+        const Place place = line_.take().place;
+        return unary(NodeKind::split, place, disjunction());
     }
 
     /// ->a->b(c) after a value

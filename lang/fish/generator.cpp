@@ -109,7 +109,7 @@ private:
         switch (s.kind) {
         case StatementKind::nothing: break;
         case StatementKind::assign:
-            text_ += expressions_.assignment(s.target, expressions_.owned(s.value)) + "; ";
+            text_ += expressions_.assignment(s.target, expressions_.owned(s.value), s.one_each) + "; ";
             break;
         case StatementKind::evaluate: text_ += fmt::format("do local _ = {} end ", expressions_.value(s.value)); break;
         case StatementKind::array: array(s); break;
@@ -249,9 +249,10 @@ private:
             at_line(line.line);
             if (line.evaluated) {
                 const Node& value = line.pieces.front().expression.front();
-                text_ += line.target.empty()
-                             ? fmt::format("do local _ = {} end ", expressions_.value(value))
-                             : expressions_.assignment(line.target.front(), expressions_.owned(value)) + "; ";
+                text_ +=
+                    line.target.empty()
+                        ? fmt::format("do local _ = {} end ", expressions_.value(value))
+                        : expressions_.assignment(line.target.front(), expressions_.owned(value), line.one_each) + "; ";
                 continue;
             }
             std::string joined;
@@ -338,7 +339,7 @@ std::string generate_expression(const ExpressionTree& tree, const Dictionary& di
     } else {
         const Statement& s = tree.assignment.front();
         body = fmt::format("local given = {}; {}; return given", expressions.owned(s.value),
-                           expressions.assignment(s.target, "given"));
+                           expressions.assignment(s.target, "given", s.one_each));
     }
     return fmt::format("local G, F, A, W, R = ...; {}return function() {} end", expressions.shared_built_ins(), body);
 }

@@ -24,7 +24,8 @@ bool continues_name(char c) { return starts_name(c) || is_digit(c) || c == '.'; 
 constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "<>", "+", "-", "*", "/", "^",
                                                  "(",  ")",  ",",  "=",  "#",  "<", ">", "&", "|"};
 /// Looked for first, in the modern dialect.
-constexpr std::array<std::string_view, 9> modern_signs{"->", "//", "+=", "-=", "*=", "/=", ":=", "%", "~"};
+constexpr std::array<std::string_view, 15> modern_signs{"+=::", "-=::", "*=::", "/=::", "=::", "::", "->", "//",
+                                                        "+=",   "-=",   "*=",   "/=",   ":=",  "%",  "~"};
 
 /// What FISH writes in place of a sign of other languages; empty for others.
 const char* hint_for_sign(char sign) {
@@ -157,12 +158,12 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
         };
         if (dialect_ == Dialect::modern) try_signs(modern_signs);
         try_signs(signs);
+        cursor.at += token.text.size();
         if (token.text == ":=") token.text = "=";
         if (token.text.empty())
             throw Diagnostic(fmt::format("'{}' has no meaning in FISH", c), hint_for_sign(c))
                 .at(place(cursor.line, from, 1));
         token.kind = TokenKind::sign;
-        cursor.at += token.text.size() + (cursor.peek() == ':' ? 1 : 0); // of :=
     }
     token.place = place(cursor.line, from, cursor.at - from);
     tokens.push_back(std::move(token));

@@ -10,7 +10,7 @@ bool is_constant(std::string_view name) {
 }
 
 bool makes_value(std::string_view name) {
-    constexpr std::array<std::string_view, 4> makers{"list", "map", "tensor", "boolean"};
+    constexpr std::array<std::string_view, 5> makers{"list", "map", "tensor", "matrix", "boolean"};
     return std::ranges::find(makers, name) != makers.end();
 }
 

@@ -86,10 +86,21 @@ Statement Parser::simple() {
 }
 
 bool Parser::take_assignment(Node& left, Statement& made) {
-    const Token sign = line_.peek();
+    Token sign = line_.peek();
+    if (sign.kind != TokenKind::sign) return false;
+    const bool split = std::ranges::any_of(left.children, [](const Node& c) { return c.kind == NodeKind::split; });
+    made.one_each = sign.text.ends_with("=::");
+    if (made.one_each) {
+        if (!split)
+            throw Diagnostic(fmt::format("'{}' needs a list that is split on its left", sign.text),
+                             "write for example: block.group(::blocks) =:: names")
+                .at(sign.place);
+        sign.text.resize(sign.text.size() - 2);
+    }
     constexpr std::array<std::string_view, 4> changes{"+=", "-=", "*=", "/="};
-    const bool change = sign.kind == TokenKind::sign && is_one_of(sign.text, changes);
-    if (!change && !sign.is_sign("=")) return false;
+    const bool change = is_one_of(sign.text, changes);
+    if (!change && sign.text != "=") return false;
+    if (change && split) made.one_each = true;
     line_.take();
     made.kind = StatementKind::assign;
     made.value = parse_expression(line_);

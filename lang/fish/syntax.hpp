@@ -17,6 +17,8 @@ enum class NodeKind {
     name,        ///< text is the name; children are arguments
     member,      ///< a->b(c): text is b; children are a and the arguments
     structure,   ///< struct NAME(a, b): text is NAME; children are the values of its members
+    split,       ///< ::a as an argument: one child
+    element,     ///< of a split argument: text is its variable
     minus,       ///< one child
     logical_not, ///< one child
     binary,      ///< text is the sign: + - * / // % ^ == ~= < > <= >= & |
@@ -72,6 +74,7 @@ struct CommandLine {
     int line = 0;
     bool evaluated = false;   ///< `[f(1)]` alone: the only piece is an expression, which is not part of a command
     std::vector<Node> target; ///< of `[x = 1]` alone: none or one; it gets the value of the piece
+    bool one_each = false;    ///< of `[f(::l) =:: list]`: each element gets one
 };
 
 struct Statement {
@@ -85,6 +88,7 @@ struct Statement {
     std::vector<Branch> branches;
     std::vector<CommandLine> commands;
     bool declares = false; ///< global name = value
+    bool one_each = false; ///< target =:: value: each element of the split target gets one of the value
     int last_line = 0;     ///< of the word that closes a block
 };
 

@@ -6,6 +6,7 @@
 #include "lang/script/guard.hpp"
 #include "lang/script/handles.hpp"
 #include "lang/script/machine.hpp"
+#include "lang/script/matrices.hpp"
 #include "lang/script/modules.hpp"
 #include "lang/script/values.hpp"
 
@@ -136,6 +137,7 @@ void push_natives(Machine& machine) {
     lua_State* L = machine.lua;
     lua_newtable(L);
     luaL_setfuncs(L, natives.data(), 0);
+    add_matrix_functions(L);
     lua_getfield(L, -2, "whole");
     lua_setfield(L, -2, "whole");
     push_anchor(L, machine.anchors.readers);
@@ -231,6 +233,11 @@ Value compound_at(lua_State* L, int index, const std::string& kind) {
             lua_pop(L, 1);
         }
     } else {
+        if (kind == "matrix") {
+            lua_getfield(L, place, "columns");
+            made->keys.emplace_back(static_cast<std::int64_t>(lua_tointeger(L, -1)));
+            lua_pop(L, 1);
+        }
         if (kind == "structure") lua_getfield(L, place, "values");
         else lua_pushvalue(L, place);
         take_elements(L, made->members);
@@ -247,6 +254,10 @@ void push_compound(lua_State* L, const Compound& compound) {
         else lua_pushinteger(L, static_cast<lua_Integer>(i) + 1);
         push_fish_value(L, compound.members[i]);
         lua_rawset(L, -3);
+    }
+    if (compound.kind == "matrix") {
+        push_fish_value(L, compound.keys.front());
+        lua_setfield(L, -2, "columns");
     }
     push_runtime(L, "types");
     lua_getfield(L, -1, compound.kind == "structure" ? "list" : compound.kind.c_str()); // its kind may be unknown here

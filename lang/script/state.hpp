@@ -28,7 +28,7 @@ struct StoredObject {
     std::vector<std::int64_t> dimensions;
     std::vector<StoredValue> keys;
     std::vector<StoredValue> values;
-    enum class Kind : std::uint8_t { table, array, list, map, tensor, structure } kind = Kind::table;
+    enum class Kind : std::uint8_t { table, array, list, map, tensor, structure, matrix } kind = Kind::table;
     std::string name = {}; ///< of the kind of structure
 };
 

@@ -194,7 +194,7 @@ ScriptState from_bytes(const std::string& bytes) {
         if (found == oldest_version) return;
         object.kind = static_cast<StoredObject::Kind>(taken<std::uint8_t>(in));
         in.text(object.name);
-        if (object.kind > StoredObject::Kind::structure)
+        if (object.kind > StoredObject::Kind::matrix)
             throw Diagnostic("the saved scripts hold a table of an unknown kind", "the file is damaged", Fault::run);
     });
     in.list(state.sources, [&](StoredSource& source) {

@@ -119,6 +119,7 @@ private:
         const std::string kind = kind_of_value(lua_, -1);
         if (is_array(lua_, -1)) take_array(object, depth);
         else if (kind == "list" || kind == "tensor") take_elements(object, kind, depth);
+        else if (kind == "matrix") take_matrix(object, depth);
         else if (kind == "structure") take_structure(object, depth);
         else take_pairs(object, depth);
         if (kind == "map") object.kind = StoredObject::Kind::map;
@@ -139,6 +140,14 @@ private:
 
     void take_elements(StoredObject& object, const std::string& kind, int depth) {
         object.kind = kind == "list" ? StoredObject::Kind::list : StoredObject::Kind::tensor;
+        take_values(object, depth);
+    }
+
+    void take_matrix(StoredObject& object, int depth) {
+        object.kind = StoredObject::Kind::matrix;
+        lua_getfield(lua_, -1, "columns");
+        object.keys.emplace_back(static_cast<std::int64_t>(lua_tointeger(lua_, -1)));
+        lua_pop(lua_, 1);
         take_values(object, depth);
     }
 
@@ -340,6 +349,7 @@ private:
         case Kind::table: fill_pairs(object); break;
         case Kind::array: fill_array(object); break;
         case Kind::structure: fill_structure(object); break;
+        case Kind::matrix: fill_matrix(object); break;
         default: fill_value(object); break;
         }
         --depth_;
@@ -381,6 +391,18 @@ private:
         if (object.kind == Kind::map) fill_pairs(object);
         else fill_elements(object);
         set_type(object.kind == Kind::map ? "map" : object.kind == Kind::list ? "list" : "tensor");
+    }
+
+    void fill_matrix(const StoredObject& object) {
+        const auto* columns = object.keys.size() == 1 ? std::get_if<std::int64_t>(&object.keys.front()) : nullptr;
+        const auto size = static_cast<std::int64_t>(object.values.size());
+        if (columns == nullptr || *columns < 1 || size == 0 || size % *columns != 0) fail_damaged();
+        for (const StoredValue& value : object.values)
+            if (!std::holds_alternative<double>(value) && !std::holds_alternative<std::int64_t>(value)) fail_damaged();
+        fill_elements(object);
+        lua_pushinteger(lua_, *columns);
+        lua_setfield(lua_, -2, "columns");
+        set_type("matrix");
     }
 
     void fill_structure(const StoredObject& object) {

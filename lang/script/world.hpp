@@ -27,14 +27,14 @@ struct Handle {
 
 struct Compound;
 
-/// nil, truth, integer, real, text, vector, handle; list, map, tensor, structure.
+/// nil, truth, integer, real, text, vector, handle; list, map, tensor, matrix, structure.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, Handle,
                            std::shared_ptr<const Compound>>;
 
 /// A value of FISH that holds others.
 struct Compound {
-    std::string kind;           ///< "list", "map", "tensor", "structure"
-    std::vector<Value> keys;    ///< of a map
+    std::string kind;           ///< "list", "map", "tensor", "matrix", "structure"
+    std::vector<Value> keys;    ///< of a map; of a matrix the number of its columns
     std::vector<Value> members; ///< of a tensor xx, yy, zz, xy, xz, yz
     std::string text;           ///< as FISH prints it
 };

@@ -1,4 +1,4 @@
--- Lists, maps, tensors and structures of FISH. They are values: who stores one that another variable holds stores a copy (`own`). Arrays and
+-- Lists, maps, tensors, matrices and structures of FISH. They are values: who stores one that another variable holds stores a copy (`own`). Arrays and
 -- pointers are shared. The program calls this with the functions of translated FISH, to which it adds, and with its own functions.
 
 local runtime, native = ...
@@ -7,6 +7,7 @@ local types = {
     list = { __name = "list" },
     map = { __name = "map" },
     tensor = { __name = "tensor" },
+    matrix = { __name = "matrix" }, -- its rows one after the other, and `columns`
     structure = { __name = "structure" },
 }
 local axes = { xx = 1, yy = 2, zz = 3, xy = 4, xz = 5, yz = 6, yx = 4, zx = 5, zy = 6 }
@@ -47,6 +48,22 @@ local function own(value)
         end
     end
     return setmetatable(copy, types[kind])
+end
+
+local function new_matrix(values, columns)
+    values.columns = columns
+    return setmetatable(values, types.matrix)
+end
+
+-- Where an element stands among the values; `...` are its row and its column.
+local function matrix_place(matrix, name, ...)
+    local row, column = whole((...)), whole(select(2, ...))
+    local rows = #matrix // matrix.columns
+    if not row or not column or row < 1 or row > rows or column < 1 or column > matrix.columns then
+        stop(("%s(%s) is outside of the matrix of %d rows and %d columns"):format(name, native.texts(...), rows,
+            matrix.columns), "rows and columns are whole numbers from 1")
+    end
+    return (row - 1) * matrix.columns + column
 end
 
 local function new_list(values)
@@ -129,6 +146,9 @@ local readers = {
         end
         return tensor[at]
     end,
+    matrix = function(_, name)
+        stop(("an element of the matrix %s has a row and a column"):format(name), ("write: %s(1, 2)"):format(name))
+    end,
     vector = function(vector, name, index)
         local at = whole(index)
         if not at or at < 1 or at > 3 then
@@ -172,7 +192,9 @@ function runtime.set_other_element(whole_value, name, index, value)
         writers[kind](whole_value, name, index, value)
         return true
     end
-    if kind == "tensor" or native.is_vector(whole_value) then
+    if kind == "matrix" then
+        readers.matrix(whole_value, name)
+    elseif kind == "tensor" or native.is_vector(whole_value) then
         stop(("the elements of %s cannot be set by their numbers"):format(describe(whole_value)),
             ("write: %s->%s = ..."):format(name, kind == "tensor" and "xx" or "x"))
     end
@@ -200,12 +222,18 @@ function runtime.other_element_of(whole_value, name, ...)
             return whole_value[at]
         end
         stop(("a tensor has rows and columns 1 to 3, not (%s)"):format(native.texts(...)), "")
+    elseif kind == "matrix" and count == 2 then
+        return whole_value[matrix_place(whole_value, name, ...)]
     elseif type(whole_value) == "function" then
         return native.fish_value(whole_value(...))
     end
 end
 
 function runtime.set_other_element_of(whole_value, name, value, ...)
+    if kind_of(whole_value) == "matrix" and select("#", ...) == 2 then
+        whole_value[matrix_place(whole_value, name, ...)] = native.number(value)
+        return true
+    end
     if kind_of(whole_value) ~= "list" or select("#", ...) ~= 2 then
         return false
     end
@@ -256,7 +284,7 @@ local function structure_member(structure, name)
         "it has: " .. table.concat(structures[structure.kind] or {}, ", "))
 end
 
-local families = { list = "list", map = "map", array = "array", tensor = "tensor" }
+local families = { list = "list", map = "map", array = "array", tensor = "tensor", matrix = "matrix" }
 
 -- The function that a->b means for a value of this kind: list.b, block.gp.b, ...
 local function method(from, whole_value, name)
@@ -359,6 +387,58 @@ function runtime.new_tensor(...)
     return setmetatable(values, types.tensor)
 end
 
+local function numbers_of(list)
+    local numbers = {}
+    for i, value in ipairs(list) do
+        numbers[i] = native.number(value)
+    end
+    return numbers
+end
+
+local function matrix_of_rows(rows)
+    local values, columns = {}, nil
+    for _, row in ipairs(rows) do
+        local numbers = numbers_of(kind_of(row) == "list" and row or { row })
+        columns = columns or #numbers
+        if #numbers ~= columns or columns == 0 then
+            stop(("a row of the matrix has %d numbers, and the first has %d"):format(#numbers, columns), "")
+        end
+        table.move(numbers, 1, columns, #values + 1, values)
+    end
+    if #values == 0 then
+        stop("a matrix has at least one row", "")
+    end
+    return new_matrix(values, columns)
+end
+
+-- matrix(2, 3) of zeros; the matrix of a tensor, the column of a vector, the rows of a list.
+function runtime.new_matrix(first, columns)
+    if kind_of(first) == "matrix" then
+        return own(first)
+    elseif kind_of(first) == "list" then
+        return matrix_of_rows(first)
+    elseif native.is_vector(first) then
+        return new_matrix({ first.x, first.y, first.z }, 1)
+    elseif kind_of(first) == "tensor" then
+        local values = {}
+        for i = 1, 9 do
+            values[i] = first[place_in_tensor[(i - 1) // 3 + 1][(i - 1) % 3 + 1]]
+        end
+        return new_matrix(values, 3)
+    end
+    local rows = whole(first)
+    columns = whole(columns or 1)
+    if not rows or not columns or rows < 1 or columns < 1 or rows > 1e4 or columns > 1e4 then
+        stop("'matrix' takes the numbers of rows and columns, from 1 to 10000",
+            "or a tensor, a vector, a list of rows: matrix(list(list(1,2), list(3,4)))")
+    end
+    local values = {}
+    for i = 1, rows * columns do
+        values[i] = 0.0
+    end
+    return new_matrix(values, columns)
+end
+
 function runtime.define_structure(name, ...)
     local members, seen = { ... }, {}
     for _, member in ipairs(members) do
@@ -431,6 +511,73 @@ of_tensor("__sub", "-", operations.__sub[1])
 of_tensor("__mul", "*", operations.__mul[1])
 of_tensor("__div", "/", function(a, b) return runtime.ratio(a, b) end)
 
+local function of_matrix(event, sign, combine)
+    types.matrix[event] = function(left, right)
+        local result = combine(left, right, kind_of(left) == "matrix", kind_of(right) == "matrix")
+        if not result then
+            stop(("%s and %s cannot be combined by '%s'"):format(describe(left), describe(right), sign),
+                "matrices fit when their rows and columns do")
+        end
+        return result
+    end
+end
+
+local function each(matrix, apply)
+    local values = {}
+    for i = 1, #matrix do
+        values[i] = apply(matrix[i], i)
+    end
+    return new_matrix(values, matrix.columns)
+end
+
+local function sum_of_matrices(apply)
+    return function(left, right, of_left, of_right)
+        if of_left and of_right and #left == #right and left.columns == right.columns then
+            return each(left, function(value, i) return apply(value, right[i]) end)
+        end
+    end
+end
+of_matrix("__add", "+", sum_of_matrices(operations.__add[1]))
+of_matrix("__sub", "-", sum_of_matrices(operations.__sub[1]))
+
+local function product_of_matrices(left, right)
+    local columns = right.columns
+    if left.columns * columns ~= #right then
+        return nil
+    end
+    local values = {}
+    for i = 0, #left // left.columns - 1 do
+        for k = 1, columns do
+            local sum = 0.0
+            for j = 1, left.columns do
+                sum = sum + left[i * left.columns + j] * right[(j - 1) * columns + k]
+            end
+            values[i * columns + k] = sum
+        end
+    end
+    return new_matrix(values, columns)
+end
+
+of_matrix("__mul", "*", function(left, right, of_left, of_right)
+    if type(left) == "number" or type(right) == "number" then
+        local scale = type(left) == "number" and left or right
+        return each(of_left and left or right, function(value) return value * scale end)
+    elseif not of_left or not of_right and not native.is_vector(right) and kind_of(right) ~= "tensor" then
+        return nil
+    end
+    local product = product_of_matrices(left, of_right and right or runtime.new_matrix(right))
+    if product and native.is_vector(right) and #product == 3 then
+        return native.vector(product[1], product[2], product[3])
+    end
+    return product
+end)
+of_matrix("__div", "/", function(left, right, of_left)
+    return of_left and type(right) == "number" and each(left, function(value) return runtime.ratio(value, right) end)
+end)
+types.matrix.__unm = function(matrix)
+    return each(matrix, function(value) return -value end)
+end
+
 local function same(left, right)
     if rawequal(left, right) then
         return true
@@ -462,6 +609,58 @@ for _, kind in pairs(types) do
     kind.__eq = same
 end
 
+-- --- splitting: block.vol(::blocks) ------------------------------------------------------------------
+
+-- Calls `take` with the elements of the lists at each place.
+local function walk(lists, take)
+    local members, size = {}, nil
+    for i, list in ipairs(lists) do
+        local kind = kind_of(list)
+        if kind ~= "list" and kind ~= "array" and kind ~= "map" then
+            stop(("'::' splits a list, here it is given %s"):format(describe(list)), "")
+        end
+        members[i] = runtime.members(list)
+        size = size or #members[i]
+        if #members[i] ~= size then
+            stop(("lists of %d and %d elements are split together"):format(size, #members[i]), "")
+        end
+    end
+    local at = {}
+    for place = 1, size do
+        for i = 1, #lists do
+            at[i] = members[i][place]
+        end
+        take(place, table.unpack(at, 1, #lists))
+    end
+    return size
+end
+
+-- The list of what a call gives for each element.
+function runtime.split(call, ...)
+    local results = {}
+    walk({ ... }, function(place, ...)
+        results[place] = call(...) or 0
+    end)
+    return new_list(results)
+end
+
+-- Sets the same value for each element; with `one_each` those of a list in turn.
+function runtime.set_split(set, value, one_each, ...)
+    local values = one_each and (kind_of(value) == "list" or kind_of(value) == "array") and value or nil
+    if one_each and not values then
+        stop(("'=::' gives the elements of a list, here it is given %s"):format(describe(value)), "write = for one value")
+    end
+    local size = walk({ ... }, function(place, ...)
+        if values and values[place] == nil then
+            return
+        end
+        set(values and values[place] or value, ...)
+    end)
+    if values and #values ~= size then
+        stop(("%d values are given to %d elements"):format(#values, size), "")
+    end
+end
+
 runtime.own, runtime.kind_of, runtime.keys_of, runtime.make_list = own, kind_of, keys_of, new_list
 runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 ^ 27
 
@@ -482,6 +681,12 @@ function runtime.text(value)
     elseif kind == "structure" then
         for i, member in ipairs(structures[value.kind] or {}) do
             add(member .. ": " .. native.text(value.values[i]))
+        end
+    elseif kind == "matrix" then
+        for i = 1, #value, value.columns do
+            if not add("{" .. native.texts(table.unpack(value, i, i + math.min(value.columns, 100) - 1)):gsub(",", ", ") .. "}") then
+                break
+            end
         end
     else
         for i = 1, #value do
