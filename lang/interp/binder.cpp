@@ -107,6 +107,20 @@ void refuse_other_dialect(const Language& language, const Statement& statement) 
     throw d.at(word.place);
 }
 
+/// The candidates for a misspelt first word whose commands know the second word: `xmodel new` is `model new`, and not jmodel. All when none
+/// of these is near.
+std::vector<std::string_view> fitting(const Language& language, const Statement& statement,
+                                      const std::vector<std::string_view>& candidates) {
+    std::vector<std::string_view> fit;
+    for (const std::string_view candidate : candidates)
+        for (const Language* dialect : {&language, language.modern})
+            if (dialect != nullptr && words_known(commands_called(*dialect, candidate), statement) > 0) {
+                fit.push_back(candidate);
+                break;
+            }
+    return did_you_mean(statement.words.front().folded, fit).empty() ? candidates : fit;
+}
+
 [[noreturn]] void unknown_command(const Language& language, const Statement& statement) {
     refuse_other_dialect(language, statement);
     std::vector<std::string_view> candidates;
@@ -117,7 +131,8 @@ void refuse_other_dialect(const Language& language, const Statement& statement) 
     if (word.text == "?" || word.kind == WordKind::open)
         Reader(statement, 0, 1, nullptr).unknown("a command", candidates);
     if (word.kind == WordKind::word) refuse_ambiguous(word, candidates);
-    Diagnostic d(fmt::format("{} is not a command", word.shown()), hint_for_unknown(language, statement, candidates));
+    Diagnostic d(fmt::format("{} is not a command", word.shown()),
+                 hint_for_unknown(language, statement, fitting(language, statement, candidates)));
     d.code = "unknown-command";
     throw d.at(word.place);
 }

@@ -98,7 +98,8 @@ bool refuses_number(const CommandSpec& spec, const Statement& statement, std::si
            !spec.raw;
 }
 
-/// How many of the words after the first one a dialect knows.
+} // namespace
+
 std::size_t words_known(const std::vector<const CommandSpec*>& commands, const Statement& statement) {
     std::size_t most = 0;
     for (const CommandSpec* spec : commands) {
@@ -115,6 +116,8 @@ std::size_t words_known(const std::vector<const CommandSpec*>& commands, const S
     }
     return most;
 }
+
+namespace {
 
 bool has_whole_word(const std::vector<const CommandSpec*>& commands, std::string_view typed) {
     return std::ranges::any_of(commands, [&](const CommandSpec* command) {

@@ -13,6 +13,8 @@ bool is_one_of(const std::vector<Spelling>& spellings, const Word& word);
 /// The commands of this dialect whose first word is the one that `typed` abbreviates.
 const std::vector<const CommandSpec*>& commands_called(const Language& language, std::string_view typed);
 
+/// How many words of the statement after its first one belong to one of the commands.
+std::size_t words_known(const std::vector<const CommandSpec*>& commands, const Statement& statement);
 /// How many words of the form of a command follow the first word of the statement.
 std::size_t form_depth(const CommandSpec& spec, const Statement& statement);
 

@@ -206,6 +206,14 @@ TEST(Suggestions, OneLetterMisspellingsInWholeLinesOfBothDialects) {
     }
 }
 
+/// A first word is proposed whose commands know the second one.
+TEST(Suggestions, OfTheFirstWordFitTheSecond) {
+    EXPECT_EQ(proposal("xmodel new"), "model");
+    EXPECT_EQ(proposal("hmodel large-strain off"), "model");
+    EXPECT_EQ(proposal("xmodel mohr jkn 1e9"), "jmodel");
+    EXPECT_EQ(proposal("xmodel"), "jmodel") << "nothing follows that could tell";
+}
+
 TEST(Suggestions, OfShortWordsToo) {
     const std::vector<std::string_view> words = {"generate", "gravity", "group", "history"};
     EXPECT_EQ(did_you_mean("genn", words), "generate");
