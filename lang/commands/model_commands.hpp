@@ -158,6 +158,8 @@ struct Import {
     double scale = 1;           ///< of the coordinates
     char up = 'z';              ///< the axis of the file that points up
     double mend = 0, holes = 0; ///< lengths of the model, 0: none
+    std::int64_t simplify = 0;  ///< greatest number of triangles of a body, 0: any
+    double deviation = 0;       ///< greatest length by which surfaces may move to have fewer triangles, 0: none
     Place place;
 };
 struct Export {

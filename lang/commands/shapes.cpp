@@ -324,6 +324,10 @@ CommandSpec import_file() {
                   "joins corners, and corners and edges, nearer than this; drops narrower faces");
     entry.keyword({"holes"}, real("d").unit("length").above(0), &Import::holes,
                   "closes holes of surfaces that are no wider than this");
+    entry.keyword({"simplify"}, integer("n").at_least(4), &Import::simplify,
+                  "reduces surfaces of more triangles to this number");
+    entry.keyword({"deviation"}, real("d").unit("length").above(0), &Import::deviation,
+                  "reduces the triangles of surfaces as long as they move no farther than this");
     entry.keyword({"scale"}, real("s").above(0), &Import::scale, "factor of all coordinates, 0.001 for millimetres");
     Keywords<Import> axes;
     axes.action(
@@ -350,10 +354,13 @@ CommandSpec import_file() {
         .right("import stones.obj region 3")
         .right("import rock.msh")
         .right("import dome.obj scale 0.001 up y stop")
-        .right("import scan.ply mend 0.002 holes 0.5");
+        .right("import scan.ply mend 0.002 holes 0.5")
+        .right("import scan.ply simplify 500 deviation 0.01");
     entry.wrong("import", "a word is missing after 'import'");
     entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
     entry.wrong("import a.stl mend 0", "mend must be greater than 0, not 0");
+    entry.wrong("import a.stl simplify 3", "simplify must be at least 4, not 3");
+    entry.wrong("import a.stl deviation 0", "deviation must be greater than 0, not 0");
     entry.wrong("import a.stl up w", "'w' is not an axis");
     return entry;
 }

@@ -41,6 +41,14 @@ void report_repairs(Session& session, const std::string& file, const RepairCount
     if (!parts.empty()) session.note_once(fmt::format("{}: {}", file, fmt::join(parts, ", ")));
 }
 
+void report_simplified(Session& session, const std::string& file, const SimplifyCounts& counts) {
+    if (counts.bodies == 0) return;
+    session.note_once(fmt::format(
+        "{}: {} simplified from {} to {} triangles, greatest deviation {:.3g}, volume {:.6g} before and {:.6g} after",
+        file, counted(counts.bodies, "surface"), counts.before, counts.after, counts.deviation, counts.volume_before,
+        counts.volume_after));
+}
+
 double volume_of(const IncomingFile& file) {
     double volume = 0;
     for (const IncomingBlock& block : file.blocks)
@@ -55,9 +63,11 @@ void run(Session& session, const lang::Import& command) {
     try {
         const std::string path = session.input_file(command.file).string();
         // All blocks are read and checked before the first is made.
-        IncomingFile file = read_blocks(path, {command.scale, command.up, {command.mend, command.holes}});
+        IncomingFile file = read_blocks(
+            path, {command.scale, command.up, {command.mend, command.holes}, {command.simplify, command.deviation}});
         report_refused(session, command, file);
         report_repairs(session, command.file, file.repaired);
+        report_simplified(session, command.file, file.simplified);
         std::size_t parts = 0, zoned = 0;
         for (const IncomingBlock& block : file.blocks) {
             NewBlock options;

@@ -70,20 +70,35 @@ IncomingFile from_grid(const std::string& path, const Placement& placement) {
     return file;
 }
 
-IncomingFile from_surfaces(const std::string& path, const Placement& placement, const Repair& repair) {
+/// Fewer triangles for a body; its hollows have their shares of the number.
+void simplify(NamedSurface& body, const Simplification& wanted, SimplifyCounts& counts) {
+    std::size_t all = body.surface.faces.size();
+    for (const Surface& cavity : body.cavities) all += cavity.faces.size();
+    const auto reduce = [&](Surface& shell) {
+        Simplification share = wanted;
+        share.faces = static_cast<std::int64_t>(static_cast<double>(wanted.faces) *
+                                                static_cast<double>(shell.faces.size()) / static_cast<double>(all));
+        shell = simplified(std::move(shell), share, counts);
+    };
+    reduce(body.surface);
+    for (Surface& cavity : body.cavities) reduce(cavity);
+}
+
+IncomingFile from_surfaces(const std::string& path, const Placement& placement, const IncomingOptions& options) {
     std::vector<FaceSoup> soups = read_soups(path);
     for (FaceSoup& soup : soups)
         for (auto& loop : soup.loops)
             for (Vec3& corner : loop) placement.apply(corner);
-    const SurfaceFile surfaces = surfaces_of(soups, repair);
+    SurfaceFile surfaces = surfaces_of(soups, options.repair);
     IncomingFile file;
     file.repaired = surfaces.repaired;
     int count = 0;
-    for (const NamedSurface& body : surfaces.surfaces) {
+    for (NamedSurface& body : surfaces.surfaces) {
         const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
         add_body(file, path, fmt::format("body {}{}", ++count, quoted), body.surface.vertices, [&] {
+            if (options.simplification.wanted()) simplify(body, options.simplification, file.simplified);
             Flatness flatness = of_files;
-            const double joined = repair.near / size_of(body.surface.vertices);
+            const double joined = options.repair.near / size_of(body.surface.vertices);
             flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
             return IncomingBlock{solid_from_surface(body.surface, flatness, body.cavities), {}, body.name, 0, 0};
         });
@@ -97,11 +112,16 @@ bool is_block_grid(const std::string& path) { return lower_case(path).ends_with(
 
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options) {
     const Placement placement(options);
-    if (is_grid_file(path)) return from_grid(path, placement);
+    if (is_grid_file(path)) {
+        if (options.simplification.wanted())
+            throw Diagnostic(fmt::format("{} holds blocks or zones; only surfaces can be simplified", path),
+                             "leave out `simplify` and `deviation`");
+        return from_grid(path, placement);
+    }
     if (!is_surface_file(path))
         throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
                          fmt::format("use one of {}", import_suffixes()));
-    return from_surfaces(path, placement, options.repair);
+    return from_surfaces(path, placement, options);
 }
 
 std::string import_suffixes() { return grid_suffixes() + ", " + surface_suffixes(); }

@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/surface/surface_repair.hpp"
+#include "geometry/surface/surface_simplify.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -23,13 +24,15 @@ struct IncomingFile {
     std::vector<IncomingBlock> blocks;
     std::vector<Diagnostic> refused; ///< of bodies that are wrong; each names the body and its place
     RepairCounts repaired;
+    SimplifyCounts simplified;
 };
 
-/// How the coordinates of the file become those of the model, and what is repaired on the way.
+/// How the coordinates of the file become those of the model, and what is repaired and simplified on the way.
 struct IncomingOptions {
     double scale = 1;
     char up = 'z'; ///< the axis of the file that points up: x, y or z
     Repair repair;
+    Simplification simplification; ///< of surfaces
 };
 
 /// Throws Diagnostic when the file as a whole cannot be read.
