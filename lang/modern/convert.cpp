@@ -397,8 +397,12 @@ private:
             });
         }
         for_each_shape([&](const LineShape& shape) {
-            if (found) return true;
-            if (auto lines = in_shape(line, shape, to_)) attempt(std::move(*lines));
+            auto lines = in_shape(line, shape, to_);
+            // Commands that begin with `fish` are lines of both dialects.
+            const bool of_both =
+                lines && shape.modern.starts_with("fish ") && meaning_of(*lines, language()) == meaning;
+            if (of_both) found = std::move(lines);
+            else if (lines) attempt(std::move(*lines));
             return found.has_value();
         });
         return found;

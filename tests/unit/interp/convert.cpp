@@ -174,6 +174,7 @@ TEST(Convert, WordsInAnotherOrder) {
         {"list blocks range group a union z 1", "block list range group a union position-z 1"},
         {"list contacts range x 0 1", "block list contacts range position-x 0 1"},
         {"list zones range x 0 [d]", "block zone list range position-x 0 [d]"},
+        {"history write wall.csv", "history export file wall.csv"},
         {"list blocks show velocity show moment range z 1", "block list velocity moment range position-z 1"},
         {"list subcontacts show force show state", "block contact list subcontacts force state"},
         {"fraction 0.4", "model mechanical timestep safety-factor 0.4"},
@@ -192,6 +193,10 @@ TEST(Convert, WordsInAnotherOrder) {
     // The words of the other dialect that the line comes back with are another spelling.
     EXPECT_EQ(converted("damp 0.05 @f mass\n", To::modern), "block mechanical damping rayleigh 0.05 @f mass\n");
     EXPECT_EQ(converted("list hist\n", To::modern), "history list\n");
+    // Lines that begin with `fish` belong to both dialects.
+    EXPECT_EQ(converted("print @a @b\n", To::modern), "fish list @a @b\n");
+    EXPECT_EQ(converted("set @f 3 @g 2.5\n", To::modern), "fish set @f 3 @g 2.5\n");
+    EXPECT_EQ(converted("fish list @a @b\n", To::classic), "fish list @a @b\n");
     EXPECT_EQ(converted("title Temple, north row,\n", To::modern), "model title 'Temple, north row'\n");
     EXPECT_EQ(converted("title A wall's foot\n", To::modern),
               fmt::format(fmt::runtime(note), "modern") + "title A wall's foot\n");
