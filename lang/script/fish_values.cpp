@@ -160,10 +160,11 @@ void open_values(Machine& machine) {
     call_protected(L, 2, 0);
 }
 
+namespace {
 /// The module returns rows {name, least, most, read, write}.
-void add_value_functions(Machine& machine) {
+void add_functions_of(Machine& machine, const std::string& module) {
     lua_State* L = machine.lua;
-    load_text(L, std::string(built_in_module("fish_functions")), "=fish_functions");
+    load_text(L, std::string(built_in_module(module)), ("=" + module).c_str());
     push_anchor(L, machine.anchors.runtime);
     push_natives(machine);
     call_protected(L, 2, 1);
@@ -187,6 +188,13 @@ void add_value_functions(Machine& machine) {
         lua_settop(L, rows);
     }
     lua_settop(L, rows - 1);
+}
+
+} // namespace
+
+void add_value_functions(Machine& machine) {
+    add_functions_of(machine, "fish_functions");
+    add_functions_of(machine, "fish_matrices");
 }
 
 std::string kind_of_value(lua_State* L, int index) {

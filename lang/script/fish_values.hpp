@@ -1,5 +1,5 @@
 // Lists, maps, tensors and structures of FISH, written in Lua: stdlib/lua/fish_values.lua, and the functions on them,
-// stdlib/lua/fish_functions.lua.
+// stdlib/lua/fish_functions.lua and fish_matrices.lua.
 #pragma once
 
 #include "lang/script/lua_headers.hpp"

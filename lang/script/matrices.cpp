@@ -1,7 +1,6 @@
 #include "lang/script/matrices.hpp"
 
 #include "lang/script/guard.hpp"
-#include "lang/script/values.hpp"
 
 #include <Eigen/Dense>
 #include <array>
@@ -12,27 +11,27 @@ namespace {
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-double number_in(lua_State* L, int table, Eigen::Index at, const char* function) {
-    lua_rawgeti(L, table, at + 1);
-    const double number = number_argument(L, -1, function);
+double number_in(lua_State* L, Eigen::Index at) {
+    lua_rawgeti(L, 1, at + 1);
+    const double number = lua_tonumber(L, -1);
     lua_pop(L, 1);
     return number;
 }
 
-Square square_at(lua_State* L, const char* function) {
+Square square_at(lua_State* L) {
     const auto size = static_cast<Eigen::Index>(lua_tointeger(L, 2));
     Square square(size, size);
-    for (Eigen::Index i = 0; i < square.size(); ++i) square.data()[i] = number_in(L, 1, i, function);
+    for (Eigen::Index i = 0; i < square.size(); ++i) square.data()[i] = number_in(L, i);
     return square;
 }
 
 int determinant(lua_State* L) {
-    lua_pushnumber(L, square_at(L, "matrix.det").determinant());
+    lua_pushnumber(L, square_at(L).determinant());
     return 1;
 }
 
 int inverse(lua_State* L) {
-    const Square square = square_at(L, "matrix.inverse");
+    const Square square = square_at(L);
     const Eigen::FullPivLU<Square> factors(square);
     if (!square.allFinite() || !factors.isInvertible())
         throw Diagnostic("the matrix has no inverse: its rows are not independent of each other", {}, Fault::run);
@@ -48,7 +47,7 @@ int inverse(lua_State* L) {
 /// Twelve numbers: the principal values, the least first, and their unit vectors as the columns of a matrix, row by row.
 int principal(lua_State* L) {
     std::array<double, 6> t{};
-    for (std::size_t i = 0; i < t.size(); ++i) t[i] = number_in(L, 1, static_cast<Eigen::Index>(i), "tensor.prin");
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = number_in(L, static_cast<Eigen::Index>(i));
     Eigen::Matrix3d matrix;
     matrix << t[0], t[3], t[4], t[3], t[1], t[5], t[4], t[5], t[2];
     if (!matrix.allFinite()) throw Diagnostic("the tensor has a component that is not a number", {}, Fault::run);

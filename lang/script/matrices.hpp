@@ -5,8 +5,8 @@
 
 namespace kaya::script {
 
-/// Adds determinant(values, n), inverse(values, n) and principal(tensor) to the table at the top of the stack. `values` are the rows of a
-/// matrix one after the other.
+/// Adds determinant(values, n), inverse(values, n) and principal(tensor) to the table at the top of the stack. `values` are numbers: the rows
+/// of a matrix in turn.
 void add_matrix_functions(lua_State* L);
 
 } // namespace kaya::script

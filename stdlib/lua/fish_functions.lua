@@ -48,8 +48,6 @@ end
 
 define("list", 0, 50, runtime.new_list)
 define("map", 0, 50, runtime.new_map)
-define("tensor", 0, 6, runtime.new_tensor)
-define("matrix", 1, 2, runtime.new_matrix)
 define("boolean", 1, 1, function(value)
     return truth(value ~= 0)
 end)
@@ -248,74 +246,6 @@ end)
 define("tensor.j2", 1, 1, function(t)
     need("tensor", t, "tensor.j2")
     return ((t[1] - t[2]) ^ 2 + (t[2] - t[3]) ^ 2 + (t[3] - t[1]) ^ 2) / 6 + t[4] ^ 2 + t[5] ^ 2 + t[6] ^ 2
-end)
-
-define("tensor.prin", 1, 1, function(t)
-    local least, middle, greatest = native.principal(need("tensor", t, "tensor.prin"))
-    return native.vector(least, middle, greatest)
-end)
-define("tensor.prin.dir", 1, 1, function(t)
-    local columns = { select(4, native.principal(need("tensor", t, "tensor.prin.dir"))) }
-    columns.columns = 3
-    return setmetatable(columns, runtime.types.matrix)
-end)
-define("tensor.prin.from", 2, 2, function(values, directions)
-    local axes = need("matrix", directions, "tensor.prin.from")
-    if not native.is_vector(values) or #axes ~= 9 or axes.columns ~= 3 then
-        stop("'tensor.prin.from' takes a vector of principal values and a matrix with their directions as columns", "")
-    end
-    local function part(i, k)
-        local sum = 0.0
-        for j, value in ipairs({ values.x, values.y, values.z }) do
-            sum = sum + value * axes[3 * i + j] * axes[3 * k + j]
-        end
-        return sum
-    end
-    return runtime.new_tensor(part(0, 0), part(1, 1), part(2, 2), part(0, 1), part(0, 2), part(1, 2))
-end)
-
--- --- matrices -----------------------------------------------------------------------------------------
-
-local function matrix_function(name, body)
-    define("matrix." .. name, 1, 1, function(matrix)
-        return body(need("matrix", matrix, "matrix." .. name))
-    end)
-end
-matrix_function("rows", function(matrix)
-    return #matrix // matrix.columns
-end)
-matrix_function("cols", function(matrix)
-    return matrix.columns
-end)
-matrix_function("transpose", function(matrix)
-    local rows = #matrix // matrix.columns
-    local turned = runtime.new_matrix(matrix.columns, rows)
-    for i = 0, #matrix - 1 do
-        turned[i % matrix.columns * rows + i // matrix.columns + 1] = matrix[i + 1]
-    end
-    return turned
-end)
-local function need_square(matrix, name)
-    if #matrix ~= matrix.columns ^ 2 then
-        stop(("'%s' takes a matrix with as many rows as columns, here it has %d and %d"):format(name,
-            #matrix // matrix.columns, matrix.columns), "")
-    end
-    return matrix
-end
-matrix_function("det", function(matrix)
-    return native.determinant(need_square(matrix, "matrix.det"), matrix.columns)
-end)
-matrix_function("inverse", function(matrix)
-    local found = native.inverse(need_square(matrix, "matrix.inverse"), matrix.columns)
-    found.columns = matrix.columns
-    return setmetatable(found, runtime.types.matrix)
-end)
-define("matrix.identity", 1, 1, function(size)
-    local made = runtime.new_matrix(size, size)
-    for i = 1, size do
-        made[(i - 1) * size + i] = 1.0
-    end
-    return made
 end)
 
 -- --- texts --------------------------------------------------------------------------------------------

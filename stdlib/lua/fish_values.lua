@@ -7,7 +7,7 @@ local types = {
     list = { __name = "list" },
     map = { __name = "map" },
     tensor = { __name = "tensor" },
-    matrix = { __name = "matrix" }, -- its rows one after the other, and `columns`
+    matrix = { __name = "matrix" }, -- its rows in turn, and `columns`
     structure = { __name = "structure" },
 }
 local axes = { xx = 1, yy = 2, zz = 3, xy = 4, xz = 5, yz = 6, yx = 4, zx = 5, zy = 6 }
@@ -376,69 +376,6 @@ function runtime.new_map(...)
     return setmetatable(map, types.map)
 end
 
-function runtime.new_tensor(...)
-    local values = { ... }
-    if #values ~= 0 and #values ~= 6 then
-        stop(("'tensor' is given %d numbers"):format(#values), "six: xx, yy, zz, xy, xz, yz")
-    end
-    for i = 1, 6 do
-        values[i] = native.number(values[i] or 0)
-    end
-    return setmetatable(values, types.tensor)
-end
-
-local function numbers_of(list)
-    local numbers = {}
-    for i, value in ipairs(list) do
-        numbers[i] = native.number(value)
-    end
-    return numbers
-end
-
-local function matrix_of_rows(rows)
-    local values, columns = {}, nil
-    for _, row in ipairs(rows) do
-        local numbers = numbers_of(kind_of(row) == "list" and row or { row })
-        columns = columns or #numbers
-        if #numbers ~= columns or columns == 0 then
-            stop(("a row of the matrix has %d numbers, and the first has %d"):format(#numbers, columns), "")
-        end
-        table.move(numbers, 1, columns, #values + 1, values)
-    end
-    if #values == 0 then
-        stop("a matrix has at least one row", "")
-    end
-    return new_matrix(values, columns)
-end
-
--- matrix(2, 3) of zeros; the matrix of a tensor, the column of a vector, the rows of a list.
-function runtime.new_matrix(first, columns)
-    if kind_of(first) == "matrix" then
-        return own(first)
-    elseif kind_of(first) == "list" then
-        return matrix_of_rows(first)
-    elseif native.is_vector(first) then
-        return new_matrix({ first.x, first.y, first.z }, 1)
-    elseif kind_of(first) == "tensor" then
-        local values = {}
-        for i = 1, 9 do
-            values[i] = first[place_in_tensor[(i - 1) // 3 + 1][(i - 1) % 3 + 1]]
-        end
-        return new_matrix(values, 3)
-    end
-    local rows = whole(first)
-    columns = whole(columns or 1)
-    if not rows or not columns or rows < 1 or columns < 1 or rows > 1e4 or columns > 1e4 then
-        stop("'matrix' takes the numbers of rows and columns, from 1 to 10000",
-            "or a tensor, a vector, a list of rows: matrix(list(list(1,2), list(3,4)))")
-    end
-    local values = {}
-    for i = 1, rows * columns do
-        values[i] = 0.0
-    end
-    return new_matrix(values, columns)
-end
-
 function runtime.define_structure(name, ...)
     local members, seen = { ... }, {}
     for _, member in ipairs(members) do
@@ -490,94 +427,6 @@ for event, operation in pairs(operations) do
 end
 types.list.__div = elementwise(function(a, b) return runtime.ratio(a, b) end, "/")
 
-local function of_tensor(event, sign, apply)
-    types.tensor[event] = function(left, right)
-        local tensors = (kind_of(left) == "tensor" and 1 or 0) + (kind_of(right) == "tensor" and 1 or 0)
-        local scale = type(left) == "number" or type(right) == "number"
-        local fits = sign == "+" or sign == "-"
-        fits = fits and tensors == 2 or not fits and scale and (sign == "*" or kind_of(left) == "tensor")
-        if not fits then
-            stop(("%s and %s cannot be combined by '%s'"):format(describe(left), describe(right), sign), "")
-        end
-        local result = {}
-        for i = 1, 6 do
-            result[i] = apply(type(left) == "number" and left or left[i], type(right) == "number" and right or right[i])
-        end
-        return setmetatable(result, types.tensor)
-    end
-end
-of_tensor("__add", "+", operations.__add[1])
-of_tensor("__sub", "-", operations.__sub[1])
-of_tensor("__mul", "*", operations.__mul[1])
-of_tensor("__div", "/", function(a, b) return runtime.ratio(a, b) end)
-
-local function of_matrix(event, sign, combine)
-    types.matrix[event] = function(left, right)
-        local result = combine(left, right, kind_of(left) == "matrix", kind_of(right) == "matrix")
-        if not result then
-            stop(("%s and %s cannot be combined by '%s'"):format(describe(left), describe(right), sign),
-                "matrices fit when their rows and columns do")
-        end
-        return result
-    end
-end
-
-local function each(matrix, apply)
-    local values = {}
-    for i = 1, #matrix do
-        values[i] = apply(matrix[i], i)
-    end
-    return new_matrix(values, matrix.columns)
-end
-
-local function sum_of_matrices(apply)
-    return function(left, right, of_left, of_right)
-        if of_left and of_right and #left == #right and left.columns == right.columns then
-            return each(left, function(value, i) return apply(value, right[i]) end)
-        end
-    end
-end
-of_matrix("__add", "+", sum_of_matrices(operations.__add[1]))
-of_matrix("__sub", "-", sum_of_matrices(operations.__sub[1]))
-
-local function product_of_matrices(left, right)
-    local columns = right.columns
-    if left.columns * columns ~= #right then
-        return nil
-    end
-    local values = {}
-    for i = 0, #left // left.columns - 1 do
-        for k = 1, columns do
-            local sum = 0.0
-            for j = 1, left.columns do
-                sum = sum + left[i * left.columns + j] * right[(j - 1) * columns + k]
-            end
-            values[i * columns + k] = sum
-        end
-    end
-    return new_matrix(values, columns)
-end
-
-of_matrix("__mul", "*", function(left, right, of_left, of_right)
-    if type(left) == "number" or type(right) == "number" then
-        local scale = type(left) == "number" and left or right
-        return each(of_left and left or right, function(value) return value * scale end)
-    elseif not of_left or not of_right and not native.is_vector(right) and kind_of(right) ~= "tensor" then
-        return nil
-    end
-    local product = product_of_matrices(left, of_right and right or runtime.new_matrix(right))
-    if product and native.is_vector(right) and #product == 3 then
-        return native.vector(product[1], product[2], product[3])
-    end
-    return product
-end)
-of_matrix("__div", "/", function(left, right, of_left)
-    return of_left and type(right) == "number" and each(left, function(value) return runtime.ratio(value, right) end)
-end)
-types.matrix.__unm = function(matrix)
-    return each(matrix, function(value) return -value end)
-end
-
 local function same(left, right)
     if rawequal(left, right) then
         return true
@@ -609,60 +458,9 @@ for _, kind in pairs(types) do
     kind.__eq = same
 end
 
--- --- splitting: block.vol(::blocks) ------------------------------------------------------------------
-
--- Calls `take` with the elements of the lists at each place.
-local function walk(lists, take)
-    local members, size = {}, nil
-    for i, list in ipairs(lists) do
-        local kind = kind_of(list)
-        if kind ~= "list" and kind ~= "array" and kind ~= "map" then
-            stop(("'::' splits a list, here it is given %s"):format(describe(list)), "")
-        end
-        members[i] = runtime.members(list)
-        size = size or #members[i]
-        if #members[i] ~= size then
-            stop(("lists of %d and %d elements are split together"):format(size, #members[i]), "")
-        end
-    end
-    local at = {}
-    for place = 1, size do
-        for i = 1, #lists do
-            at[i] = members[i][place]
-        end
-        take(place, table.unpack(at, 1, #lists))
-    end
-    return size
-end
-
--- The list of what a call gives for each element.
-function runtime.split(call, ...)
-    local results = {}
-    walk({ ... }, function(place, ...)
-        results[place] = call(...) or 0
-    end)
-    return new_list(results)
-end
-
--- Sets the same value for each element; with `one_each` those of a list in turn.
-function runtime.set_split(set, value, one_each, ...)
-    local values = one_each and (kind_of(value) == "list" or kind_of(value) == "array") and value or nil
-    if one_each and not values then
-        stop(("'=::' gives the elements of a list, here it is given %s"):format(describe(value)), "write = for one value")
-    end
-    local size = walk({ ... }, function(place, ...)
-        if values and values[place] == nil then
-            return
-        end
-        set(values and values[place] or value, ...)
-    end)
-    if values and #values ~= size then
-        stop(("%d values are given to %d elements"):format(#values, size), "")
-    end
-end
-
 runtime.own, runtime.kind_of, runtime.keys_of, runtime.make_list = own, kind_of, keys_of, new_list
 runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 ^ 27
+runtime.make_matrix, runtime.place_in_tensor = new_matrix, place_in_tensor
 
 -- What FISH prints.
 function runtime.text(value)

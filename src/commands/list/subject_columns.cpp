@@ -75,9 +75,9 @@ Subjects of_zones(const Model& model) {
 
 Subjects of_contacts(const Model& model) {
     const auto& contacts = model.contacts;
-    const ListColumn touch("touch", [&](Row row) { return contact_type_text(contacts.type[row]); });
+    const ListColumn parts("touch", [&](Row row) { return contact_type_text(contacts.type[row]); });
     const ListColumn points("points", [&](Row row) { return std::to_string(contacts.sub_contacts[row].count); });
-    return {{"type", {touch, points}},
+    return {{"type", {parts, points}},
             {"position", {"position", "area"}},
             {"orientation", {"normal"}},
             {"joint-set", {"joint_set"}},
@@ -146,7 +146,7 @@ std::vector<ListColumn> subject_columns(const Model& model, const lang::List& co
     std::vector<ListColumn> columns(usual.begin(), usual.begin() + names);
     const Subjects subjects = subjects_of(model, *command.what);
     for (const std::string& subject : command.subjects) {
-        // A subject without columns of its own is one of the usual columns, of the same name.
+        // A subject that is not here is the usual column of the same name.
         const auto found = subjects.find(subject);
         const auto& wanted = found != subjects.end() ? found->second : usual;
         for (const ListColumn& column : wanted) {
