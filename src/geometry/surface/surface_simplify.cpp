@@ -197,8 +197,12 @@ struct Frame {
             low = low.cwiseMin(v);
             high = high.cwiseMax(v);
         }
-        centre = 0.5 * (low + high);
-        unit = std::exp2(std::ilogb((high - low).norm()));
+        centre = 0.5 * low + 0.5 * high;
+        const double size = (high - low).maxCoeff();
+        if (!(std::isnormal(size) && (high - low).allFinite()))
+            throw Diagnostic(fmt::format("the surface has the size {:g} and cannot be simplified", size),
+                             "check the coordinates of the file");
+        unit = std::exp2(std::ilogb(size));
     }
     Kernel::Point_3 in(const Vec3& v) const {
         const Vec3 at = (v - centre) / unit;
@@ -256,7 +260,8 @@ Surface simplified(Surface surface, const Simplification& wanted, SimplifyCounts
     ++counts.bodies;
     counts.before += given.number_of_faces();
     counts.after += found.mesh.number_of_faces();
-    counts.deviation = std::max(counts.deviation, frame.unit * found.deviation);
+    constexpr double rounding = 1e-12;
+    if (found.deviation > rounding) counts.deviation = std::max(counts.deviation, frame.unit * found.deviation);
     counts.volume_before += volume_of(triangles_of(surface));
     counts.volume_after += volume_of(triangles_of(result));
     return result;

@@ -185,4 +185,11 @@ TEST(Simplify, WrongSurfacesAreRefused) {
     });
     EXPECT_NE(refusal_of(crossing, {200, 0}).find("crosses itself"), std::string::npos)
         << refusal_of(crossing, {200, 0});
+    for (const double factor : {0.0, 1e-310, 1e-160, 1e160, 1.5e308}) {
+        const Surface strange = moved(stone(6, 1), [&](const Vec3& v) { return Vec3(factor * v); });
+        SimplifyCounts counts;
+        try {
+            EXPECT_LE(simplified(strange, {100, 0}, counts).faces.size(), 100u);
+        } catch (const Diagnostic& mistake) { EXPECT_FALSE(mistake.message.empty()); }
+    }
 }
