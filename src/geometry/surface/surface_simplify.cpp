@@ -186,7 +186,7 @@ Reduced reduce(const Mesh& given, std::size_t least, double most) {
     return best;
 }
 
-/// To lengths near 1 around the origin, for the digits, and back; the unit is a power of two, so that nothing is rounded by it.
+/// To lengths near 1 around the origin, for the digits, and back; the unit is a power of two, which rounds no digits.
 struct Frame {
     Vec3 centre;
     double unit;
