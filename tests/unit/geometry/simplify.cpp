@@ -55,7 +55,7 @@ Surface stone(int n, int seed) {
     });
 }
 
-double enclosed(const Surface& surface) { return volume_of(triangles_of(surface)); }
+double enclosed(const Surface& surface) { return kaya::volume_of(triangles_of(surface)); }
 
 void expect_closed(const Surface& surface) {
     Surface copy = surface;
