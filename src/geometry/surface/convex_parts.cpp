@@ -257,7 +257,7 @@ ConvexSplit convex_parts(const Surface& surface) {
     if (surface.faces.size() > most_faces)
         throw Diagnostic(
             fmt::format("the concave surface has {} faces, too many to split into convex parts", surface.faces.size()),
-            fmt::format("simplify it to at most {} faces", most_faces));
+            fmt::format("simplify it to at most {} faces: `import ... simplify n`", most_faces));
     const double size = size_of(surface.vertices), near = 1e-8 * size;
     Vec3 low = surface.vertices.front(), high = low;
     for (const Vec3& v : surface.vertices) {
