@@ -101,7 +101,8 @@ class BlockView {
     fit(heading, pitch) {
         Object.assign(this, { heading, pitch, target: [0, 0, 0], distance: 2 * (this.scene.size || 1) });
         const box = this.canvas.getBoundingClientRect(), p = this.scene.places, { right, up, back } = lookAt(this.target, 1, heading, pitch);
-        const upward = 0.92 * Math.tan(opening / 2), across = 0.78 / 0.92 * upward * box.width / Math.max(1, box.height);
+        const legend = box.width > 600 ? 340 : 0; // pixels, on both sides; a phone shows it below
+        const upward = 0.92 * Math.tan(opening / 2), across = upward * Math.max(box.width - legend, 0.5 * box.width) / Math.max(1, box.height);
         const along = (axis, i) => axis.reduce((sum, a, k) => sum + a * (p[i + k] - this.target[k]), 0);
         for (let round = 0; round < 3 && p.length > 0; ++round) {
             let [left, rightmost, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
