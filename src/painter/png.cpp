@@ -66,9 +66,8 @@ std::string with_dpi(std::string png, std::int32_t dpi) {
 } // namespace
 
 vtkSmartPointer<vtkImageData> image_of(vtkRenderWindow* window, const Paper& paper, int finer) {
-    window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(window);
+    picture->SetInput(window); // which renders it
     picture->SetInputBufferTypeToRGB();
     picture->ReadFrontBufferOff();
     picture->Update();
