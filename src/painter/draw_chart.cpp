@@ -200,6 +200,7 @@ std::string png_of(const Chart& given) {
     const Corner corner = given.net ? Corner{true, true} : free_corner(given);
     chart->GetLegend()->SetHorizontalAlignment(corner.right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
     chart->GetLegend()->SetVerticalAlignment(corner.top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
+    view->GetRenderWindow()->Render(); // the chart takes its place by the first one
     return png_of(image_of(view->GetRenderWindow(), given.paper, finer), given.paper);
 }
 
