@@ -66,8 +66,10 @@ std::string with_dpi(std::string png, std::int32_t dpi) {
 } // namespace
 
 vtkSmartPointer<vtkImageData> image_of(vtkRenderWindow* window, const Paper& paper, int finer) {
+    window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(window); // which renders it
+    picture->SetInput(window);
+    picture->ShouldRerenderOff();
     picture->SetInputBufferTypeToRGB();
     picture->ReadFrontBufferOff();
     picture->Update();
