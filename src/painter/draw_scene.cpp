@@ -216,13 +216,13 @@ vtkSmartPointer<vtkImageData> image_of(Scene scene) {
 std::string png_of(const Scene& scene) { return png_of(image_of(scene), scene.paper); }
 
 std::string png_of(const ScenePair& pair) {
-    vtkNew<vtkImageAppend> beside;
+    vtkNew<vtkImageAppend> row;
     for (Scene scene : {pair.left, pair.right}) {
         scene.paper = pair.paper;
-        beside->AddInputData(image_of(std::move(scene)));
+        row->AddInputData(image_of(std::move(scene)));
     }
-    beside->Update();
-    return png_of(beside->GetOutput(), pair.paper);
+    row->Update();
+    return png_of(row->GetOutput(), pair.paper);
 }
 
 } // namespace kaya

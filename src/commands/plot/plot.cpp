@@ -237,15 +237,15 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
     const bool chart = std::ranges::all_of(view.items, is_chart);
     if (!chart && std::ranges::any_of(view.items, is_chart))
         throw Diagnostic("one picture shows either the model or curves", "write a second plot line for the curves");
-    if (!chart && view.beside.empty()) return drawn(session, scene_of(session, view), suffix);
+    if (!chart && view.pair.empty()) return drawn(session, scene_of(session, view), suffix);
     if (!chart) {
-        const auto kept = session.plots.kept.find(view.beside);
+        const auto kept = session.plots.kept.find(view.pair);
         if (kept == session.plots.kept.end())
-            throw Diagnostic(fmt::format("no picture is kept as '{}'", view.beside),
-                             fmt::format("`plot block keep {}` keeps one, earlier in the run", view.beside));
+            throw Diagnostic(fmt::format("no picture is kept as '{}'", view.pair),
+                             fmt::format("`plot block keep {}` keeps one, earlier in the run", view.pair));
         return drawn(session, side_by_side(kept->second, scene_of(session, view)), suffix);
     }
-    if (!view.beside.empty()) throw Diagnostic("curves do not stand beside another picture", "leave out 'beside'");
+    if (!view.pair.empty()) throw Diagnostic("curves do not stand with another picture", "leave out 'pair'");
     Chart curves = chart_of(session, view);
     curves.paper = view.settings.paper;
     return drawn_chart(session, std::move(curves), suffix);
@@ -281,7 +281,7 @@ void keep_picture(Session& session, const PlotView& view, const std::string& nam
 void write_picture(Session& session, const PlotView& view, const PlotLine& line) {
     if (!line.keep.empty()) {
         keep_picture(session, view, line.keep);
-        if (line.file.empty() && view.beside.empty()) return;
+        if (line.file.empty() && view.pair.empty()) return;
     }
     const std::string file = picture_name(session, line.file);
     if (line.interval == 0) {

@@ -163,7 +163,7 @@ private:
         }
         if (take({"file", "filename"})) return line_.file = take_text(), true;
         if (take({"keep"})) return line_.keep = take_text(), true;
-        if (take({"beside"})) return line_.view.beside = take_text(), true;
+        if (take({"pair"})) return line_.view.pair = take_text(), true;
         if (take({"background"})) return take_text(), true; // of the screen
         if (line_.task == PlotLine::Task::write && take({"plot", "view"})) return line_.name = take_text(), true;
         return false;

@@ -44,7 +44,7 @@ struct PlotItem {
 struct PlotView {
     Scene settings; ///< its layers are made when it is drawn
     std::vector<PlotItem> items;
-    std::string beside; ///< the kept picture to its left; none: alone
+    std::string pair; ///< the kept picture to its left; none: alone
 };
 
 /// A picture that is made again and again while the model cycles: NAME-0001.png, NAME-0002.png ...
@@ -60,7 +60,7 @@ struct PlotViews {
     std::map<std::string, PlotView> views;
     std::string current;               ///< "": the view without a name
     std::int32_t pictures = 0;         ///< that were named by their number
-    std::map<std::string, Scene> kept; ///< by `plot ... keep NAME`, for `beside NAME`
+    std::map<std::string, Scene> kept; ///< by `plot ... keep NAME`, for `pair NAME`
     std::vector<Movie> movies;
 };
 
