@@ -70,7 +70,7 @@ struct PlotLine {
     Task task = Task::draw; ///< of `items`, at once
     std::string name;       ///< of a view
     std::string file;
-    std::string keep;          ///< the name under which the picture is kept, to stand beside a later one
+    std::string keep;          ///< the name under which the picture is kept, to stand with a later one
     std::int64_t interval = 0; ///< cycles between the pictures of a movie; 0: one picture
     PlotView view;             ///< the current view, with the changes of the line
     std::vector<PlotItem> items;
