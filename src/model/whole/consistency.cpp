@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <type_traits>
 
 namespace kaya {
@@ -251,11 +252,15 @@ void check_contacts(Findings& findings, const Model& model) {
     }
 }
 
-/// A side is attached to corners of its block, or to nothing; a corner that is left out has no weight.
+/// A side is attached to corners of its block, whose weights sum to 1, or to nothing; a corner that is left out has no weight.
 void check_attachments(Findings& findings, const Model& model, const Column<Attachment>& side,
                        const Column<Row>& blocks) {
+    constexpr double rounding = 1e-9;
     const auto& points = model.gridpoints;
     for (std::size_t i = 0; i < side.size() && findings.clean(); ++i) {
+        const auto& weights = side[i].weights;
+        findings.require(!side[i].attached() || std::abs(weights[0] + weights[1] + weights[2] - 1) < rounding,
+                         "sub_contacts", i, "the weights of its corners do not sum to 1");
         const Row block = blocks[static_cast<std::size_t>(model.sub_contacts.contact[i])];
         for (std::size_t k = 0; k < side[i].gridpoints.size() && findings.clean(); ++k) {
             const Row row = side[i].gridpoints[k];

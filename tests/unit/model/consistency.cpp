@@ -105,6 +105,8 @@ const std::vector<Damage>& damages() {
              m.contacts.sub_contacts[0] = {0, 1};
          },
          "some rows of sub-contact belong to no row of contacts"},
+        {"weights of an attachment", [](Model& m) { m.sub_contacts.side2[1].weights[0] = -0.0; },
+         "row 1 of sub_contacts: the weights of its corners do not sum to 1"},
         {"attachment", [](Model& m) { m.sub_contacts.side2[1].gridpoints[0] = 8; },
          "row 1 of sub_contacts: gridpoint 8 of 8"},
         {"meeting", [](Model& m) { m.sub_contacts.type[0] = static_cast<SubContactType>(5); },
