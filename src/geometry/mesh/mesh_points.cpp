@@ -1,11 +1,14 @@
 #include "geometry/mesh/mesh_points.hpp"
 
+#include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 #include "geometry/polyhedra/plane.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace kaya {
 
@@ -40,13 +43,22 @@ void add_inner_points(const Polyhedron& polyhedron, double edge, double clearanc
     const Vec3 centroid = mass_properties(polyhedron).centroid;
     const std::size_t on_surface = points.points.size();
     const std::vector<Plane> walls = walls_of(polyhedron);
+    Vec3 first = Vec3::Zero(), last = first;
+    for (const Vec3& v : polyhedron.vertices) {
+        const Vec3 place = (v - centroid) / cell;
+        first = first.cwiseMin(place.array().floor().matrix());
+        last = last.cwiseMax(place.array().ceil().matrix());
+    }
+    constexpr double most_places = 1e9; // some ten seconds
+    if (!((last - first).cwiseMax(1).prod() <= most_places))
+        throw Diagnostic(
+            fmt::format(
+                "edges of {:.3g} are too short for a block that is {:.3g} long: the box around it has more than {:.0e} places for points",
+                edge, (last - first).maxCoeff() * cell, most_places),
+            "use longer edges, or cut the block");
     std::array<int, 3> low{}, high{};
-    for (int k = 0; k < 3; ++k)
-        for (const Vec3& v : polyhedron.vertices) {
-            low[k] = std::min(low[k], static_cast<int>(std::floor((v[k] - centroid[k]) / cell)));
-            high[k] = std::max(high[k], static_cast<int>(std::ceil((v[k] - centroid[k]) / cell)));
-        }
-    for (int k = low[2]; k <= high[2]; ++k)
+    for (int k = 0; k < 3; ++k) low[k] = static_cast<int>(first[k]), high[k] = static_cast<int>(last[k]);
+    for (int k = low[2]; k <= high[2]; ++k, stop_point())
         for (int j = low[1]; j <= high[1]; ++j)
             for (int i = low[0]; i <= high[0]; ++i)
                 for (const double half : {0.0, 0.5}) {
