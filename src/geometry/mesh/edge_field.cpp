@@ -1,6 +1,7 @@
 #include "geometry/mesh/edge_field.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,7 @@ constexpr int steps = 256;            ///< of the integrals over an edge
 
 /// How far the nearest and the farthest place of a box around a block are from a place.
 std::array<double, 2> distances_of_box(const Polyhedron& block, const Vec3& place) {
-    Vec3 low = block.vertices.front(), high = low;
-    for (const Vec3& v : block.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_around(block.vertices);
     return {(low - place).cwiseMax(place - high).cwiseMax(0).norm(),
             (low - place).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm()};
 }

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/polyhedra/plane.hpp"
 
 #include <Eigen/Geometry>
@@ -43,12 +44,9 @@ void add_inner_points(const Polyhedron& polyhedron, double edge, double clearanc
     const Vec3 centroid = mass_properties(polyhedron).centroid;
     const std::size_t on_surface = points.points.size();
     const std::vector<Plane> walls = walls_of(polyhedron);
-    Vec3 first = Vec3::Zero(), last = first;
-    for (const Vec3& v : polyhedron.vertices) {
-        const Vec3 place = (v - centroid) / cell;
-        first = first.cwiseMin(place.array().floor().matrix());
-        last = last.cwiseMax(place.array().ceil().matrix());
-    }
+    const auto [least, greatest] = box_around(polyhedron.vertices);
+    const Vec3 first = ((least - centroid) / cell).array().floor(),
+               last = ((greatest - centroid) / cell).array().ceil();
     constexpr double most_places = 1e9; // some ten seconds
     if (!((last - first).cwiseMax(1).prod() <= most_places))
         throw Diagnostic(
@@ -56,8 +54,7 @@ void add_inner_points(const Polyhedron& polyhedron, double edge, double clearanc
                 "edges of {:.3g} are too short for a block that is {:.3g} long: the box around it has more than {:.0e} places for points",
                 edge, (last - first).maxCoeff() * cell, most_places),
             "use longer edges, or cut the block");
-    std::array<int, 3> low{}, high{};
-    for (int k = 0; k < 3; ++k) low[k] = static_cast<int>(first[k]), high[k] = static_cast<int>(last[k]);
+    const Eigen::Vector3i low = first.cast<int>(), high = last.cast<int>();
     for (int k = low[2]; k <= high[2]; ++k, stop_point())
         for (int j = low[1]; j <= high[1]; ++j)
             for (int i = low[0]; i <= high[0]; ++i)
@@ -73,11 +70,7 @@ void add_inner_points(const Polyhedron& polyhedron, double edge, double clearanc
 void add_graded_points(const Polyhedron& polyhedron, const Spacing& spacing, double clearance, bool centre,
                        MeshPoints& points) {
     const std::vector<Plane> walls = walls_of(polyhedron);
-    Vec3 low = polyhedron.vertices.front(), high = low;
-    for (const Vec3& v : polyhedron.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_around(polyhedron.vertices);
     const std::size_t on_surface = points.points.size();
     const auto inside = [&](const Vec3& x, double edge) {
         return std::ranges::all_of(walls, [&](const Plane& wall) { return wall.distance(x) <= -clearance * edge; });

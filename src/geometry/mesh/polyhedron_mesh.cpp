@@ -3,6 +3,7 @@
 #include "geometry/mesh/mesh_points.hpp"
 #include "geometry/mesh/surface_recovery.hpp"
 #include "geometry/mesh/tet_improvement.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -77,11 +78,7 @@ std::optional<TetMesh> improved(const Polyhedron& polyhedron, const BlockSurface
 /// dominate the time.
 std::vector<Vec3> bulged(const std::vector<Vec3>& points) {
     constexpr double bulge = 1e-5;
-    Vec3 low = points.front(), high = low;
-    for (const Vec3& x : points) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
+    const auto [low, high] = box_around(points);
     const Vec3 centre = 0.5 * (low + high);
     const double factor = bulge / (0.25 * (high - low).squaredNorm());
     std::vector<Vec3> result;
@@ -122,11 +119,7 @@ void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field) {
             "use longer edges");
     // Places on an edge of the block would be too coarse for edges that shrink further.
     constexpr double least_part = 5e-5;
-    Vec3 low = polyhedron.vertices.front(), high = low;
-    for (const Vec3& v : polyhedron.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_around(polyhedron.vertices);
     const double size = (high - low).norm(), least = field.least_in(polyhedron);
     if (!field.even() && least < least_part * size)
         throw Diagnostic(

@@ -8,6 +8,15 @@
 
 namespace kaya {
 
+Box box_around(const std::vector<Vec3>& points) {
+    Box box{points.front(), points.front()};
+    for (const Vec3& point : points) {
+        box.low = box.low.cwiseMin(point);
+        box.high = box.high.cwiseMax(point);
+    }
+    return box;
+}
+
 std::vector<std::array<int, 2>> overlapping_boxes(const std::vector<Box>& boxes) {
     using Numbered = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
     std::vector<Numbered> numbered;

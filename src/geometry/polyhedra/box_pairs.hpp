@@ -1,4 +1,4 @@
-// Which of many boxes overlap.
+// Boxes around points, and which of many boxes overlap.
 #pragma once
 
 #include "base/vector.hpp"
@@ -11,6 +11,9 @@ namespace kaya {
 struct Box {
     Vec3 low, high;
 };
+
+/// The smallest box around one point or more.
+Box box_around(const std::vector<Vec3>& points);
 
 /// All pairs (i, j), i > j, of boxes that overlap or touch; sorted. Cost grows like n log n plus the
 /// number of pairs.

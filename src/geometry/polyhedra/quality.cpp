@@ -211,12 +211,7 @@ std::vector<OverlappingBlocks> overlapping_blocks(const std::vector<Polyhedron>&
     std::vector<Box> boxes;
     std::vector<double> volumes;
     for (const Polyhedron& block : blocks) {
-        Box box{block.vertices.front(), block.vertices.front()};
-        for (const Vec3& v : block.vertices) {
-            box.low = box.low.cwiseMin(v);
-            box.high = box.high.cwiseMax(v);
-        }
-        boxes.push_back(box);
+        boxes.push_back(box_around(block.vertices));
         volumes.push_back(mass_properties(block).volume);
     }
     std::vector<OverlappingBlocks> result;

@@ -36,15 +36,6 @@ const Format* format_of(const std::string& path) {
     return found == formats.end() ? nullptr : &*found;
 }
 
-Box box_of(const Surface& surface) {
-    Box box{surface.vertices.front(), surface.vertices.front()};
-    for (const Vec3& v : surface.vertices) {
-        box.low = box.low.cwiseMin(v);
-        box.high = box.high.cwiseMax(v);
-    }
-    return box;
-}
-
 bool holds(const Box& outer, const Box& inner) {
     return (outer.low.array() < inner.low.array()).all() && (outer.high.array() > inner.high.array()).all();
 }
@@ -78,7 +69,7 @@ bool encloses(Surface outer, const Surface& inner) {
 /// Surfaces inside an odd number of others bound hollows of the smallest of those; all others are bodies.
 std::vector<NamedSurface> nested(const std::string& name, std::vector<Surface>&& shells) {
     std::vector<Box> boxes;
-    for (const Surface& shell : shells) boxes.push_back(box_of(shell));
+    for (const Surface& shell : shells) boxes.push_back(box_around(shell.vertices));
     std::vector<std::vector<int>> around(shells.size());
     for (const auto& pair : overlapping_boxes(boxes))
         for (const auto& [outer, inner] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])})

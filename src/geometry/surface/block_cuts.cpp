@@ -1,6 +1,7 @@
 #include "geometry/surface/block_cuts.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/polyhedra/face_contact.hpp"
 #include "geometry/surface/shapes.hpp"
 
@@ -155,11 +156,7 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
         if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
     CutBlocks result;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
-        Vec3 low = blocks[block].vertices.front(), high = low;
-        for (const Vec3& v : blocks[block].vertices) {
-            low = low.cwiseMin(v);
-            high = high.cwiseMax(v);
-        }
+        const auto [low, high] = box_around(blocks[block].vertices);
         std::vector<Piece> pieces{{blocks[block], false}};
         std::vector<Plane> planes;
         for (int k = 0; k < 3; ++k)

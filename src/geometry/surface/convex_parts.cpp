@@ -8,6 +8,7 @@
 // work.
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/polyhedra/cut.hpp"
 #include "geometry/surface/surface_checks.hpp"
 #include "geometry/surface/winding.hpp"
@@ -259,11 +260,7 @@ ConvexSplit convex_parts(const Surface& surface) {
             fmt::format("the concave surface has {} faces, too many to split into convex parts", surface.faces.size()),
             fmt::format("simplify it to at most {} faces: `import ... simplify n`", most_faces));
     const double size = size_of(surface.vertices), near = 1e-8 * size;
-    Vec3 low = surface.vertices.front(), high = low;
-    for (const Vec3& v : surface.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_around(surface.vertices);
     const Vec3 margin = Vec3::Constant(0.1 * size);
     const Triangles triangles = triangles_of(surface);
     ConvexSplit split = split_space({make_brick(low - margin, high + margin), fragments_of(surface)}, near, triangles);

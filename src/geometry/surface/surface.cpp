@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -137,11 +138,7 @@ double volume_of(const Surface& surface) {
 
 double size_of(const std::vector<Vec3>& vertices) {
     if (vertices.empty()) return 0;
-    Vec3 low = vertices.front(), high = low;
-    for (const Vec3& v : vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_around(vertices);
     return (high - low).norm();
 }
 

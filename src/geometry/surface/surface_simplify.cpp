@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/surface/surface_checks.hpp"
 #include "geometry/surface/winding.hpp"
 
@@ -192,11 +193,7 @@ struct Frame {
     double unit;
 
     explicit Frame(const std::vector<Vec3>& vertices) {
-        Vec3 low = vertices.front(), high = low;
-        for (const Vec3& v : vertices) {
-            low = low.cwiseMin(v);
-            high = high.cwiseMax(v);
-        }
+        const auto [low, high] = box_around(vertices);
         centre = 0.5 * low + 0.5 * high;
         const double size = (high - low).maxCoeff();
         if (!(std::isnormal(size) && (high - low).allFinite()))

@@ -15,7 +15,7 @@ struct Simplification {
     bool wanted() const { return faces > 0 || deviation > 0; }
 };
 
-/// What became of the surfaces that were simplified.
+/// Sums over the surfaces that were simplified.
 struct SimplifyCounts {
     std::size_t bodies = 0, before = 0, after = 0; ///< triangles
     double deviation = 0;                          ///< the greatest, a length

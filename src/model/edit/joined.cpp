@@ -127,11 +127,7 @@ std::vector<std::pair<Row, Row>> adjacent_pairs(const Model& model, const std::v
     std::vector<Box> boxes;
     for (const Row row : rows) {
         shapes.push_back(shape_of(model, row));
-        Box box{shapes.back().vertices.front(), shapes.back().vertices.front()};
-        for (const Vec3& v : shapes.back().vertices) {
-            box.low = box.low.cwiseMin(v);
-            box.high = box.high.cwiseMax(v);
-        }
+        const Box box = box_around(shapes.back().vertices);
         const Vec3 margin = Vec3::Constant(model.blocks.margin[row]);
         boxes.push_back({box.low - margin, box.high + margin});
     }
