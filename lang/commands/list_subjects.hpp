@@ -1,4 +1,4 @@
-// What the columns of a table of objects may be about: `block list velocity`, `list blocks show velocity`. The columns of each stand in
+// Words that choose the columns of a table of objects: `block list velocity`, `list blocks show velocity`. The columns of each stand in
 // src/commands/list/subject_columns.cpp.
 #pragma once
 

@@ -17,6 +17,23 @@ namespace kaya {
 
 namespace {
 
+const char* contact_type_text(ContactType type) {
+    static constexpr std::array names{"-",         "face-face",   "face-edge",    "face-vertex",
+                                      "edge-edge", "edge-vertex", "vertex-vertex"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller) {
+    static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
+    std::string text;
+    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if ((fixed & (1u << i)) != 0) add(names[i]);
+    const Roller& held = model.rollers[static_cast<std::size_t>(roller)];
+    for (std::int32_t k = 0; k < held.count; ++k) add(value_text(model, held.direction[static_cast<std::size_t>(k)]));
+    return text.empty() ? "-" : text;
+}
+
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
     if (info_of(kind).found_late) find_joints(session);
@@ -60,7 +77,10 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
 std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
     const auto& blocks = model.blocks;
     if (rows.empty()) return none_text(command, ObjectKind::block);
-    const auto fixed = [&](Row row) { return block_fixity_text(model, row); };
+    const auto fixed = [&](Row row) -> std::string {
+        if (blocks.deformable[row]) return "-";
+        return fixity_text(model, blocks.fixed[row], model.gridpoints.roller[blocks.gridpoints[row].first]);
+    };
     const std::vector<ListColumn> usual = {
         {"block", "id"},
         {"kind", [&](Row row) { return blocks.deformable[row] ? "deformable" : "rigid"; }},

@@ -3,16 +3,14 @@
 #include "lang/commands/list_subjects.hpp"
 
 #include <algorithm>
-#include <array>
-#include <fmt/format.h>
 #include <map>
-#include <stdexcept>
 
 namespace kaya {
 
 namespace {
 
-using Subjects = std::map<std::string_view, std::vector<ListColumn>>;
+using Columns = std::vector<ListColumn>;
+using Subjects = std::map<std::string_view, Columns>;
 using What = lang::List::What;
 
 /// The least or greatest coordinates of a block's gridpoints.
@@ -28,12 +26,13 @@ ListColumn corner(const Model& model, const char* title, bool greatest) {
             }};
 }
 
-Subjects of_blocks(const Model& model) {
-    const auto& blocks = model.blocks;
-    const ListColumn fixed("fixed", [&](Row row) { return block_fixity_text(model, row); });
-    const ListColumn kind("kind", [&](Row row) { return blocks.deformable[row] ? "deformable" : "rigid"; });
-    const ListColumn points("points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); });
-    const ListColumn zones("zones", [&](Row row) { return std::to_string(blocks.zones[row].count); });
+const ListColumn& column_of(const Columns& usual, std::string_view heading) {
+    return *std::ranges::find(usual, heading, &ListColumn::heading);
+}
+
+Subjects of_blocks(const Model& model, const Columns& usual) {
+    const ListColumn &fixed = column_of(usual, "fixed"), &kind = column_of(usual, "kind"),
+                     &points = column_of(usual, "points"), &zones = column_of(usual, "zones");
     return {{"position", {{"centroid", "position"}, "volume"}},
             {"velocity", {"velocity", "rotational_velocity"}},
             {"unbalanced-force", {"force"}},
@@ -44,18 +43,15 @@ Subjects of_blocks(const Model& model) {
             {"limits", {corner(model, "least", false), corner(model, "greatest", true)}}};
 }
 
-Subjects of_gridpoints(const Model& model) {
-    const auto& points = model.gridpoints;
-    const ListColumn fixed("fixed", [&](Row row) { return fixity_text(model, points.fixed[row], points.roller[row]); });
+Subjects of_gridpoints(const Columns& usual) {
     return {{"position", {"position"}}, {"displacement", {"displacement"}},
             {"velocity", {"velocity"}}, {"force", {"force"}},
             {"mass", {"mass"}},         {"pore-pressure", {"pore_pressure"}},
-            {"group", {"group"}},       {"apply", {"load", fixed}},
+            {"group", {"group"}},       {"apply", {"load", column_of(usual, "fixed")}},
             {"reaction", {"reaction"}}};
 }
 
-Subjects of_zones(const Model& model) {
-    const ListColumn volume("volume", [&](Row row) { return value_text(model, model.zones.volume[row]); }); // when made
+Subjects of_zones(const Columns& usual) {
     return {{"position", {{"centroid", "position"}}},
             {"stress",
              {{"sxx", "xx_stress"},
@@ -69,15 +65,12 @@ Subjects of_zones(const Model& model) {
             {"state", {"state"}},
             {"property", {"material", "bulk", "shear"}},
             {"pore-pressure", {"pore_pressure"}},
-            {"metric", {volume, "mass"}},
+            {"metric", {column_of(usual, "volume"), "mass"}},
             {"group", {"group"}}};
 }
 
-Subjects of_contacts(const Model& model) {
-    const auto& contacts = model.contacts;
-    const ListColumn parts("touch", [&](Row row) { return contact_type_text(contacts.type[row]); });
-    const ListColumn points("points", [&](Row row) { return std::to_string(contacts.sub_contacts[row].count); });
-    return {{"type", {parts, points}},
+Subjects of_contacts(const Columns& usual) {
+    return {{"type", {column_of(usual, "touch"), column_of(usual, "points")}},
             {"position", {"position", "area"}},
             {"orientation", {"normal"}},
             {"joint-set", {"joint_set"}},
@@ -85,12 +78,12 @@ Subjects of_contacts(const Model& model) {
             {"group", {"group"}}};
 }
 
-Subjects subjects_of(const Model& model, What what) {
+Subjects subjects_of(const Model& model, What what, const Columns& usual) {
     switch (what) {
-    case What::blocks: return of_blocks(model);
-    case What::gridpoints: return of_gridpoints(model);
-    case What::zones: return of_zones(model);
-    case What::contacts: return of_contacts(model);
+    case What::blocks: return of_blocks(model, usual);
+    case What::gridpoints: return of_gridpoints(usual);
+    case What::zones: return of_zones(usual);
+    case What::contacts: return of_contacts(usual);
     case What::faces:
         return {{"position", {"position", "normal", "area"}}, {"vertices", {"vertex_count"}}, {"group", {"group"}}};
     case What::sub_contacts:
@@ -116,35 +109,11 @@ std::size_t names_of(What what) {
 
 } // namespace
 
-const char* contact_type_text(ContactType type) {
-    static constexpr std::array names{"-",         "face-face",   "face-edge",    "face-vertex",
-                                      "edge-edge", "edge-vertex", "vertex-vertex"};
-    return names[static_cast<std::size_t>(type)];
-}
-
-std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller) {
-    static constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
-    std::string text;
-    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if ((fixed & (1u << i)) != 0) add(names[i]);
-    const Roller& held = model.rollers[static_cast<std::size_t>(roller)];
-    for (std::int32_t k = 0; k < held.count; ++k) add(value_text(model, held.direction[static_cast<std::size_t>(k)]));
-    return text.empty() ? "-" : text;
-}
-
-std::string block_fixity_text(const Model& model, Row block) {
-    const auto& blocks = model.blocks;
-    if (blocks.deformable[block]) return "-";
-    return fixity_text(model, blocks.fixed[block], model.gridpoints.roller[blocks.gridpoints[block].first]);
-}
-
-std::vector<ListColumn> subject_columns(const Model& model, const lang::List& command,
-                                        const std::vector<ListColumn>& usual) {
+std::vector<ListColumn> subject_columns(const Model& model, const lang::List& command, const Columns& usual) {
     if (command.subjects.empty()) return usual;
     const auto names = static_cast<std::ptrdiff_t>(names_of(*command.what));
-    std::vector<ListColumn> columns(usual.begin(), usual.begin() + names);
-    const Subjects subjects = subjects_of(model, *command.what);
+    Columns columns(usual.begin(), usual.begin() + names);
+    const Subjects subjects = subjects_of(model, *command.what, usual);
     for (const std::string& subject : command.subjects) {
         // A subject that is not here is the usual column of the same name.
         const auto found = subjects.find(subject);

@@ -10,11 +10,4 @@ namespace kaya {
 std::vector<ListColumn> subject_columns(const Model& model, const lang::List& command,
                                         const std::vector<ListColumn>& usual);
 
-/// The kinds of parts that touch: "face-edge".
-const char* contact_type_text(ContactType type);
-/// Directions in which a body is held: "x y rz"; "-" for none.
-std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t roller);
-/// The same of a block; "-" for one with zones, whose gridpoints are held.
-std::string block_fixity_text(const Model& model, Row block);
-
 } // namespace kaya
