@@ -15,12 +15,14 @@ local function truth(value)
     return value and 1 or 0
 end
 
-local function need(kind, value, name)
+-- A function's first argument, which has to be of that kind.
+function runtime.need(kind, value, name)
     if kind_of(value) ~= kind then
         stop(("the first argument of '%s' must be a %s, here it is %s"):format(name, kind, describe(value)), "")
     end
     return value
 end
+local need = runtime.need
 
 local function need_text(value, name)
     if type(value) ~= "string" then

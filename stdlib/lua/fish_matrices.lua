@@ -3,26 +3,13 @@
 
 local runtime, native = ...
 local stop, describe, whole = native.stop, native.describe, native.whole
-local own, kind_of, make_list = runtime.own, runtime.kind_of, runtime.make_list
+local own, kind_of, make_list, need = runtime.own, runtime.kind_of, runtime.make_list, runtime.need
+local operations = runtime.operations
 local types, new_matrix, place_in_tensor = runtime.types, runtime.make_matrix, runtime.place_in_tensor
 local rows = {}
 
 local function define(name, least, most, read)
     rows[#rows + 1] = { name, least, most, read }
-end
-
-local function need(kind, value, name)
-    if kind_of(value) ~= kind then
-        stop(("the first argument of '%s' must be a %s, here it is %s"):format(name, kind, describe(value)), "")
-    end
-    return value
-end
-
-local function plus(a, b)
-    return a + b
-end
-local function minus(a, b)
-    return a - b
 end
 
 -- --- tensors ------------------------------------------------------------------------------------------
@@ -56,10 +43,9 @@ local function of_tensor(event, sign, apply)
         return setmetatable(result, types.tensor)
     end
 end
-of_tensor("__add", "+", plus)
-of_tensor("__sub", "-", minus)
-of_tensor("__mul", "*", function(a, b) return a * b end)
-of_tensor("__div", "/", function(a, b) return runtime.ratio(a, b) end)
+for event, operation in pairs(operations) do
+    of_tensor(event, operation[2], operation[1])
+end
 
 -- --- making and combining matrices --------------------------------------------------------------------
 
@@ -143,8 +129,8 @@ local function sum_of_matrices(apply)
         end
     end
 end
-of_matrix("__add", "+", sum_of_matrices(plus))
-of_matrix("__sub", "-", sum_of_matrices(minus))
+of_matrix("__add", "+", sum_of_matrices(operations.__add[1]))
+of_matrix("__sub", "-", sum_of_matrices(operations.__sub[1]))
 
 local function product_of_matrices(left, right)
     local columns = right.columns

@@ -421,11 +421,11 @@ local operations = {
     __add = { function(a, b) return a + b end, "+" },
     __sub = { function(a, b) return a - b end, "-" },
     __mul = { function(a, b) return a * b end, "*" },
+    __div = { function(a, b) return runtime.ratio(a, b) end, "/" },
 }
 for event, operation in pairs(operations) do
     types.list[event] = elementwise(operation[1], operation[2])
 end
-types.list.__div = elementwise(function(a, b) return runtime.ratio(a, b) end, "/")
 
 local function same(left, right)
     if rawequal(left, right) then
@@ -460,7 +460,7 @@ end
 
 runtime.own, runtime.kind_of, runtime.keys_of, runtime.make_list = own, kind_of, keys_of, new_list
 runtime.types, runtime.structures, runtime.most_elements = types, structures, 2 ^ 27
-runtime.make_matrix, runtime.place_in_tensor = new_matrix, place_in_tensor
+runtime.make_matrix, runtime.place_in_tensor, runtime.operations = new_matrix, place_in_tensor, operations
 
 -- What FISH prints.
 function runtime.text(value)
