@@ -280,9 +280,9 @@ std::vector<Vec2> graded_points_of(const Drawing& drawing, const Spacing& spacin
         low = low.cwiseMin(c);
         high = high.cwiseMax(c);
     }
-    const auto inside = [&](const Vec3& p, double edge) { return drawing.depth({p.x(), p.y()}) >= clearance * edge; };
+    const Room room{[&](const Vec3& p) { return drawing.depth({p.x(), p.y()}); }, clearance};
     std::vector<Vec2> points;
-    for (const Vec3& p : graded_points({low.x(), low.y(), 0}, {high.x(), high.y(), 0}, spacing, inside))
+    for (const Vec3& p : graded_points({low.x(), low.y(), 0}, {high.x(), high.y(), 0}, spacing, room))
         points.emplace_back(p.x(), p.y());
     return points;
 }

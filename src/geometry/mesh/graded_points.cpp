@@ -31,9 +31,8 @@ double distance(const Candidate& a, const Candidate& b) {
 /// Finds lattice points in boxes that are divided until edges are nearly uniform in each.
 class Search {
 public:
-    Search(const Vec3& low, const Vec3& high, const Spacing& spacing,
-           const std::function<bool(const Vec3&, double)>& fits)
-        : anchor_(0.5 * (low + high)), flat_(low.z() == high.z()), spacing_(spacing), fits_(fits),
+    Search(const Vec3& low, const Vec3& high, const Spacing& spacing, const Room& room)
+        : anchor_(0.5 * (low + high)), flat_(low.z() == high.z()), spacing_(spacing), room_(room),
           steepness_(spacing.finer.empty() ? spacing.change : std::max(spacing.change, Spacing::growth)) {
         const Vec3 half = 0.5 * (high - low);
         coarsest_ = spacing.field(anchor_) + spacing.change * half.norm();
@@ -53,7 +52,9 @@ private:
 
     void visit(const Vec3& centre, const Vec3& half, const std::vector<FinePlace>& finer) {
         stops_.pass();
-        const double edge = edge_at(centre, finer), reach = half.norm();
+        const double reach = half.norm();
+        if (room_.depth(centre) < -reach) return; // all of this box is outside
+        const double edge = edge_at(centre, finer);
         std::vector<FinePlace> near; // that can be the finest somewhere in this box
         for (const FinePlace& f : finer)
             if (f.edge + Spacing::growth * ((centre - f.place).norm() - reach) <= edge + steepness_ * reach)
@@ -86,35 +87,66 @@ private:
     void lattice(const Vec3& centre, const Vec3& half, int level, const std::vector<FinePlace>& finer) {
         const double size = coarsest_ * std::pow(level_ratio, level);
         const Vec3 cell = flat_ ? Vec3(size, std::sqrt(3.0) * size, 1) : Vec3::Constant(lattice_cell(size));
-        const Vec3 low = centre - half, high = centre + half;
-        std::array<std::int64_t, 3> from{}, to{};
+        Cells cells{cell, centre - half, centre + half, level};
         for (int k = 0; k < (flat_ ? 2 : 3); ++k) {
-            from[k] = static_cast<std::int64_t>(std::floor((low[k] - anchor_[k]) / cell[k])) - 1;
-            to[k] = static_cast<std::int64_t>(std::ceil((high[k] - anchor_[k]) / cell[k]));
+            cells.from[k] = static_cast<std::int64_t>(std::floor((cells.low[k] - anchor_[k]) / cell[k])) - 1;
+            cells.to[k] = static_cast<std::int64_t>(std::ceil((cells.high[k] - anchor_[k]) / cell[k]));
         }
-        for (std::int64_t k = from[2]; k <= to[2]; ++k)
-            for (std::int64_t j = from[1]; j <= to[1]; ++j)
-                for (std::int64_t i = from[0]; i <= to[0]; ++i)
-                    for (const double shift : {0.0, 0.5}) {
-                        stops_.pass();
-                        const Vec3 steps(static_cast<double>(i) + shift, static_cast<double>(j) + shift,
-                                         flat_ ? 0 : static_cast<double>(k) + shift);
-                        consider(anchor_ + steps.cwiseProduct(cell), low, high, level, finer);
-                    }
+        visit(cells, finer);
     }
 
-    void consider(const Vec3& x, const Vec3& low, const Vec3& high, int level, const std::vector<FinePlace>& finer) {
+    /// Cells of a lattice in a box, each with a point at its lower corner and one in its middle.
+    struct Cells {
+        Vec3 size, low, high; ///< the box is from low to high
+        int level;
+        std::array<std::int64_t, 3> from{}, to{}; ///< inclusive
+    };
+
+    /// In the order of z, y and x, whatever is left out because it is outside.
+    void visit(const Cells& cells, const std::vector<FinePlace>& finer) {
+        stops_.pass();
+        /// Shorter rows are not worth a division.
+        constexpr std::int64_t short_row = 8;
+        int widest = 2; // the slowest index that has more than one value
+        while (widest > 0 && cells.from[widest] == cells.to[widest]) --widest;
+        if (widest == 0 && cells.to[0] - cells.from[0] < short_row) {
+            for (std::int64_t i = cells.from[0]; i <= cells.to[0]; ++i)
+                for (const double shift : {0.0, 0.5}) {
+                    const Vec3 steps(static_cast<double>(i) + shift, static_cast<double>(cells.from[1]) + shift,
+                                     flat_ ? 0 : static_cast<double>(cells.from[2]) + shift);
+                    consider(anchor_ + steps.cwiseProduct(cells.size), cells, finer);
+                }
+            return;
+        }
+        Vec3 first, last;
+        for (int k = 0; k < 3; ++k) {
+            first[k] = static_cast<double>(cells.from[k]);
+            last[k] = static_cast<double>(cells.to[k]) + 0.5;
+        }
+        if (flat_) last.z() = 0;
+        const Vec3 middle = anchor_ + (0.5 * (first + last)).cwiseProduct(cells.size);
+        if (room_.depth(middle) < -0.5 * (last - first).cwiseProduct(cells.size).norm()) return;
+        Cells part = cells;
+        part.to[widest] = cells.from[widest] + (cells.to[widest] - cells.from[widest]) / 2;
+        visit(part, finer);
+        part.from[widest] = part.to[widest] + 1;
+        part.to[widest] = cells.to[widest];
+        visit(part, finer);
+    }
+
+    void consider(const Vec3& x, const Cells& cells, const std::vector<FinePlace>& finer) {
         for (int k = 0; k < (flat_ ? 2 : 3); ++k)
-            if (x[k] < low[k] || x[k] >= high[k]) return;
+            if (x[k] < cells.low[k] || x[k] >= cells.high[k]) return;
         const double edge = edge_at(x, finer);
-        if (std::lround(std::log(edge / coarsest_) / std::log(level_ratio)) != level || !fits_(x, edge)) return;
-        found.push_back({x, edge, level});
+        if (std::lround(std::log(edge / coarsest_) / std::log(level_ratio)) != cells.level) return;
+        if (!(room_.depth(x) >= room_.clearance * edge)) return;
+        found.push_back({x, edge, cells.level});
     }
 
     Vec3 anchor_;
     bool flat_;
     const Spacing& spacing_;
-    const std::function<bool(const Vec3&, double)>& fits_;
+    const Room& room_;
     double steepness_, coarsest_;
     StopPoints stops_;
 };
@@ -152,9 +184,8 @@ private:
 
 } // namespace
 
-std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing,
-                                const std::function<bool(const Vec3&, double)>& fits) {
-    std::vector<Candidate> candidates = Search(low, high, spacing, fits).found;
+std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing, const Room& room) {
+    std::vector<Candidate> candidates = Search(low, high, spacing, room).found;
     std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.level > b.level; });
     std::vector<Vec3> points;
     if (candidates.empty()) return points;

@@ -24,9 +24,14 @@ struct Spacing {
     static constexpr double growth = 0.35;
 };
 
+/// Where points may lie: `clearance` times their edge inside.
+struct Room {
+    std::function<double(const Vec3&)> depth; ///< below 0 outside, where it changes no more than the distance does
+    double clearance;
+};
+
 /// Lattice points of many sizes in a box, each where its size is required, and none too near to another. A body-centred cubic lattice; a
-/// triangular one in a box without height. `fits` decides whether a point may lie at a place with edges of that length.
-std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing,
-                                const std::function<bool(const Vec3&, double)>& fits);
+/// triangular one in a box without height.
+std::vector<Vec3> graded_points(const Vec3& low, const Vec3& high, const Spacing& spacing, const Room& room);
 
 } // namespace kaya

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace kaya {
 
@@ -72,10 +73,12 @@ void add_graded_points(const Polyhedron& polyhedron, const Spacing& spacing, dou
     const std::vector<Plane> walls = walls_of(polyhedron);
     const auto [low, high] = box_around(polyhedron.vertices);
     const std::size_t on_surface = points.points.size();
-    const auto inside = [&](const Vec3& x, double edge) {
-        return std::ranges::all_of(walls, [&](const Plane& wall) { return wall.distance(x) <= -clearance * edge; });
+    const auto depth = [&](const Vec3& x) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Plane& wall : walls) least = std::min(least, -wall.distance(x));
+        return least;
     };
-    for (const Vec3& x : graded_points(low, high, spacing, inside)) points.add(x, {});
+    for (const Vec3& x : graded_points(low, high, spacing, {depth, clearance})) points.add(x, {});
     if (centre && points.points.size() == on_surface) points.add(mass_properties(polyhedron).centroid, {});
 }
 

@@ -142,7 +142,8 @@ bool turn_edge(ChangeableTets& mesh, int a, int b, const std::vector<std::vector
 } // namespace
 
 ChangeableTets::ChangeableTets(MeshPoints mesh_points, const std::vector<Tet>& given)
-    : points(std::move(mesh_points)), at_point(points.points.size()), changed_at_(points.points.size(), 1) {
+    : points(std::move(mesh_points)), at_point(points.points.size()), changed_at_(points.points.size(), 1),
+      settled_(points.points.size(), 0) {
     for (const auto& faces : points.faces) motions.push_back({faces.empty() ? Freedom::anywhere : Freedom::nowhere});
     for (const Tet& t : given) add(t, 0);
 }
@@ -173,6 +174,7 @@ int ChangeableTets::add_point(const Vec3& x, std::vector<int> on_faces, Motion m
     motions.push_back(motion);
     at_point.emplace_back();
     changed_at_.push_back(0);
+    settled_.push_back(0);
     return static_cast<int>(points.points.size()) - 1;
 }
 
@@ -198,8 +200,9 @@ void ChangeableTets::has_moved(int point) {
 }
 
 std::vector<int> ChangeableTets::around_edge(int a, int b) const {
+    if (at_point[b].size() < at_point[a].size()) std::swap(a, b);
     std::vector<int> result;
-    for (const int t : at_point[a])
+    for (const int t : at_point[a]) // in the order in which they were added, whichever end it is
         if (std::find(tets[t].begin(), tets[t].end(), b) != tets[t].end()) result.push_back(t);
     return result;
 }

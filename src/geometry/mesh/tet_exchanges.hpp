@@ -41,7 +41,13 @@ public:
         return std::ranges::any_of(tets[number], [&](int v) { return changed_at_[v] > seen_[number]; });
     }
     void mark_seen(int number) { seen_[number] = ++clock_; }
-    void revisit_all() { std::ranges::fill(seen_, 0); }
+    /// Whether anything around a point has changed since no better place was found for it.
+    bool can_move(int point) const { return changed_at_[point] > settled_[point]; }
+    void mark_settled(int point) { settled_[point] = ++clock_; }
+    void revisit_all() {
+        std::ranges::fill(seen_, 0);
+        std::ranges::fill(settled_, 0);
+    }
     void has_moved(int point);
     std::vector<int> around_edge(int a, int b) const;
 
@@ -59,7 +65,8 @@ public:
 
 private:
     std::size_t clock_ = 1;
-    std::vector<std::size_t> changed_at_, seen_; ///< points, tetrahedra
+    std::vector<std::size_t> changed_at_, settled_; ///< points
+    std::vector<std::size_t> seen_;                 ///< tetrahedra
 };
 
 /// Removes the edge from the mesh when the tetrahedra that fill the ring around it are better (Klincsek 1980; de l'Isle and George 1995).

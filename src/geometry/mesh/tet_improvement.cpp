@@ -102,6 +102,7 @@ std::vector<Vec3> directions_of(const Motion& motion) {
 
 /// Climbs to where the worst tetrahedron at the point is best.
 bool move_point(ChangeableTets& mesh, int point) {
+    if (!mesh.can_move(point)) return false;
     const std::vector<Vec3> directions = directions_of(mesh.motions[point]);
     if (directions.empty()) return false;
     WorstAt worst_at(mesh, point);
@@ -121,6 +122,7 @@ bool move_point(ChangeableTets& mesh, int point) {
         if (target == here) step /= 2;
     }
     if (best > start) mesh.has_moved(point);
+    else mesh.mark_settled(point);
     return best > start;
 }
 

@@ -56,11 +56,27 @@ TEST(GradedMesh, PointsOfASplinterOfTwentyKilometres) {
     };
     spacing.change = 0.36;
     for (const double width : {1e-3, 1e-9}) {
-        const auto points =
-            graded_points({0, 0, 0}, {width, 20000, 0}, spacing, [](const Vec3&, double) { return true; });
+        const auto points = graded_points({0, 0, 0}, {width, 20000, 0}, spacing, {[](const Vec3&) { return 1.0; }, 0});
         EXPECT_GT(points.size(), 5000u) << width;
         EXPECT_LT(points.size(), 40000u) << width;
     }
+}
+
+/// Boxes outside of a block are left alone: a rod along the diagonal has 10^8 places for points in the box around it.
+TEST(GradedMesh, PointsOfARodAcrossTheAxes) {
+    Spacing spacing;
+    spacing.field = [](const Vec3& x) { return 5 + 3e-4 * x.norm(); };
+    spacing.change = 3e-4;
+    const Vec3 end = Vec3::Constant(2000), along = end.normalized();
+    std::size_t asked = 0;
+    const auto depth = [&](const Vec3& x) {
+        ++asked;
+        return 10 - (x - x.dot(along) * along).norm();
+    };
+    const auto points = graded_points(Vec3::Zero(), end, spacing, {depth, 0.5});
+    EXPECT_GT(points.size(), 3000u) << asked;
+    EXPECT_LT(asked, 4e6);
+    for (const Vec3& x : points) EXPECT_GE(depth(x), 0.5 * spacing.field(x));
 }
 
 } // namespace

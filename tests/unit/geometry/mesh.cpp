@@ -162,3 +162,13 @@ TEST(Mesh, SplintersBetweenJointsAreFilledToo) {
     EXPECT_GT(blocks.size(), 100u);
     EXPECT_GT(splinters, 3);
 }
+
+TEST(Mesh, NeedlesAcrossTheAxesAreFilledToo) {
+    // Zones meet at few points, and most cannot be improved: a point that found no better place must not be tried at each of them.
+    for (const Vec3& tip : {Vec3(1500, 1500, 1500), Vec3(2500, 80, 120), Vec3(-1500, 40, 2200)}) {
+        const Polyhedron needle = make_tetrahedron({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), tip});
+        const TetMesh m = make_mesh(needle, 20);
+        expect_sound(needle, m);
+        EXPECT_GT(m.tetrahedra.size(), 300u);
+    }
+}
