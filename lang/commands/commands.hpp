@@ -173,7 +173,9 @@ using ControlCommands = CommandList<New, Config, Title, Pause, ReadDialect, Set,
 using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
 using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
 using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, CutPolygons, Densify, Join, JoinContact>;
-using SurfaceCommands = CommandList<GeometryCommand, FractureCommand>;
+using SurfaceCommands = CommandList<GeometryCommand>;
+using FractureCommands =
+    CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport, FractureMeasure>;
 using ExchangeCommands = CommandList<Import, Export>;
 using SelectionCommands = CommandList<Group, Mark, MarkJoint, Excavate, Fill, Copy>;
 using GeometryCommands = CommandList<Hide, Seek, Delete, FaceTriangulation, GenerateEdge, GenerateQuad>;
@@ -196,11 +198,11 @@ using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fract
 using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, FishSetting, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =
-    CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, SurfaceCommands, ExchangeCommands,
-                 SelectionCommands, GeometryCommands, MaterialCommands, ZoneModelCommands, DensityCommands,
-                 NewContactCommands, BoundaryCommands, InitialStateCommands, TableCommands, WaterCommands,
-                 SlopeCommands, StructureCommands, HistoryCommands, ListCommands, PlotCommands, MovieCommands,
-                 SolutionCommands, ScriptCommands>;
+    CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, SurfaceCommands, FractureCommands,
+                 ExchangeCommands, SelectionCommands, GeometryCommands, MaterialCommands, ZoneModelCommands,
+                 DensityCommands, NewContactCommands, BoundaryCommands, InitialStateCommands, TableCommands,
+                 WaterCommands, SlopeCommands, StructureCommands, HistoryCommands, ListCommands, PlotCommands,
+                 MovieCommands, SolutionCommands, ScriptCommands>;
 using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
 
 template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});

@@ -222,8 +222,9 @@ Family geometry() {
         }};
     auto& commands = family.commands;
     auto cuts = cut_commands(), shapes = shape_commands(), selection = selection_commands(),
-         surfaces = surface_commands();
-    for (const auto& more : {selection, cuts, surfaces}) commands.insert(commands.end(), more.begin(), more.end());
+         surfaces = surface_commands(), fractures = fracture_commands();
+    for (const auto& more : {selection, cuts, surfaces, fractures})
+        commands.insert(commands.end(), more.begin(), more.end());
     commands.insert(commands.begin(), shapes.begin(), shapes.end());
     return family;
 }

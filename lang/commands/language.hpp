@@ -23,7 +23,8 @@ Family not_supported_yet(); ///< known words that are refused
 std::vector<CommandSpec> shape_commands();     ///< poly ...
 std::vector<CommandSpec> cut_commands();       ///< jset
 std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
-std::vector<CommandSpec> surface_commands();   ///< geometry, fracture, cut geometry
+std::vector<CommandSpec> surface_commands();   ///< geometry, cut geometry, cut dfn
+std::vector<CommandSpec> fracture_commands();  ///< fracture
 
 /// Parts of the family boundary.
 CommandSpec insitu();

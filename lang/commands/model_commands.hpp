@@ -269,6 +269,44 @@ struct FractureCommand {
     double dip = 0, dip_direction = 0, size = 1; ///< degrees; size: the diameter
     Place place;
 };
+/// fracture template create|delete: orientations and sizes to draw fractures from.
+struct FractureTemplate {
+    std::string name;
+    bool remove = false;
+    enum class Orientation { uniform, fisher, gauss } orientation = Orientation::uniform;
+    std::array<double, 4> angles{}; ///< dip, direction, kappa; or dip, its deviation, direction, its deviation; degrees
+    enum class Size { power_law, log_normal, gauss, exponential, uniform };
+    std::optional<Size> size;
+    std::array<double, 2> sizes{}; ///< exponent; or mean, deviation
+    std::optional<std::array<double, 2>> dip_limits, dip_direction_limits, size_limits;
+    Place place;
+};
+/// fracture generate: fractures drawn from a template.
+struct FractureGenerate {
+    std::string source;  ///< the template; "": the one that was made last
+    std::string network; ///< "": the network without a name
+    std::optional<std::int64_t> count;
+    std::optional<double> area;      ///< per volume of the box
+    std::optional<double> crossings; ///< per length of the line
+    std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
+    std::optional<std::array<double, 6>> box; ///< least and greatest x, y, z; none: that around the model
+    std::int64_t seed = 1;
+    Place place;
+};
+/// fracture import from-file FILE: lines of centre, dip, dip direction, diameter.
+struct FractureImport {
+    std::string file;
+    std::string network; ///< "": the network without a name
+    Place place;
+};
+/// fracture compute p10|mass-density|center-density; fracture list.
+struct FractureMeasure {
+    enum class What { list, crossings, area, number } what = What::list;
+    std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
+    std::optional<std::array<double, 6>> box;
+    std::optional<std::string> network; ///< none: all
+    Place place;
+};
 /// cut geometry SET | cut dfn NETWORK: by the plane of each polygon or fracture.
 struct CutPolygons {
     bool fractures = false;

@@ -1,4 +1,4 @@
-// Surfaces and networks of fractures, and cuts by them.
+// Surfaces, and cuts by them and by networks of fractures.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -81,38 +81,6 @@ CommandSpec delete_set() {
     return entry;
 }
 
-CommandSpec create_fracture() {
-    Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"create"});
-    entry.help("adds a disc to a network of fractures").place(&FractureCommand::place);
-    entry.keyword({"position"}, vector("x y z").unit("length"), &FractureCommand::position,
-                  "centre; the origin if not given");
-    entry.keyword({"dip"}, real("dip").unit("degrees"), &FractureCommand::dip,
-                  "angle below the horizontal, 0 if not given");
-    entry.keyword({"dip-direction", "dd"}, real("dd").unit("degrees"), &FractureCommand::dip_direction,
-                  "direction of dip, clockwise from +y seen from above, 0 if not given");
-    entry.keyword({"size"}, real("d").unit("length").above(0), &FractureCommand::size, "diameter, 1 if not given");
-    entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
-    entry.not_yet({"group", "dominance", "dfn-dominance", "intersection-set"}, "groups and ranks of fractures");
-    entry.right("fracture create position 0.5 0.5 0.5 dip 30 dip-direction 90 size 4 dfn 'faults'");
-    entry.right("fracture create");
-    entry.wrong("fracture create size 0", "size must be greater than 0, not 0");
-    entry.wrong("fracture create dpi 30", "'dpi' is not a keyword of fracture create");
-    return entry;
-}
-
-CommandSpec delete_fractures() {
-    Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"delete"});
-    entry.help("deletes a network of fractures");
-    entry.start([](const Statement& statement, FractureCommand& command) {
-        command.remove = true;
-        command.place = statement.words.front().place;
-    });
-    entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
-    entry.right("fracture delete dfn 'faults'").right("fracture delete");
-    entry.wrong("fracture delete 'faults'", "expected a keyword of fracture delete, found the text 'faults'");
-    return entry;
-}
-
 Entry<CutPolygons> cut_line(const char* form, bool fractures) {
     Entry<CutPolygons> entry({"cut"}, {form});
     entry.start([fractures](const Statement& statement, CutPolygons& command) {
@@ -149,8 +117,7 @@ CommandSpec cut_fractures() {
 } // namespace
 
 std::vector<CommandSpec> surface_commands() {
-    return {choose_set(),      import_surface(),   create_polygon(), delete_set(),
-            create_fracture(), delete_fractures(), cut_geometry(),   cut_fractures()};
+    return {choose_set(), import_surface(), create_polygon(), delete_set(), cut_geometry(), cut_fractures()};
 }
 
 } // namespace kaya::lang

@@ -8,7 +8,8 @@ namespace kaya::lang {
 const Language& modern() {
     static const Language language = {
         {model_family(), program_family(), create_family(), block_family(), contact_family(), gridpoint_family(),
-         zone_family(), structure_family(), surface_family(), other_family(), unsupported_family(), script()},
+         zone_family(), structure_family(), surface_family(), fracture_family(), other_family(), unsupported_family(),
+         script()},
         modern_ranges().elements,
     };
     return language;

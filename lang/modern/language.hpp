@@ -29,7 +29,8 @@ Family contact_family();
 Family gridpoint_family();
 Family zone_family();
 Family structure_family();
-Family surface_family(); ///< geometry, fracture
+Family surface_family(); ///< geometry
+Family fracture_family();
 Family other_family();
 Family unsupported_family(); ///< known words that are refused
 

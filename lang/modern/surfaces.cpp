@@ -1,4 +1,4 @@
-// geometry, fracture, block cut geometry and dfn: surfaces and networks of fractures.
+// geometry, block cut geometry and dfn: surfaces, and cuts by them and by fractures.
 #include "lang/modern/language.hpp"
 #include "lang/modern/leaf.hpp"
 
@@ -43,27 +43,6 @@ CommandSpec delete_set() {
     return leaf;
 }
 
-CommandSpec create_fracture() {
-    Leaf<FractureCommand> leaf("fracture create", "fracture create");
-    leaf.word("position", "position").word("dip", "dip").word("dip-direction", "dip-direction");
-    leaf.word("size", "size").word("dfn", "dfn");
-    leaf.not_yet({"group", "dominance", "dfn-dominance", "intersection-set"}, "groups and ranks of fractures");
-    leaf.no_effect("skip-errors", "accepted, without effect");
-    leaf.right("fracture create position 0.5 0.5 0.5 dip 30 dip-direction 90 size 4 dfn 'faults'",
-               "fracture create position 0.5 0.5 0.5 dip 30 dd 90 size 4 dfn faults");
-    leaf.wrong("fracture create szie 1", "'szie' is not a keyword of fracture create");
-    return leaf;
-}
-
-CommandSpec delete_fractures() {
-    Leaf<FractureCommand> leaf("fracture delete", "fracture delete");
-    leaf.word("dfn", "dfn");
-    leaf.not_yet({"range"}, "parts of a network");
-    leaf.right("fracture delete dfn 'faults'", "fracture delete dfn faults");
-    leaf.wrong("fracture delete dnf 'faults'", "'dnf' is not a keyword of fracture delete");
-    return leaf;
-}
-
 CommandSpec cut_geometry() {
     Leaf<CutPolygons> leaf("block cut geometry", "cut geometry");
     leaf.arguments_of_meaning().ranged(&CutPolygons::range);
@@ -84,9 +63,8 @@ CommandSpec cut_fractures() {
 
 Family surface_family() {
     return {"geometry",
-            "surfaces and fractures, for cuts",
-            {choose_set(), import_surface(), create_polygon(), delete_set(), create_fracture(), delete_fractures(),
-             cut_geometry(), cut_fractures(),
+            "surfaces, for cuts",
+            {choose_set(), import_surface(), create_polygon(), delete_set(), cut_geometry(), cut_fractures(),
              ignored_line("geometry edge|node create", "lines and points of surfaces", "only polygons cut blocks",
                           "geometry edge create by-positions 0 0 0 1 0 0")}};
 }

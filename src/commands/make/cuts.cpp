@@ -3,6 +3,7 @@
 #include "commands/session/handlers.hpp"
 
 #include "commands/session/long_work.hpp"
+#include "commands/make/networks.hpp"
 #include "commands/session/plausible.hpp"
 
 #include "base/lower_case.hpp"
@@ -95,6 +96,23 @@ void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pie
     for (std::size_t i = 1; i < pieces.size(); ++i)
         if (cut.pieces[i].parent == cut.pieces[i - 1].parent) pairs.emplace_back(pieces[i - 1], pieces[i]);
     join_pairs(model, pairs);
+}
+
+/// Those of a set, or the discs of a network.
+std::vector<CuttingPolygon> polygons_of(const SurfaceSets& sets, const lang::CutPolygons& command) {
+    const std::string name = lower_case(command.set);
+    std::vector<CuttingPolygon> polygons;
+    if (command.fractures) {
+        for (const Disc& disc : network_named(sets, name, command.place))
+            polygons.push_back({rim_of(disc), {normal_of(disc), disc.centre}});
+        return polygons;
+    }
+    const auto found = sets.surfaces.find(name);
+    if (found == sets.surfaces.end())
+        throw Diagnostic(fmt::format("there is no set of surfaces named '{}'", command.set),
+                         "make it before: geometry set 'name', geometry import 'file'");
+    for (const auto& polygon : found->second) polygons.push_back(cutting_polygon(polygon, polygons.size()));
+    return polygons;
 }
 
 } // namespace
@@ -203,24 +221,19 @@ void run(Session& session, const lang::CutGround& command) {
 }
 
 void run(Session& session, const lang::CutPolygons& command) {
-    const auto& sets = command.fractures ? session.surface_sets.fractures : session.surface_sets.surfaces;
-    const auto found = sets.find(lower_case(command.set));
     const char* what = command.fractures ? "network of fractures" : "set of surfaces";
-    if (found == sets.end())
-        throw Diagnostic(fmt::format("there is no {} named '{}'", what, command.set),
-                         command.fractures ? "make it before: fracture create dfn 'name' ..."
-                                           : "make it before: geometry set 'name', geometry import 'file'")
-            .at(command.place);
-    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
-    if (rows.empty()) return;
     try {
+        const std::vector<CuttingPolygon> polygons = polygons_of(session.surface_sets, command);
+        const std::vector<Row> rows =
+            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        if (rows.empty()) return;
         Model& model = session.model;
         const double thinnest = thinnest_part * model_size(model);
         const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
         const std::string name =
             fmt::format("{} {}, joint set {}", command.fractures ? "dfn" : "geometry", command.set, id);
         LongWork work(session, name);
-        const CutBlocks cut = cut_by_polygons(shapes_of(model, rows), found->second, id, thinnest, std::ref(work));
+        const CutBlocks cut = cut_by_polygons(shapes_of(model, rows), polygons, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut, thinnest, name);
         if (command.join) join_pieces(model, cut, pieces);
         if (cut.parents.empty())

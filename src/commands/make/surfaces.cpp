@@ -1,15 +1,11 @@
-// geometry, fracture: surfaces and networks of fractures.
+// geometry: surfaces.
 #include "commands/session/handlers.hpp"
 
 #include "base/lower_case.hpp"
-#include "geometry/polyhedra/plane.hpp"
 #include "geometry/read/surface_files.hpp"
 
-#include <Eigen/Geometry>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace kaya {
 
@@ -20,12 +16,6 @@ std::string set_of(const Session& session, const lang::GeometryCommand& command)
     if (!command.set.empty()) return lower_case(command.set);
     if (!session.surface_sets.current.empty()) return session.surface_sets.current;
     throw Diagnostic("there is no set of surfaces yet", "write before: geometry set 'name'").at(command.place);
-}
-
-void erase(std::map<std::string, PolygonSet>& sets, const std::string& name, std::string_view what,
-           const Place& place) {
-    if (sets.erase(name) > 0) return;
-    throw Diagnostic(fmt::format("there is no {} named '{}'", what, name), "look at its name").at(place);
 }
 
 PolygonSet faces_in(Session& session, const lang::GeometryCommand& command) {
@@ -53,19 +43,6 @@ PolygonSet polygons_of(const lang::GeometryCommand& command) {
     }
     polygons.push_back(std::move(moved));
     return polygons;
-}
-
-/// A disc as a polygon of so many corners.
-std::vector<Vec3> disc(const lang::FractureCommand& fracture) {
-    constexpr int corners = 32;
-    const Vec3 normal = normal_from_dip(fracture.dip, fracture.dip_direction);
-    const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
-    std::vector<Vec3> rim;
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * k / corners;
-        rim.push_back(fracture.position + 0.5 * fracture.size * (std::cos(angle) * one + std::sin(angle) * other));
-    }
-    return rim;
 }
 
 } // namespace
@@ -96,17 +73,12 @@ void run(Session& session, const lang::GeometryCommand& command) {
     }
     case remove: {
         const std::string name = set_of(session, command);
-        erase(sets.surfaces, name, "set of surfaces", command.place);
+        if (sets.surfaces.erase(name) == 0)
+            throw Diagnostic(fmt::format("there is no set of surfaces named '{}'", name), "look at its name")
+                .at(command.place);
         if (sets.current == name) sets.current.clear();
     }
     }
-}
-
-void run(Session& session, const lang::FractureCommand& command) {
-    auto& networks = session.surface_sets.fractures;
-    const std::string name = lower_case(command.network);
-    if (command.remove) erase(networks, name, "network of fractures", command.place);
-    else networks[name].push_back(disc(command));
 }
 
 void add_handlers(HandlerTable& table, lang::SurfaceCommands list) { fill(table, list); }

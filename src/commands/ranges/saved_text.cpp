@@ -12,6 +12,8 @@ void SavedText::refuse() const {
     throw Diagnostic("the " + what_ + " of the save file cannot be read", "the file was changed", Fault::run);
 }
 
+bool SavedText::at_end() { return (stream_ >> std::ws).eof(); }
+
 std::int64_t SavedText::whole(std::int64_t least, std::int64_t most) {
     std::int64_t value = 0;
     if (!(stream_ >> value) || value < least || value > most) refuse();

@@ -14,6 +14,8 @@ class SavedText {
 public:
     SavedText(const std::string& text, std::string what);
     [[noreturn]] void refuse() const;
+    /// Nothing but blanks is left.
+    bool at_end();
     /// A whole number from `least` to `most`.
     std::int64_t whole(std::int64_t least = std::numeric_limits<std::int64_t>::min(),
                        std::int64_t most = std::numeric_limits<std::int64_t>::max());

@@ -2,6 +2,8 @@
 
 #include "commands/ranges/saved_text.hpp"
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,10 +13,28 @@ namespace {
 
 constexpr const char* what = "sets of surfaces";
 
+std::string name_text(const std::string& name) { return fmt::format("{} {}", name.size(), name); }
+
+/// The numbers of a disc or of a law, in the order in which they are saved.
+template <class D> auto numbers_of(D& d) {
+    return std::array{&d.centre[0], &d.centre[1], &d.centre[2], &d.dip, &d.dip_direction, &d.diameter};
+}
+template <class L> auto law_numbers(L& l) {
+    return std::array{&l.dip,      &l.dip_direction, &l.kappa,     &l.dip_deviation,      &l.dip_direction_deviation,
+                      &l.dips.low, &l.dips.high,     &l.exponent,  &l.dip_directions.low, &l.dip_directions.high,
+                      &l.mean,     &l.deviation,     &l.sizes.low, &l.sizes.high};
+}
+
+template <class Numbers> std::string text_of(const Numbers& numbers) {
+    std::string text;
+    for (const double* number : numbers) text += fmt::format(" {:a}", *number);
+    return text + '\n';
+}
+
 std::string text_of(const std::map<std::string, PolygonSet>& sets) {
     std::string text = fmt::format("{}\n", sets.size());
     for (const auto& [name, polygons] : sets) {
-        text += fmt::format("{} {} {}\n", name.size(), name, polygons.size());
+        text += fmt::format("{} {}\n", name_text(name), polygons.size());
         for (const auto& polygon : polygons) {
             text += fmt::format("{}", polygon.size());
             for (const Vec3& corner : polygon) text += fmt::format(" {:a} {:a} {:a}", corner[0], corner[1], corner[2]);
@@ -24,35 +44,113 @@ std::string text_of(const std::map<std::string, PolygonSet>& sets) {
     return text;
 }
 
+/// A disc stands where a set has the corners of a polygon, behind a count of none.
+std::string text_of(const std::map<std::string, std::vector<Disc>>& networks) {
+    std::string text = fmt::format("{}\n", networks.size());
+    for (const auto& [name, discs] : networks) {
+        text += fmt::format("{} {}\n", name_text(name), discs.size());
+        for (const Disc& disc : discs) text += "0" + text_of(numbers_of(disc));
+    }
+    return text;
+}
+
+std::string text_of(const std::map<std::string, FractureLaw>& laws) {
+    std::string text = fmt::format("{}\n", laws.size());
+    for (const auto& [name, law] : laws)
+        text +=
+            fmt::format("{} {} {}", name_text(name), static_cast<int>(law.orientation), static_cast<int>(law.size)) +
+            text_of(law_numbers(law));
+    return text;
+}
+
+double finite(SavedText& text) {
+    const double number = text.number();
+    if (!std::isfinite(number)) text.refuse();
+    return number;
+}
+
+std::vector<Vec3> read_corners(SavedText& text, std::size_t count) {
+    std::vector<Vec3> corners;
+    for (; count > 0; --count) {
+        const double x = finite(text), y = finite(text), z = finite(text);
+        corners.emplace_back(x, y, z);
+    }
+    return corners;
+}
+
 std::map<std::string, PolygonSet> read_sets(SavedText& text) {
     std::map<std::string, PolygonSet> sets;
     for (std::size_t left = text.count(); left > 0; --left) {
         PolygonSet& polygons = sets[text.name()];
         for (std::size_t more = text.count(); more > 0; --more) {
-            auto& polygon = polygons.emplace_back();
-            for (std::size_t corners = text.count(); corners > 0; --corners) {
-                const double x = text.number(), y = text.number(), z = text.number();
-                if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) text.refuse();
-                polygon.emplace_back(x, y, z);
-            }
-            if (polygon.size() < 3) text.refuse();
+            polygons.push_back(read_corners(text, text.count()));
+            if (polygons.back().size() < 3) text.refuse();
         }
     }
     return sets;
 }
 
+/// Earlier saves have the corners on the rim.
+Disc disc_of_rim(SavedText& text, const std::vector<Vec3>& rim) {
+    if (rim.size() < 3) text.refuse();
+    Disc disc;
+    for (const Vec3& corner : rim) disc.centre += corner / static_cast<double>(rim.size());
+    const Vec3 normal = (rim[1] - rim[0]).cross(rim[2] - rim[0]).normalized();
+    const Vec3 up = normal.z() < 0 ? Vec3(-normal) : normal;
+    constexpr double degrees = 57.29577951308232;
+    disc.dip = std::acos(std::min(up.z(), 1.0)) * degrees;
+    disc.dip_direction = std::atan2(up.x(), up.y()) * degrees;
+    disc.diameter = 2 * (rim[0] - disc.centre).norm();
+    return disc;
+}
+
+std::map<std::string, std::vector<Disc>> read_networks(SavedText& text) {
+    std::map<std::string, std::vector<Disc>> networks;
+    for (std::size_t left = text.count(); left > 0; --left) {
+        std::vector<Disc>& discs = networks[text.name()];
+        for (std::size_t more = text.count(); more > 0; --more) {
+            if (const std::size_t corners = text.count(); corners > 0) {
+                discs.push_back(disc_of_rim(text, read_corners(text, corners)));
+                continue;
+            }
+            Disc& disc = discs.emplace_back();
+            for (double* number : numbers_of(disc)) *number = finite(text);
+            if (!(disc.diameter > 0)) text.refuse();
+        }
+    }
+    return networks;
+}
+
+std::map<std::string, FractureLaw> read_laws(SavedText& text) {
+    std::map<std::string, FractureLaw> laws;
+    for (std::size_t left = text.count(); left > 0; --left) {
+        FractureLaw& law = laws[text.name()];
+        law.orientation = static_cast<FractureLaw::Orientation>(text.whole(0, 2));
+        law.size = static_cast<FractureLaw::Size>(text.whole(0, 4));
+        for (double* number : law_numbers(law)) {
+            *number = text.number();
+            if (std::isnan(*number)) text.refuse();
+        }
+    }
+    return laws;
+}
+
 } // namespace
 
 std::string surfaces_text(const SurfaceSets& sets) {
-    return text_of(sets.surfaces) + text_of(sets.fractures) + fmt::format("{} {}\n", sets.current.size(), sets.current);
+    return text_of(sets.surfaces) + text_of(sets.networks) + name_text(sets.current) + '\n' + text_of(sets.laws) +
+           name_text(sets.last_law) + '\n';
 }
 
 SurfaceSets surfaces_from_text(const std::string& saved) {
     SavedText text(saved, what);
     SurfaceSets sets;
     sets.surfaces = read_sets(text);
-    sets.fractures = read_sets(text);
+    sets.networks = read_networks(text);
     sets.current = text.name();
+    if (text.at_end()) return sets; // earlier saves have no laws
+    sets.laws = read_laws(text);
+    sets.last_law = text.name();
     return sets;
 }
 

@@ -41,6 +41,7 @@ void add_handlers(HandlerTable& table, lang::FileCommands list);         // file
 void add_handlers(HandlerTable& table, lang::ShapeCommands list);        // shapes.cpp
 void add_handlers(HandlerTable& table, lang::CutCommands list);          // cuts.cpp
 void add_handlers(HandlerTable& table, lang::SurfaceCommands list);      // surfaces.cpp
+void add_handlers(HandlerTable& table, lang::FractureCommands list);     // fractures.cpp
 void add_handlers(HandlerTable& table, lang::ExchangeCommands list);     // exchange.cpp
 void add_handlers(HandlerTable& table, lang::SelectionCommands list);    // selection.cpp
 void add_handlers(HandlerTable& table, lang::GeometryCommands list);     // geometry.cpp

@@ -81,11 +81,13 @@ void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, i
     }
 }
 
-struct CuttingPolygon {
-    const std::vector<Vec3>* corners;
-    Plane plane;
-    double area;
-};
+std::vector<Vec3> section_of(const Polyhedron& piece) {
+    std::vector<Vec3> section;
+    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
+    return section;
+}
+
+} // namespace
 
 CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t number) {
     const Vec3 area = area_vector(polygon);
@@ -94,21 +96,13 @@ CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t num
     constexpr double rounding = 1e-6;
     if (!(area.norm() > rounding * rounding * size * size))
         throw Diagnostic(fmt::format("polygon {} has no area", number + 1), "leave it out of the set");
-    CuttingPolygon result{&polygon, {area.normalized(), polygon.front()}, area.norm()};
+    CuttingPolygon result{polygon, {area.normalized(), polygon.front()}};
     for (const Vec3& corner : polygon)
         if (std::abs(result.plane.distance(corner)) > rounding * size)
             throw Diagnostic(fmt::format("the corners of polygon {} do not lie in one plane", number + 1),
                              "divide it into triangles");
     return result;
 }
-
-std::vector<Vec3> section_of(const Polyhedron& piece) {
-    std::vector<Vec3> section;
-    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
-    return section;
-}
-
-} // namespace
 
 TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
                      const ProgressCallback& progress) {
@@ -174,27 +168,27 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
     return result;
 }
 
-CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<CuttingPolygon>& polygons, int id,
                           double thinnest, const ProgressCallback& progress) {
     constexpr std::size_t most_pieces = 5000000;
     constexpr double least = 1e-9; // of an area
-    std::vector<CuttingPolygon> cutting;
-    for (std::size_t i = 0; i < polygons.size(); ++i) cutting.push_back(cutting_polygon(polygons[i], i));
+    std::vector<double> areas;
+    for (const CuttingPolygon& polygon : polygons) areas.push_back(area_vector(polygon.corners).norm());
     CutBlocks result;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         std::vector<Polyhedron> pieces{blocks[block]};
-        for (std::size_t k = 0; k < cutting.size(); ++k) {
+        for (std::size_t k = 0; k < polygons.size(); ++k) {
             report_progress(progress, block, blocks.size(),
-                            static_cast<double>(k) / static_cast<double>(cutting.size()));
+                            static_cast<double>(k) / static_cast<double>(polygons.size()));
             const std::size_t count = pieces.size();
             for (std::size_t i = 0; i < count; ++i) {
-                Cut parts = cut(pieces[i], cutting[k].plane, id, thinnest);
+                Cut parts = cut(pieces[i], polygons[k].plane, id, thinnest);
                 if (parts.outcome == CutOutcome::sliver) ++result.slivers;
                 if (parts.outcome != CutOutcome::cut) continue;
                 const std::vector<Vec3> section = section_of(parts.below);
                 const Vec3 area = area_vector(section);
-                const std::vector<Vec3> common = common_part(*cutting[k].corners, section, area);
-                if (!(area_vector(common).norm() > least * std::min(cutting[k].area, area.norm()))) continue;
+                const std::vector<Vec3> common = common_part(polygons[k].corners, section, area);
+                if (!(area_vector(common).norm() > least * std::min(areas[k], area.norm()))) continue;
                 pieces[i] = std::move(parts.below);
                 pieces.push_back(std::move(parts.above));
             }

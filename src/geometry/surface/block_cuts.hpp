@@ -1,6 +1,7 @@
 // Cuts many blocks without a joint set: by a tunnel outline, by polygons, or into equal parts.
 #pragma once
 
+#include "geometry/polyhedra/plane.hpp"
 #include "geometry/surface/joint_set.hpp"
 
 #include <array>
@@ -31,9 +32,18 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
 CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id = 0,
                   const ProgressCallback& progress = {});
 
+/// A polygon and its plane.
+struct CuttingPolygon {
+    std::vector<Vec3> corners;
+    Plane plane;
+};
+
+/// The polygon of that number, from 0, with the plane of its corners. Throws Diagnostic when it has no area or does not lie in a plane.
+CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t number);
+
 /// Cuts each block by the plane of each polygon that passes through it, over the whole width of the block, in the order of the polygons; what
-/// a polygon only touches stays whole. Throws Diagnostic when a polygon has no area or does not lie in a plane.
-CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<std::vector<Vec3>>& polygons, int id,
+/// a polygon only touches stays whole.
+CutBlocks cut_by_polygons(const std::vector<Polyhedron>& blocks, const std::vector<CuttingPolygon>& polygons, int id,
                           double thinnest = 0, const ProgressCallback& progress = {});
 
 } // namespace kaya

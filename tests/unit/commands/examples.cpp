@@ -127,6 +127,7 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
         "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n");
     write("shear.csv", "normal_stress,shear_displacement\n1,0\n1,0.001\n");
     write("average.lua", "average = 1\n");
+    write("faults.txt", "x y z dip dd size\n0 0 0.5 30 90 4\n");
 }
 
 /// Additional lines that an example needs.
@@ -148,7 +149,10 @@ std::string before(std::string_view example) {
     if (example.find("frequencies") != example.npos || example.find("dynamic eigen") != example.npos)
         return "new\npoly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 density 2000\nfix range z 0 1\njmodel model mohr\njmodel jkn 1e9 jks 1e9\n";
     if (example.starts_with("range delete")) return "range name low z 0 1\n";
-    if (example.starts_with("fracture delete") || example.find("cut dfn") != example.npos)
+    if (example.starts_with("fracture ") && example.find("create") == example.npos)
+        return "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n"
+               "fracture template create 'a' size exponential 2\nfracture template create 'set-1' size exponential 2\n";
+    if (example.find("cut dfn") != example.npos)
         return "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n";
     if (example.find("vs step") != std::string_view::npos)
         return "block history name 'crown' velocity-z position 0 0 1\n";

@@ -1,0 +1,276 @@
+// Networks of fractures: made one by one, drawn from laws, read from files, measured.
+#include "lang/commands/builder.hpp"
+#include "lang/commands/commands.hpp"
+#include "lang/commands/language.hpp"
+
+namespace kaya::lang {
+
+namespace {
+
+CommandSpec create_fracture() {
+    Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"create"});
+    entry.help("adds a disc to a network of fractures").place(&FractureCommand::place);
+    entry.keyword({"position"}, vector("x y z").unit("length"), &FractureCommand::position,
+                  "centre; the origin if not given");
+    entry.keyword({"dip"}, real("dip").unit("degrees"), &FractureCommand::dip,
+                  "angle below the horizontal, 0 if not given");
+    entry.keyword({"dip-direction", "dd"}, real("dd").unit("degrees"), &FractureCommand::dip_direction,
+                  "direction of dip, clockwise from +y seen from above, 0 if not given");
+    entry.keyword({"size"}, real("d").unit("length").above(0), &FractureCommand::size, "diameter, 1 if not given");
+    entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
+    entry.not_yet({"group", "dominance", "dfn-dominance", "intersection-set"}, "groups and ranks of fractures");
+    entry.right("fracture create position 0.5 0.5 0.5 dip 30 dip-direction 90 size 4 dfn 'faults'");
+    entry.right("fracture create");
+    entry.wrong("fracture create size 0", "size must be greater than 0, not 0");
+    entry.wrong("fracture create dpi 30", "'dpi' is not a keyword of fracture create");
+    return entry;
+}
+
+CommandSpec delete_fractures() {
+    Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"delete"});
+    entry.help("deletes a network of fractures");
+    entry.start([](const Statement& statement, FractureCommand& command) {
+        command.remove = true;
+        command.place = statement.words.front().place;
+    });
+    entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
+    entry.right("fracture delete dfn 'faults'").right("fracture delete");
+    entry.wrong("fracture delete 'faults'", "expected a keyword of fracture delete, found the text 'faults'");
+    return entry;
+}
+
+/// The number of the next word among `words`; it may be abbreviated.
+std::size_t word_among(Reader& reader, const ArgumentSpec& spec, std::string_view what,
+                       const std::vector<std::string_view>& words) {
+    if (reader.at_end()) reader.missing(spec);
+    const std::string& given = reader.peek()->folded;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (!given.empty() && words[i].starts_with(given)) {
+            reader.take();
+            reader.spell(words[i]);
+            return i;
+        }
+    reader.unknown(what, words);
+}
+
+void read_orientation(Reader& reader, FractureTemplate& made) {
+    using enum FractureTemplate::Orientation;
+    static const ArgumentSpec law = text("law").spec, angle = real("angle").unit("degrees").spec,
+                              deviation = real("deviation").unit("degrees").at_least(0).spec,
+                              kappa = real("kappa").at_least(0).at_most(1e6).spec;
+    switch (word_among(reader, law, "a law of orientations", {"uniform", "fisher", "gauss"})) {
+    case 0: made.orientation = uniform; return;
+    case 1:
+        made.orientation = fisher;
+        made.angles = {reader.real(angle), reader.real(angle), reader.real(kappa), 0};
+        return;
+    default:
+        made.orientation = gauss;
+        made.angles = {reader.real(angle), reader.real(deviation), reader.real(angle), reader.real(deviation)};
+    }
+}
+
+void read_size(Reader& reader, FractureTemplate& made) {
+    static const ArgumentSpec law = text("law").spec, exponent = real("exponent").at_least(0).at_most(20).spec,
+                              mean = real("mean").unit("length").above(0).spec,
+                              deviation = real("deviation").unit("length").at_least(0).spec;
+    made.size = static_cast<FractureTemplate::Size>(
+        word_among(reader, law, "a law of sizes", {"power-law", "log-normal", "gauss", "exponential", "uniform"}));
+    switch (*made.size) {
+    case FractureTemplate::Size::power_law: made.sizes = {reader.real(exponent), 0}; return;
+    case FractureTemplate::Size::exponential: made.sizes = {reader.real(mean), 0}; return;
+    case FractureTemplate::Size::uniform: return;
+    default: made.sizes = {reader.real(mean), reader.real(deviation)};
+    }
+}
+
+template <class Member>
+void add_limits(Entry<FractureTemplate>& entry, const char* word, ArgumentSpec spec, Member member, const char* help) {
+    entry.special(
+        {word}, {spec, spec},
+        [=](Reader& reader, FractureTemplate& made) {
+            const double low = reader.real(spec), high = reader.real(spec);
+            made.*member = {low, high};
+        },
+        help);
+}
+
+CommandSpec make_template() {
+    Entry<FractureTemplate> entry({Spelling{"fracture", 6}}, {"template"});
+    entry.then({"create"});
+    entry.help("names the orientations and sizes from which fractures are drawn").place(&FractureTemplate::place);
+    entry.argument(text("name").help("name of the template"), &FractureTemplate::name);
+    entry.special(
+        {"orientation"}, {text("uniform|fisher dip dd kappa|gauss dip deviation dd deviation").spec}, read_orientation,
+        "uniform on the sphere if not given; around a mean with Fisher's constant; or angles with normal distributions");
+    entry.special(
+        {"size"},
+        {text("power-law exponent|log-normal mean deviation|gauss mean deviation|exponential mean|uniform").spec},
+        read_size, "law of the diameters; values outside of size-limits are drawn again");
+    entry.special(
+        {"position"}, {text("uniform").spec},
+        [](Reader& reader, FractureTemplate&) {
+            word_among(reader, text("uniform").spec, "a law of positions", {"uniform"});
+        },
+        "centres are uniform in the box of fracture generate");
+    const ArgumentSpec angle = real("angle").unit("degrees").spec;
+    add_limits(entry, "dip-limits", angle, &FractureTemplate::dip_limits,
+               "least and greatest dip, 0 and 90 if not given");
+    add_limits(entry, "dip-direction-limits", angle, &FractureTemplate::dip_direction_limits,
+               "least and greatest dip direction, 0 and 360 if not given");
+    add_limits(entry, "size-limits", real("diameter").unit("length").above(0).spec, &FractureTemplate::size_limits,
+               "least and greatest diameter, 1 and no limit if not given");
+    entry.finish([](const Reader& reader, FractureTemplate& made) {
+        if (!made.size)
+            incomplete_line(reader, "a template needs a law of sizes", "write: size power-law 3 size-limits 1 50");
+    });
+    entry.right("fracture template create 'set-1' orientation fisher 30 120 50 size power-law 3 size-limits 2 40");
+    entry.right("fracture template create bed orientation gauss 30 5 120 10 dip-limits 10 60 size log-normal 5 2");
+    entry.wrong("fracture template create 'a'", "a template needs a law of sizes");
+    entry.wrong("fracture template create 'a' size powerlow 3", "'powerlow' is not a law of sizes");
+    entry.wrong("fracture template create 'a' orientation fisher 30 120 size uniform",
+                "a number is missing after '120'");
+    entry.wrong("fracture template create 'a' size exponential 0", "mean must be greater than 0, not 0");
+    return entry;
+}
+
+CommandSpec delete_template() {
+    Entry<FractureTemplate> entry({Spelling{"fracture", 6}}, {"template"});
+    entry.then({"delete"}).help("deletes a template of fractures");
+    entry.start([](const Statement& statement, FractureTemplate& command) {
+        command.remove = true;
+        command.place = statement.words.front().place;
+    });
+    entry.argument(text("name").help("name of the template"), &FractureTemplate::name);
+    entry.right("fracture template delete 'set-1'");
+    entry.wrong("fracture template delete", "a word is missing after 'delete'");
+    return entry;
+}
+
+template <class Command> void add_line(Entry<Command>& entry) {
+    entry.keyword(
+        {"begin"}, vector("x y z").unit("length"), [](Command& c, const Vec3& x) { c.line[0] = x; },
+        "of the line of p10");
+    entry.keyword(
+        {"end"}, vector("x y z").unit("length"), [](Command& c, const Vec3& x) { c.line[1] = x; },
+        "of the line of p10");
+}
+
+template <class Command> void add_box(Entry<Command>& entry, std::vector<Spelling> words, const char* help) {
+    const ArgumentSpec spec{.name = "x1 x2 y1 y2 z1 z2", .count = 6, .unit = "length"};
+    const ArgumentSpec one = real("bound").unit("length").spec;
+    entry.special(
+        std::move(words), {spec},
+        [one](Reader& reader, Command& c) {
+            c.box.emplace();
+            for (double& bound : *c.box) bound = reader.real(one);
+        },
+        help);
+}
+
+template <class Command> void check_line(const Reader& reader, const Command& command, bool needed) {
+    if (needed && !reader.wildcards() && command.line[0] == command.line[1])
+        incomplete_line(reader, "p10 needs a line", "write: begin x y z end x y z");
+}
+
+CommandSpec generate_fractures() {
+    Entry<FractureGenerate> entry({Spelling{"fracture", 6}}, {"generate"});
+    entry.help("draws fractures from a template until there are enough").place(&FractureGenerate::place);
+    entry.keyword({"template"}, text("name"), &FractureGenerate::source,
+                  "name of the template; the last one if not given");
+    entry.keyword({"dfn"}, text("name"), &FractureGenerate::network, "name of the network");
+    entry.keyword({"fracture-count"}, integer("n").at_least(1).at_most(1e6), &FractureGenerate::count,
+                  "number of fractures");
+    entry.keyword({"mass-density", "p32"}, real("p32").unit("1/length").above(0), &FractureGenerate::area,
+                  "until the fractures have this area per volume of the box");
+    entry.keyword({"p10"}, real("p10").unit("1/length").above(0), &FractureGenerate::crossings,
+                  "until a line crosses so many fractures per length");
+    add_line(entry);
+    add_box(entry, {"generation-box"}, "box of the centres, and of mass-density; that around the model if not given");
+    entry.keyword({"seed"}, integer("n").at_least(0).at_most(1e9), &FractureGenerate::seed,
+                  "other fractures of the same kind; 1 if not given");
+    entry.not_yet({"percolation", "connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
+    entry.not_yet({"dfn-dominance"}, "ranks of networks");
+    entry.finish([](const Reader& reader, FractureGenerate& command) {
+        const int ends = command.count.has_value() + command.area.has_value() + command.crossings.has_value();
+        if (ends != 1)
+            incomplete_line(reader, ends == 0 ? "nothing says how many fractures are wanted" : "a network has one end",
+                            "write one of: fracture-count n, mass-density p32, p10 n begin x y z end x y z");
+        check_line(reader, command, command.crossings.has_value());
+    });
+    entry.right("fracture generate template 'set-1' dfn 'faults' fracture-count 20");
+    entry.right("fracture generate mass-density 0.5 generation-box 0 10 0 10 0 10 seed 7");
+    entry.right("fracture generate dfn 'faults' p10 2 begin 0 0 0 end 0 0 10");
+    entry.wrong("fracture generate template 'a'", "nothing says how many fractures are wanted");
+    entry.wrong("fracture generate fracture-count 9 mass-density 1", "a network has one end");
+    entry.wrong("fracture generate p10 2", "p10 needs a line");
+    entry.wrong("fracture generate fracture-count 0", "fracture-count must be at least 1, not 0");
+    return entry;
+}
+
+CommandSpec import_fractures() {
+    Entry<FractureImport> entry({Spelling{"fracture", 6}}, {"import"});
+    entry.help("adds the discs in a file to a network").place(&FractureImport::place);
+    entry.keyword({"from-file"}, text("file").help("lines of x y z dip dip-direction diameter"), &FractureImport::file,
+                  "lines of x, y, z, dip, dip direction and diameter");
+    entry.keyword({"dfn"}, text("name"), &FractureImport::network, "name of the network");
+    entry.not_yet(
+        {"from-geometry", "format", "center", "clean", "offset", "make-disk", "make-planar", "truncate", "dominance"},
+        "other files of fractures");
+    entry.finish([](const Reader& reader, FractureImport& command) {
+        if (command.file.empty())
+            incomplete_line(reader, "a file is missing", "write: fracture import from-file 'name'");
+    });
+    entry.right("fracture import from-file 'faults.txt' dfn 'faults'");
+    entry.wrong("fracture import", "a file is missing");
+    entry.wrong("fracture import 'faults.txt'", "expected a keyword of fracture import, found the text 'faults.txt'");
+    return entry;
+}
+
+CommandSpec measure_fractures() {
+    using What = FractureMeasure::What;
+    Entry<FractureMeasure> entry({Spelling{"fracture", 6}}, {"compute"});
+    entry.help("prints how dense fractures are").place(&FractureMeasure::place);
+    entry.action(
+        {"p10"}, [](FractureMeasure& m) { m.what = What::crossings; },
+        "fractures that a line crosses, over its length");
+    entry.action(
+        {"mass-density", "p32"}, [](FractureMeasure& m) { m.what = What::area; },
+        "area of fractures in a box over its volume");
+    entry.action(
+        {"center-density"}, [](FractureMeasure& m) { m.what = What::number; }, "centres in a box over its volume");
+    add_line(entry);
+    add_box(entry, {"box"}, "that around the model if not given");
+    entry.keyword({"dfn"}, text("name"), &FractureMeasure::network, "name of the network; all if not given");
+    entry.not_yet({"average-trace-length", "percolation", "trace-center-density", "trace-mass-density"},
+                  "measures of traces");
+    entry.finish([](const Reader& reader, FractureMeasure& command) {
+        if (command.what == What::list)
+            incomplete_line(reader, "nothing says what is measured", "write one of: p10, mass-density, center-density");
+        check_line(reader, command, command.what == What::crossings);
+    });
+    entry.right("fracture compute p10 begin 0 0 0 end 0 0 10");
+    entry.right("fracture compute mass-density box 0 10 0 10 0 10 dfn 'faults'")
+        .right("fracture compute center-density");
+    entry.wrong("fracture compute", "nothing says what is measured");
+    entry.wrong("fracture compute p10 begin 0 0 0", "p10 needs a line");
+    return entry;
+}
+
+CommandSpec list_fractures() {
+    Entry<FractureMeasure> entry({Spelling{"fracture", 6}}, {"list"});
+    entry.help("lists fractures: centre, dip, dip direction, diameter").place(&FractureMeasure::place);
+    entry.keyword({"dfn"}, text("name"), &FractureMeasure::network, "name of the network; all if not given");
+    entry.right("fracture list").right("fracture list dfn 'faults'");
+    entry.wrong("fracture list 'faults'", "expected a keyword of fracture list, found the text 'faults'");
+    return entry;
+}
+
+} // namespace
+
+std::vector<CommandSpec> fracture_commands() {
+    return {create_fracture(),    delete_fractures(), make_template(),     delete_template(),
+            generate_fractures(), import_fractures(), measure_fractures(), list_fractures()};
+}
+
+} // namespace kaya::lang

@@ -1,0 +1,38 @@
+// Distributions from which fractures are drawn.
+#pragma once
+
+#include "geometry/fractures/disc.hpp"
+#include "geometry/polyhedra/random.hpp"
+
+#include <array>
+#include <limits>
+
+namespace kaya {
+
+/// Least and greatest value that is taken.
+struct Interval {
+    double low, high;
+    bool hold(double x) const { return x >= low && x <= high; }
+};
+
+/// How fractures are directed and how large they are.
+struct FractureLaw {
+    enum class Orientation { uniform, fisher, gauss } orientation = Orientation::uniform;
+    double dip = 0, dip_direction = 0; ///< degrees: the mean
+    double kappa = 0;                  ///< of Fisher's distribution
+    double dip_deviation = 0, dip_direction_deviation = 0;
+    Interval dips{0, 90}, dip_directions{0, 360};
+
+    enum class Size { power_law, log_normal, gauss, exponential, uniform } size = Size::uniform;
+    double exponent = 0;            ///< of a power law: the density of diameters falls with diameter^-exponent
+    double mean = 0, deviation = 0; ///< of the diameter, before the limits
+    Interval sizes{1, std::numeric_limits<double>::infinity()};
+};
+
+/// Throws Diagnostic when nothing can be drawn from the law.
+void check(const FractureLaw& law);
+
+/// A disc with its centre in the box. Values outside of the limits are drawn again. Throws Diagnostic when the limits leave nothing.
+Disc draw(const FractureLaw& law, const Vec3& low, const Vec3& high, Random& random);
+
+} // namespace kaya
