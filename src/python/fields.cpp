@@ -46,8 +46,10 @@ py::object values_of(const Model& model, const Field& field, std::size_t rows) {
     if (std::holds_alternative<Vec3>(first)) {
         py::array_t<double> array({static_cast<py::ssize_t>(rows), py::ssize_t{3}});
         double* to = array.mutable_data();
-        for (std::size_t row = 0; row < rows; ++row)
-            for (const double part : std::get<Vec3>(get(static_cast<Row>(row)))) *to++ = part;
+        for (std::size_t row = 0; row < rows; ++row) {
+            const FieldValue value = get(static_cast<Row>(row));
+            for (const double part : std::get<Vec3>(value)) *to++ = part;
+        }
         return array;
     }
     if (std::holds_alternative<std::string>(first)) {

@@ -1,6 +1,7 @@
 // Joint model `bilinear-mohr`: Coulomb slip with one line of strength at low and another at high normal stress.
 // docs/joint-models/bilinear-mohr.md has the equations.
 #include "stdlib/joints/coulomb.hpp"
+#include "kaya/law/rows.hpp"
 
 namespace {
 
@@ -84,7 +85,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
 
     const Columns columns(*batch, history_count);
     const std::size_t n = batch->n;
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
         const RowLines strength(before, after, failed, columns.area[i]);

@@ -2,6 +2,7 @@
 // displacement. docs/joint-models/continuously-yielding.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
 #include "kaya/law/elementary.hpp"
+#include "kaya/law/rows.hpp"
 #include "stdlib/joints/power_spring.hpp"
 
 #include <iterator>
@@ -254,7 +255,7 @@ template <int passes> void run_rows(kaya_jbatch* batch) {
     const Joint joint(batch->properties);
     const Rows rows(*batch);
     const std::size_t n = batch->n;
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         const Start start = start_of(joint, rows, i);
         end_row(joint, rows, i, start, find_step<passes>(joint, start));

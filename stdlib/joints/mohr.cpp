@@ -1,6 +1,7 @@
 // Joint model `mohr`: Coulomb slip with cohesion, tension cut-off, dilation and residual strength.
 // docs/joint-models/mohr.md has the equations.
 #include "stdlib/joints/coulomb.hpp"
+#include "kaya/law/rows.hpp"
 
 namespace {
 
@@ -9,7 +10,7 @@ namespace coulomb = kaya::joints::coulomb;
 template <bool dilates> void run_rows(kaya_jbatch* batch, const coulomb::Values& values) {
     const coulomb::Columns columns(*batch, coulomb::history_count);
     const std::size_t n = batch->n;
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
         coulomb::step<dilates>(columns, i, values.kn, values.ks, values.limits(failed),

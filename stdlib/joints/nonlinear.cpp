@@ -1,6 +1,7 @@
 // Joint model `nonlinear`: Coulomb slip with stiffnesses that are powers of the normal stress.
 // docs/joint-models/nonlinear.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
+#include "kaya/law/rows.hpp"
 #include "stdlib/joints/power_spring.hpp"
 
 #include <iterator>
@@ -233,10 +234,10 @@ template <bool dilates> void run_rows(kaya_jbatch* batch) {
     t.ks.fill(1); // rows that are not there
     for (std::size_t begin = 0; begin < batch->n; begin += together) {
         const std::size_t count = std::min(together, batch->n - begin);
-#pragma GCC ivdep
+        KAYA_INDEPENDENT_ROWS
         for (std::size_t j = 0; j < count; ++j) try_row<dilates>(joint, c, begin + j, j, t);
         if constexpr (dilates) slip_to_strength(joint.springs.normal, joint.dilatancy, joint.last_dilation, t);
-#pragma GCC ivdep
+        KAYA_INDEPENDENT_ROWS
         for (std::size_t j = 0; j < count; ++j) end_row<dilates>(joint, c, kn, ks, begin + j, j, t);
     }
     batch->stiffness_changed = 1;

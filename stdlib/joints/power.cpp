@@ -2,6 +2,7 @@
 // stress. docs/joint-models/power.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
 #include "kaya/law/elementary.hpp"
+#include "kaya/law/rows.hpp"
 
 namespace {
 
@@ -123,7 +124,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values, 
         const std::size_t count = std::min(together, batch->n - begin);
         if (any_creep) {
             trials.fill(0);
-#pragma GCC ivdep
+            KAYA_INDEPENDENT_ROWS
             for (std::size_t j = 0; j < count; ++j) {
                 const std::size_t i = begin + j;
                 const double area = columns.area[i], elastic = length(elastic_shear(columns, i, values.ks));
@@ -131,7 +132,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values, 
             }
             creeps.relaxed(trials, stresses);
         }
-#pragma GCC ivdep
+        KAYA_INDEPENDENT_ROWS
         for (std::size_t j = 0; j < count; ++j) {
             const std::size_t i = begin + j;
             const bool failed = columns.states[i] != 0;

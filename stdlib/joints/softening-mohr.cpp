@@ -2,6 +2,7 @@
 // docs/joint-models/softening-mohr.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
 #include "kaya/law/elementary.hpp"
+#include "kaya/law/rows.hpp"
 
 namespace {
 
@@ -54,7 +55,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
     double* rests = batch->history[rest];
     double* angle = batch->history[friction_current];
     const std::size_t n = batch->n;
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         // A bond that broke in tension is lost; a sliding one is worn, and neither heals.
         const bool broken = (columns.states[i] & (tension_now | tension_past)) != 0;

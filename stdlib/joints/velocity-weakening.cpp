@@ -2,6 +2,7 @@
 // docs/joint-models/velocity-weakening.md has the equations; (n) below are their numbers.
 #include "stdlib/joints/coulomb.hpp"
 #include "kaya/law/elementary.hpp"
+#include "kaya/law/rows.hpp"
 
 namespace {
 
@@ -48,7 +49,7 @@ template <bool dilates> void run_rows(kaya_jbatch* batch, const Values& values) 
     double* speeds = batch->history[velocity];
     double* angle = batch->history[friction_current];
     const std::size_t n = batch->n;
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         const bool failed = columns.states[i] != 0;
         const double moved =

@@ -16,7 +16,7 @@
 namespace kaya::joints {
 
 /// The first n coefficients of a power series, made by the compiler.
-template <std::size_t n> consteval std::array<double, n> series(double (*coefficient)(std::size_t)) {
+template <std::size_t n, class Coefficient> consteval std::array<double, n> series(Coefficient coefficient) {
     std::array<double, n> table{};
     for (std::size_t k = 0; k < n; ++k) table[k] = coefficient(k);
     return table;

@@ -61,7 +61,7 @@ struct DampingFactors {
     Eight advance(const Eight& velocity, const Eight& push) const {
         if (local == 0) return (velocity * (1 - half_) + push) / (1 + half_);
         const Eight first = velocity + (velocity * push < 0 ? eights(1 + local) : eights(1 - local)) * push;
-        return (velocity * push < 0) & (first * velocity < 0) ? first * after_turn_ : first;
+        return ((velocity * push < 0) & (first * velocity < 0)) ? first * after_turn_ : first;
     }
 
 private:

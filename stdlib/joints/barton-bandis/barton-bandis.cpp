@@ -2,6 +2,7 @@
 // docs/joint-models/barton-bandis.md has the equations; (n) below are their numbers.
 #include "kaya/jmodel.h"
 #include "kaya/law/own_properties.hpp"
+#include "kaya/law/rows.hpp"
 #include "stdlib/joints/barton-bandis/law.hpp"
 
 #include <iterator>
@@ -312,7 +313,7 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
 template <bool thesis> void run_rows(kaya_jbatch* batch, const Law& law) {
     const double log_jcs = logarithm(law.jcs);
     const Rows rows(*batch);
-#pragma GCC ivdep
+    KAYA_INDEPENDENT_ROWS
     for (size_t i = 0; i < batch->n; ++i) {
         const Path path = path_of<thesis>(rows, law, i);
         // Dilation closes the joint further, which changes the normal stress, which changes dilation

@@ -226,7 +226,9 @@ TEST(Formats, DamagedFilesEndInAMessageNeverInACrash) {
     const std::string strange[] = {"-1", "0",  "99999999999999999999", "2147483648", "1e300", "\"", "x", "", "{",
                                    "[",  "nan"};
     Random random(50);
-    for (const auto& [read, whole] : files) {
+    for (const auto& file : files) {
+        const auto& read = file.first;
+        const auto& whole = file.second;
         int refused = 0;
         const auto attempt = [&](const std::string& text) {
             try {

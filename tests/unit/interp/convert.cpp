@@ -105,13 +105,13 @@ TEST(Convert, LinesWithRandomNumbersKeepTheirStructs) {
     Counts all;
     int lines = 0;
     for (int round = 0; round < 10; ++round)
-        for (const auto& [dialect, to] : {std::pair{&classic(), To::modern}, {&modern(), To::classic}})
-            for_each_command(*dialect, [&](const CommandSpec& command) {
+        for (const auto& way : {std::pair{&classic(), To::modern}, {&modern(), To::classic}})
+            for_each_command(*way.first, [&](const CommandSpec& command) {
                 if (!command.body_end.empty()) return;
                 for (const auto& example : command.right) {
-                    const std::string line = with_other_numbers(std::string(example.text), *dialect, random);
+                    const std::string line = with_other_numbers(std::string(example.text), *way.first, random);
                     SCOPED_TRACE(line);
-                    const Counts counts = expect_same_structs(line, to);
+                    const Counts counts = expect_same_structs(line, way.second);
                     all.changed += counts.changed;
                     all.kept += counts.kept;
                     ++lines;

@@ -125,7 +125,8 @@ TEST(VtkArrays, EveryFieldOfTheModelIsThere) {
     for (const Field& field : fields()) {
         const auto found = data.find(field.kind);
         if (found == data.end()) continue;
-        const auto& [arrays, prefix] = found->second;
+        const auto& arrays = found->second.first;
+        const std::string& prefix = found->second.second;
         const std::string name(field.name);
         const std::string whole = name.size() > 2 && name[1] == '_' ? name.substr(2)
                                   : name.size() == 1                ? "position"
