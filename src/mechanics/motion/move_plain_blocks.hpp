@@ -19,8 +19,9 @@ public:
         const auto& blocks = model_.blocks;
         bool plain = true;
         for (std::size_t b = row; b < row + eight; ++b) {
-            const bool held = roller_of(model_, static_cast<Row>(b)).count != 0;
-            plain &= !blocks.deformable[b] & (blocks.body[b] == 0) & (blocks.fixed[b] == 0) & !held;
+            const auto held = blocks.deformable[b] | blocks.body[b] | blocks.fixed[b] |
+                              static_cast<int>(roller_of(model_, static_cast<Row>(b)).count);
+            plain &= held == 0;
         }
         for (std::size_t i = 0; plain && i < 9; ++i)
             plain = all_zero(load_as<Eight>(blocks.load_arms[row].data() + 8 * i));
