@@ -7,7 +7,7 @@
 #include "base/whole_file.hpp"
 #include "commands/program/output.hpp"
 #include "lang/interp/lexer.hpp"
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 #include "laws/run_record.hpp"
 #include "model/tables/model.hpp"
 #include "model/whole/state_hash.hpp"

@@ -1,6 +1,6 @@
 #include "python/values.hpp"
 
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 
 #include <pybind11/stl.h>
 

@@ -1,7 +1,7 @@
 // def ... end, @function, lua.
 #include "commands/session/handlers.hpp"
 
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "lang/fish/name_uses.hpp"
 #include "lang/interp/bare_names.hpp"
-#include "lang/script/scripts.hpp"
+#include "lang/script/scripts/scripts.hpp"
 
 #include <map>
 #include <set>

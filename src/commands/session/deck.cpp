@@ -4,7 +4,7 @@
 #include "lang/commands/commands.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/fish/compiler.hpp"
-#include "lang/script/scripts.hpp"
+#include "lang/script/scripts/scripts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

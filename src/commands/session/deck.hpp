@@ -7,7 +7,7 @@
 #include "commands/ranges/surface_sets.hpp"
 
 #include "lang/interp/interpreter.hpp"
-#include "lang/script/world.hpp"
+#include "lang/script/values/world.hpp"
 
 #include <cstdint>
 #include <filesystem>

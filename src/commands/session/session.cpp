@@ -1,6 +1,6 @@
 #include "commands/session/session.hpp"
 
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/crash_report.hpp"
 #include "laws/guard.hpp"

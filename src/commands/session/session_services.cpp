@@ -5,7 +5,7 @@
 #include "commands/review/deck_review.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/law_conduct.hpp"
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 #include "laws/crash_report.hpp"
 #include "laws/guard.hpp"
 

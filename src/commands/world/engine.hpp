@@ -8,7 +8,7 @@
 #include "mechanics/cycle/cycle.hpp"
 #include "model/tables/model.hpp"
 
-#include "lang/script/scripts.hpp"
+#include "lang/script/scripts/scripts.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "commands/world/lua_joint_models.hpp"
 
-#include "lang/script/joint_script.hpp"
+#include "lang/script/scripts/joint_script.hpp"
 
 namespace kaya {
 

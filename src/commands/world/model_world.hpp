@@ -3,7 +3,7 @@
 
 #include "laws/joint_model.hpp"
 #include "lang/commands/range.hpp"
-#include "lang/script/world.hpp"
+#include "lang/script/values/world.hpp"
 #include "model/fields/field.hpp"
 #include "model/kinds/selection.hpp"
 

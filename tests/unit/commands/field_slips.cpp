@@ -2,7 +2,7 @@
 #include "one_letter_slips.hpp"
 #include "running.hpp"
 
-#include "lang/script/field_index.hpp"
+#include "lang/script/values/field_index.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

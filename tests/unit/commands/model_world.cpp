@@ -1,6 +1,6 @@
 #include "tests/unit/commands/running.hpp"
 
-#include "lang/script/field_index.hpp"
+#include "lang/script/values/field_index.hpp"
 
 #include <gmock/gmock.h>
 

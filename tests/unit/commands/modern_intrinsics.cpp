@@ -1,7 +1,7 @@
 // Names of modern FISH: each reads and writes the field that the classic name and Lua read and write.
 #include "running.hpp"
 
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "lang/script/scripts.hpp"
+#include "lang/script/scripts/scripts.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,6 +1,6 @@
 #include "fake_world.hpp"
 
-#include "lang/script/value_text.hpp"
+#include "lang/script/values/value_text.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "lang/script/tables.hpp"
+#include "lang/script/values/tables.hpp"
 
 #include "base/diagnostic.hpp"
-#include "lang/script/random.hpp"
-#include "lang/script/value_text.hpp"
+#include "lang/script/base/random.hpp"
+#include "lang/script/values/value_text.hpp"
 
 #include <gtest/gtest.h>
 
