@@ -1,7 +1,7 @@
 #include "commands/stability/factor_of_safety.hpp"
 
 #include "commands/list/stability.hpp"
-#include "commands/stability/strength_trials.hpp"
+#include "commands/stability/strength_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@ namespace kaya {
 
 namespace {
 
+/// Ratio of a model at rest when the command gives none.
+constexpr double default_ratio = 1e-5;
 /// If a model that has slid is stable only below this part of its factor, it has fallen, not only slid.
 constexpr double fallen_part = 0.5;
 constexpr double largest = 64; ///< largest factor of the search
@@ -22,14 +24,14 @@ struct Bracket {
     double stands, fails;
 };
 
-Bracket given_bracket(StrengthTrials& trials, const lang::Solve& command) {
+Bracket given_bracket(StrengthSearch& search, const lang::Solve& command) {
     const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
-    if (!trials.stands(bracket.stands))
+    if (!search.stands(bracket.stands))
         throw Diagnostic(fmt::format("the model fails with its strength divided by {:.6g}, where it should be stable",
                                      bracket.stands),
                          "give a smaller first number after bracket")
             .at(command.place);
-    if (trials.stands(bracket.fails))
+    if (search.stands(bracket.fails))
         throw Diagnostic(
             fmt::format("the model is stable with its strength divided by {:.6g}, where it should fail", bracket.fails),
             "give a greater second number after bracket")
@@ -38,30 +40,30 @@ Bracket given_bracket(StrengthTrials& trials, const lang::Solve& command) {
 }
 
 /// By doubling and halving; a side that was not found is 0 or infinite.
-Bracket found_bracket(StrengthTrials& trials) {
-    if (trials.stands(1)) {
+Bracket found_bracket(StrengthSearch& search) {
+    if (search.stands(1)) {
         for (double factor = 1; factor < largest; factor *= 2)
-            if (!trials.stands(2 * factor)) return {factor, 2 * factor};
+            if (!search.stands(2 * factor)) return {factor, 2 * factor};
         return {largest, INFINITY};
     }
     for (double factor = 1; factor > 1 / largest; factor /= 2)
-        if (trials.stands(factor / 2)) return {factor / 2, factor};
+        if (search.stands(factor / 2)) return {factor / 2, factor};
     return {0, 1 / largest};
 }
 
 /// From a guess outward; a side that was not found is 0 or infinite.
-Bracket bracket_around(StrengthTrials& trials, double guess) {
+Bracket bracket_around(StrengthSearch& search, double guess) {
     double width = first_width;
     Bracket bracket{guess * (1 - width), guess * (1 + width)};
-    if (trials.stands(bracket.stands)) {
+    if (search.stands(bracket.stands)) {
         for (; bracket.fails < largest; width *= widening, bracket.stands = bracket.fails, bracket.fails *= 1 + width)
-            if (!trials.stands(bracket.fails)) return bracket;
+            if (!search.stands(bracket.fails)) return bracket;
         return {bracket.stands, INFINITY};
     }
     for (bracket.fails = bracket.stands; bracket.fails > 1 / largest; bracket.fails = bracket.stands) {
         width = std::min(0.5, width * widening);
         bracket.stands = bracket.fails * (1 - width);
-        if (trials.stands(bracket.stands)) return bracket;
+        if (search.stands(bracket.stands)) return bracket;
     }
     return {0, bracket.fails};
 }
@@ -77,12 +79,12 @@ double guessed_factor(Session& session) {
     return guess >= least && guess <= most ? guess : 0;
 }
 
-Bracket narrowed(StrengthTrials& trials, Bracket bracket, double resolution) {
+Bracket narrowed(StrengthSearch& search, Bracket bracket, double resolution) {
     constexpr double rounding = 1e-9;
     while (bracket.fails - bracket.stands > (1 + rounding) * resolution * bracket.stands) {
-        trials.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
+        search.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
         const double middle = 0.5 * (bracket.stands + bracket.fails);
-        (trials.stands(middle) ? bracket.stands : bracket.fails) = middle;
+        (search.stands(middle) ? bracket.stands : bracket.fails) = middle;
     }
     return bracket;
 }
@@ -90,43 +92,43 @@ Bracket narrowed(StrengthTrials& trials, Bracket bracket, double resolution) {
 bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
 
 /// The model is stable where an early-ended trial failed: the search continues upward.
-Bracket bracket_above(StrengthTrials& trials, double stands, double resolution) {
+Bracket bracket_above(StrengthSearch& search, double stands, double resolution) {
     Bracket bracket{stands, stands};
     for (double width = widening * resolution; bracket.fails < largest; width *= 2) {
         bracket.stands = bracket.fails;
         bracket.fails *= 1 + width;
-        if (!trials.stands(bracket.fails)) return narrowed(trials, bracket, resolution);
+        if (!search.stands(bracket.fails)) return narrowed(search, bracket, resolution);
     }
     return {bracket.fails, INFINITY};
 }
 
 /// The lower end of the bracket may be unstable: the search continues downward in doubling steps, and gives up below `least` with a lower
 /// end of 0.
-Bracket bracket_below(StrengthTrials& trials, Bracket bracket, double resolution, double least) {
-    if (trials.stands(bracket.stands)) return bracket;
+Bracket bracket_below(StrengthSearch& search, Bracket bracket, double resolution, double least) {
+    if (search.stands(bracket.stands)) return bracket;
     double width = resolution;
     for (bracket.fails = bracket.stands; bracket.stands > least; bracket.fails = bracket.stands) {
         bracket.stands /= 1 + width;
         width = std::min(1.0, 2 * width);
-        if (trials.stands(bracket.stands)) return narrowed(trials, bracket, resolution);
+        if (search.stands(bracket.stands)) return narrowed(search, bracket, resolution);
     }
     return {0, bracket.fails};
 }
 
 /// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again to the end where its trial ended
-/// early; the stable one is tried again from the beginning. If either changes, the search continues from there.
-Bracket confirmed(StrengthTrials& trials, Bracket bracket, double resolution) {
-    if (trials.failed_early()) {
-        trials.be_patient();
-        if (trials.stands(bracket.fails)) bracket = bracket_above(trials, bracket.fails, resolution);
+/// early; the stable one is tried again with other beginnings. If either changes, the search continues from there.
+Bracket confirmed(StrengthSearch& search, Bracket bracket, double resolution) {
+    if (search.failed() && search.failed()->goes_on) {
+        search.enter(StrengthSearch::Stage::patient);
+        if (search.stands(bracket.fails)) bracket = bracket_above(search, bracket.fails, resolution);
     }
-    if (!trials.has_warm_answer() || !closed(bracket)) return bracket;
-    trials.begin_anew();
-    const double least = trials.slides() ? fallen_part * bracket.stands : 1 / largest;
-    const Bracket below = bracket_below(trials, bracket, resolution, least);
-    if (closed(below) || !trials.slides()) return below;
-    trials.forget_sliding();
-    return bracket_below(trials, bracket, resolution, 1 / largest);
+    if (!closed(bracket)) return bracket;
+    if (search.enter_sliding()) {
+        const Bracket below = bracket_below(search, bracket, resolution, fallen_part * bracket.stands);
+        if (closed(below)) return below;
+    }
+    search.enter(StrengthSearch::Stage::from_start);
+    return bracket_below(search, bracket, resolution, 1 / largest);
 }
 
 } // namespace
@@ -137,14 +139,25 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     const double guess = command.bracket ? 0 : guessed_factor(session);
     if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
-        StrengthTrials trials(session, command, limits);
-        bracket = command.bracket ? given_bracket(trials, command)
-                  : guess > 0     ? bracket_around(trials, guess)
-                                  : found_bracket(trials);
+        session.cycle->prepare(); // contacts must have their properties
+        const Asked asked(command);
+        check_for_trials(session, asked, command.place);
+        Progress progress(session.output, session.model, {});
+        const double ratio = limits.ratio.value_or(default_ratio);
+        ModelOnTrial model(session, asked);
+        const std::int64_t span =
+            command.cycles ? *command.cycles : characteristic_span(session, progress, ratio, command.place);
+        const TrialBench bench{session, asked, model.initial(), ratio, span, progress};
+        StrengthSearch search(bench, model, command);
+        bracket = command.bracket ? given_bracket(search, command)
+                  : guess > 0     ? bracket_around(search, guess)
+                                  : found_bracket(search);
         if (closed(bracket))
-            bracket = confirmed(trials, narrowed(trials, bracket, command.resolution), command.resolution);
-        if (!trials.mechanism().empty()) session.output.say(trials.mechanism());
-        mode = trials.mode();
+            bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
+        if (const auto& failed = search.failed()) {
+            if (const std::string moving = search.mechanism(); !moving.empty()) session.output.say(moving);
+            mode = failed->mode;
+        }
     }
     if (mode) session.output.say(mode_text(*mode));
     double& factor = session.model.clock.factor_of_safety;
