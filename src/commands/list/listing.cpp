@@ -60,52 +60,6 @@ std::pair<double, double> dip_of_normal(const Vec3& normal) {
     return {dip, direction < 0 ? direction + 360 : direction};
 }
 
-using ListText = std::string (*)(Session&, const lang::List&);
-
-ListText text_of(lang::List::What what) {
-    using enum lang::List::What;
-    switch (what) {
-    case blocks: return list_blocks;
-    case quality: return list_block_quality;
-    case contacts: return list_contacts;
-    case sub_contacts: return list_sub_contacts;
-    case interfaces: return list_interfaces;
-    case reactions: return list_reactions;
-    case gridpoints: return list_gridpoints;
-    case zones: return list_zones;
-    case faces: return list_faces;
-    case properties: return list_properties;
-    case histories: return list_histories;
-    case extremes: return list_extremes;
-    case time: return list_time;
-    case unbalanced: return list_unbalanced;
-    case damping: return list_damping;
-    case information: return list_information;
-    case time_step: return list_time_step;
-    case timing: return list_timing;
-    case energy: return list_energy;
-    case hash: return list_hash;
-    case joint_models: return list_joint_models;
-    case boundary: return list_boundary;
-    case groups: return list_groups;
-    case excavated: return list_excavated;
-    case states: return list_states;
-    case stresses: return list_stresses;
-    case stability: return list_stability;
-    case structures: return list_structures;
-    case joint_sets: return list_joint_sets;
-    case memory: return list_memory;
-    case version: return list_version;
-    case modes: return list_modes;
-    case settings: return list_settings;
-    case tables: return list_tables;
-    case ranges: return list_ranges;
-    case frequencies: return list_frequencies;
-    case symbols: break;
-    }
-    return list_symbols;
-}
-
 } // namespace
 
 std::string list_properties(Session& session, const lang::List& command) {
@@ -425,13 +379,5 @@ std::string list_settings(Session& session, const lang::List&) {
     table.add({"threads", std::to_string(threads())});
     return table.text();
 }
-
-void run(Session& session, const lang::List& command) {
-    for (const auto& symbol : command.symbols)
-        session.output.print(fmt::format("{} = {}", symbol, session.symbol_text(symbol)));
-    if (command.what) session.output.print(text_of(*command.what)(session, command));
-}
-
-void add_handlers(HandlerTable& table, lang::ListCommands list) { fill(table, list); }
 
 } // namespace kaya

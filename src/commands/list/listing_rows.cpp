@@ -71,7 +71,7 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
                       const std::vector<ListColumn>& columns) {
     const std::vector<Row> rows = shown_rows(session, command, kind);
     if (rows.empty()) return none_text(command, kind);
-    return rows_text(session.model, rows, kind, subject_columns(session.model, command, columns));
+    return rows_text(session.model, rows, kind, subject_columns(command, columns));
 }
 
 std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
@@ -93,7 +93,18 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
         {"points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); }},
         {"zones", [&](Row row) { return std::to_string(blocks.zones[row].count); }},
         {"fixed", fixed}};
-    return rows_text(model, rows, ObjectKind::block, subject_columns(model, command, usual));
+    const auto corner = [&](Row row, bool greatest) {
+        const auto points = blocks.gridpoints[row];
+        Vec3 place = model.gridpoints.position[points.first];
+        for (Row p = points.first; p < points.end(); ++p) {
+            const Vec3& at = model.gridpoints.position[p];
+            place = greatest ? Vec3(place.cwiseMax(at)) : Vec3(place.cwiseMin(at));
+        }
+        return value_text(model, place);
+    };
+    const std::vector<ListColumn> others = {{"least", [&](Row row) { return corner(row, false); }},
+                                            {"greatest", [&](Row row) { return corner(row, true); }}};
+    return rows_text(model, rows, ObjectKind::block, subject_columns(command, usual, others));
 }
 
 const JointProperties* properties_of(const Model& model, Row contact) {

@@ -20,7 +20,7 @@ struct ListColumn {
     Text text; ///< empty: that of the field
 
     ListColumn(const char* name) : heading(name), field(name) {} // implicit on purpose: a table is a list of names
-    ListColumn(const char* title, const char* name)
+    ListColumn(std::string_view title, std::string_view name)
         : heading(title), field(name) {} ///< where lists have a shorter word
     ListColumn(const char* title, Text of_row) : heading(title), text(std::move(of_row)) {}
 };

@@ -6,8 +6,8 @@
 
 namespace kaya {
 
-/// The columns of a list: the usual ones, or those of its subjects after the numbers of the objects.
-std::vector<ListColumn> subject_columns(const Model& model, const lang::List& command,
-                                        const std::vector<ListColumn>& usual);
+/// The columns of a list: the usual ones, or those of its subjects after the numbers of the objects. `others` are computed for subjects only.
+std::vector<ListColumn> subject_columns(const lang::List& command, const std::vector<ListColumn>& usual,
+                                        const std::vector<ListColumn>& others = {});
 
 } // namespace kaya
