@@ -1,4 +1,4 @@
-// Style and scripts of the report's page: src/report/page.
+// Template, style and scripts of the report's page: src/report/page.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 namespace kaya {
 
 struct PagePart {
-    std::string_view kind; ///< "css" or "js"
+    std::string_view kind; ///< its ending: "html" (the template), "css" or "js"
     std::string_view text;
 };
 /// In the order of the page.
