@@ -7,6 +7,7 @@
 #include "mechanics/assign/contact_properties.hpp"
 #include "model/edit/excavation.hpp"
 #include "model/kinds/groups.hpp"
+#include "model/measure/block_box.hpp"
 #include "model/measure/measure.hpp"
 
 #include <array>
@@ -93,17 +94,9 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
         {"points", [&](Row row) { return std::to_string(blocks.gridpoints[row].count); }},
         {"zones", [&](Row row) { return std::to_string(blocks.zones[row].count); }},
         {"fixed", fixed}};
-    const auto corner = [&](Row row, bool greatest) {
-        const auto points = blocks.gridpoints[row];
-        Vec3 place = model.gridpoints.position[points.first];
-        for (Row p = points.first; p < points.end(); ++p) {
-            const Vec3& at = model.gridpoints.position[p];
-            place = greatest ? Vec3(place.cwiseMax(at)) : Vec3(place.cwiseMin(at));
-        }
-        return value_text(model, place);
-    };
-    const std::vector<ListColumn> others = {{"least", [&](Row row) { return corner(row, false); }},
-                                            {"greatest", [&](Row row) { return corner(row, true); }}};
+    const std::vector<ListColumn> others = {
+        {"least", [&](Row row) { return value_text(model, block_box(model, row).low); }},
+        {"greatest", [&](Row row) { return value_text(model, block_box(model, row).high); }}};
     return rows_text(model, rows, ObjectKind::block, subject_columns(command, usual, others));
 }
 

@@ -1,6 +1,7 @@
 #include "commands/monitors/free_fall.hpp"
 
 #include "commands/monitors/rest_monitor.hpp"
+#include "model/measure/block_box.hpp"
 #include "model/measure/held.hpp"
 #include "model/measure/measure.hpp"
 
@@ -123,10 +124,8 @@ std::optional<FreeFall> free_fall(const Model& model) {
 
 std::vector<Row> blocks_that_left(const Model& model) {
     const auto box_of = [&](Row b) {
-        Eigen::AlignedBox3d box;
-        const Span span = model.blocks.gridpoints[b];
-        for (Row g = span.first; g < span.end(); ++g) box.extend(model.gridpoints.position[g]);
-        return box;
+        const auto [low, high] = block_box(model, b);
+        return Eigen::AlignedBox3d(low, high);
     };
     std::vector<Row> alone;
     Eigen::AlignedBox3d others;

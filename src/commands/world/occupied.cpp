@@ -3,6 +3,7 @@
 #include "geometry/polyhedra/quality.hpp"
 #include "model/edit/build.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/block_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +11,6 @@
 namespace kaya {
 
 namespace {
-
-Box box_of(const Model& model, Row row) {
-    const Span span = model.blocks.gridpoints[row];
-    Box box{model.gridpoints.position[span.first], model.gridpoints.position[span.first]};
-    for (Row g = span.first; g < span.end(); ++g) {
-        box.low = box.low.cwiseMin(model.gridpoints.position[g]);
-        box.high = box.high.cwiseMax(model.gridpoints.position[g]);
-    }
-    return box;
-}
 
 /// Exponent of the power of two that is not less than the box's longest side.
 int size_of(const Box& box) { return std::ilogb((box.high - box.low).maxCoeff()) + 1; }
@@ -55,10 +46,10 @@ Row Occupied::overlapped_by(const Model& model, Row row) {
     if (boxes_.size() != count || made_ != model.blocks.number[row] || cycle_ != model.clock.cycle) {
         grids_.clear();
         boxes_.clear();
-        for (Row b = 0; b < row; ++b) add(b, box_of(model, b));
+        for (Row b = 0; b < row; ++b) add(b, block_box(model, b));
         cycle_ = model.clock.cycle;
     }
-    const Box box = box_of(model, row);
+    const Box box = block_box(model, row);
     std::vector<Row> near;
     for (const auto& [exponent, grid] : grids_) {
         const auto visit = [&, &cells = grid.cells](std::uint64_t key) {

@@ -7,6 +7,7 @@
 #include "mechanics/contact/overlap_contact.hpp"
 #include "model/edit/bounded.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/block_box.hpp"
 #include "model/measure/measure.hpp"
 #include "model/edit/ties.hpp"
 
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 namespace kaya {
@@ -105,11 +105,7 @@ double slip_at(const Model& model, Row contact) {
 }
 
 Box box_of(const Model& model, Row b, double margin) {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g) {
-        low = low.cwiseMin(model.gridpoints.position[g]);
-        high = high.cwiseMax(model.gridpoints.position[g]);
-    }
+    const auto [low, high] = block_box(model, b);
     return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};
 }
 

@@ -1,6 +1,7 @@
 #include "mechanics/contact/corner_contact.hpp"
 
 #include "mechanics/shape/overlap_scratch.hpp"
+#include "model/measure/block_box.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -31,12 +32,7 @@ void clip_by_faces(const Model& model, const Surfaces& surfaces, Row block, cons
 /// A box that encloses a shifted block.
 void begin_with_box(const Model& model, Row block, const Vec3& shift, const Vec3& origin, ConvexClip& clip) {
     constexpr double room = 1.1;
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    const Span points = model.blocks.gridpoints[block];
-    for (Row g = points.first; g < points.end(); ++g) {
-        low = low.cwiseMin(model.gridpoints.position[g]);
-        high = high.cwiseMax(model.gridpoints.position[g]);
-    }
+    const auto [low, high] = block_box(model, block);
     const Vec3 middle = 0.5 * (low + high) + shift - origin, half = 0.5 * room * (high - low);
     clip.clear();
     for (int i = 0; i < 8; ++i)

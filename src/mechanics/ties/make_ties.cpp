@@ -5,6 +5,7 @@
 #include "mechanics/ties/ties.hpp"
 #include "model/edit/joined.hpp"
 #include "model/edit/ties.hpp"
+#include "model/measure/block_box.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -184,11 +185,7 @@ std::vector<std::array<Row, 2>> pairs_to_tie(const Model& model) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks.body[b] == 0 || !blocks.deformable[b]) continue;
         rows.push_back(static_cast<Row>(b));
-        Vec3 low = model.gridpoints.position[blocks.gridpoints[b].first], high = low;
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) {
-            low = low.cwiseMin(model.gridpoints.position[g]);
-            high = high.cwiseMax(model.gridpoints.position[g]);
-        }
+        const auto [low, high] = block_box(model, rows.back());
         const Vec3 around = Vec3::Constant(blocks.margin[b]);
         boxes.push_back({low - around, high + around});
     }

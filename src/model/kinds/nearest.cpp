@@ -1,5 +1,7 @@
 #include "model/kinds/nearest.hpp"
 
+#include "model/measure/block_box.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -65,22 +67,8 @@ void add_triangles(const Model& model, const Span& triangles, Surface& surface) 
     for (Row t = triangles.first; t < triangles.end(); ++t) surface.add(corners_of(model, t));
 }
 
-struct Box {
-    Vec3 low, high;
-    double distance(const Vec3& place) const {
-        return (low - place).cwiseMax(place - high).cwiseMax(Vec3::Zero()).norm();
-    }
-};
-
-Box box_of_block(const Model& model, Row block) {
-    const Span span = model.blocks.gridpoints[block];
-    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-            Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (Row g = span.first; g < span.end(); ++g) {
-        box.low = box.low.cwiseMin(model.gridpoints.position[g]);
-        box.high = box.high.cwiseMax(model.gridpoints.position[g]);
-    }
-    return box;
+double distance_to(const Box& box, const Vec3& place) {
+    return (box.low - place).cwiseMax(place - box.high).cwiseMax(Vec3::Zero()).norm();
 }
 
 double distance_to_zone(const Model& model, Row zone, const Vec3& place) {
@@ -117,7 +105,7 @@ Row nearest_row(const Model& model, ObjectKind kind, const Vec3& place) {
     Row best = no_row;
     double best_distance = std::numeric_limits<double>::infinity(), best_reference = best_distance;
     for (Row row = 0; row < rows; ++row) {
-        if (kind == ObjectKind::block && box_of_block(model, row).distance(place) > best_distance + same) continue;
+        if (kind == ObjectKind::block && distance_to(block_box(model, row), place) > best_distance + same) continue;
         const double distance = distance_to(model, kind, row, place);
         if (distance > best_distance + same) continue;
         const double reference = (reference_point(model, kind, row) - place).squaredNorm();
@@ -130,7 +118,7 @@ Row nearest_row(const Model& model, ObjectKind kind, const Vec3& place) {
 }
 
 double block_size(const Model& model, Row block) {
-    const Box box = box_of_block(model, block);
+    const Box box = block_box(model, block);
     return model.blocks.gridpoints[block].count > 0 ? (box.high - box.low).norm() : 0;
 }
 

@@ -1,5 +1,7 @@
 #include "model/measure/volume_jumps.hpp"
 
+#include "model/measure/block_box.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,11 +29,9 @@ public:
         for (const Row b : blocks) {
             if (!model.blocks.deformable[b]) continue;
             wanted_[b] = true;
-            const Span span = model.blocks.gridpoints[b];
-            for (Row g = span.first; g < span.end(); ++g) {
-                low_ = low_.cwiseMin(model.gridpoints.position[g]);
-                high_ = high_.cwiseMax(model.gridpoints.position[g]);
-            }
+            const Box box = block_box(model, b);
+            low_ = low_.cwiseMin(box.low);
+            high_ = high_.cwiseMax(box.high);
         }
         const double far = std::max(low_.cwiseAbs().maxCoeff(), high_.cwiseAbs().maxCoeff());
         tolerance_ = same_place * (high_ - low_).norm() + 64 * std::numeric_limits<double>::epsilon() * far;

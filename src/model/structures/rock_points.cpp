@@ -3,6 +3,7 @@
 #include "model/tables/model.hpp"
 #include "model/kinds/nearest.hpp"
 #include "model/kinds/selection.hpp"
+#include "model/measure/block_box.hpp"
 #include "model/measure/turn.hpp"
 
 #include <Eigen/Geometry>
@@ -62,15 +63,9 @@ void place_in_zone(const Model& model, RockPoints& points, Row row, Row block, c
 
 BlockFinder::BlockFinder(const Model& model) : model_(model), same_(1e-10 * model_size(model)) {
     for (Row block = 0; block < static_cast<Row>(model.blocks.size()); ++block) {
-        const Span span = model.blocks.gridpoints[block];
-        Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-                Vec3::Constant(-std::numeric_limits<double>::infinity()), 0};
-        for (Row g = span.first; g < span.end(); ++g) {
-            box.low = box.low.cwiseMin(model.gridpoints.position[g]);
-            box.high = box.high.cwiseMax(model.gridpoints.position[g]);
-        }
-        if (span.count > 0) box.size = (box.high - box.low).norm();
-        boxes_.push_back(box);
+        const auto [low, high] = block_box(model, block);
+        const bool any = model.blocks.gridpoints[block].count > 0;
+        boxes_.push_back({low, high, any ? (high - low).norm() : 0});
     }
 }
 
