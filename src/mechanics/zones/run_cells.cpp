@@ -71,14 +71,31 @@ CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw&
     return forces_on(faces, place, made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells));
 }
 
+/// Up to eight cells as they are.
+struct CellGroupView {
+    Row cells;
+    CellGroupCorners corners;
+    CellField place;
+    CellShape shape;
+    WarpStress warp;
+
+    [[gnu::always_inline]] CellGroupView(const Model& model, const TileRows& rows, const ZoneTile& tile,
+                                         const ZoneLaw& law, Row zone)
+        : cells(cells_from(zone, tile.last)), corners(rows.cells_at(zone)), place(from_first(rows.places(), corners)),
+          shape(place, RuledFaces(rows.ruled(zone))) {
+        load_warps(model.zones, law.cell_history, zone, cells, warp);
+    }
+
+    /// Of the warp stresses alone.
+    CellForces of_warp() const { return forces_of(shape, SixEights{}, warp); }
+};
+
 /// Forces of the zones of these cells.
-CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, CellGroupCorners corners, Row zone,
-                      Row cells) {
-    const CellField place = from_first(rows.places(), corners);
-    CellForces forces = ruled_forces(model, rows, law, place, zone, cells);
+CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellGroupView& g, Row zone) {
+    CellForces forces = ruled_forces(model, rows, law, g.place, zone, g.cells);
     for (Row z = 0; z < zones_of_cell; ++z)
-        add_forces_of_zone(edges_of_zone(place, z), z,
-                           load_six(model.zones.stress[zone + z].data(), to_next_cell, cells), forces);
+        add_forces_of_zone(edges_of_zone(g.place, z), z,
+                           load_six(model.zones.stress[zone + z].data(), to_next_cell, g.cells), forces);
     return forces;
 }
 
@@ -278,22 +295,18 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
     TileForces sums(tile, forces);
     const bool together = law.together == Together::cells, kept = keeps_cell_motion(model.zones, law);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
-        const Row cells = cells_from(zone, tile.last);
-        const CellGroupCorners corners = rows.cells_at(zone);
-        const CellField place = from_first(rows.places(), corners);
         if (!together) {
-            sums.add(corners, cells, zones_alone(model, place, zone, cells));
+            const Row cells = cells_from(zone, tile.last);
+            const CellGroupCorners corners = rows.cells_at(zone);
+            sums.add(corners, cells, zones_alone(model, from_first(rows.places(), corners), zone, cells));
             continue;
         }
-        const CellShape shape(place, RuledFaces(rows.ruled(zone)));
-        WarpStress warp;
-        load_warps(model.zones, law.cell_history, zone, cells, warp);
-        if (kept || !are_alike(model.zones.stress, zone, cells))
-            sums.add(corners, cells,
-                     both(forces_of(shape, SixEights{}, warp), own_forces(model, rows, law, corners, zone, cells)));
+        const CellGroupView g(model, rows, tile, law, zone);
+        if (kept || !are_alike(model.zones.stress, zone, g.cells))
+            sums.add(g.corners, g.cells, both(g.of_warp(), own_forces(model, rows, law, g, zone)));
         else
-            sums.add(corners, cells,
-                     forces_of(shape, load_six(model.zones.stress[zone].data(), to_next_cell, cells), warp));
+            sums.add(g.corners, g.cells,
+                     forces_of(g.shape, load_six(model.zones.stress[zone].data(), to_next_cell, g.cells), g.warp));
     }
 }
 
@@ -301,22 +314,18 @@ double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, cons
     const bool large = model.settings.large_strain;
     Lanes whole = Lanes::Zero();
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
-        const Row cells = cells_from(z, tile.last);
-        const CellGroupCorners corners = rows.cells_at(z);
-        const CellField place = from_first(rows.places(), corners), shift = from_first(rows.shifts(), corners);
-        WarpStress stress;
-        load_warps(model.zones, law.cell_history, z, cells, stress);
-        const CellShape shape(place, RuledFaces(rows.ruled(z)));
-        const CellMotion motion(shape, shift, large);
-        Eight work = add_warp_stress(motion, LayerModuli(), stress);
+        CellGroupView g(model, rows, tile, law, z);
+        const CellField shift = from_first(rows.shifts(), g.corners);
+        const CellMotion motion(g.shape, shift, large);
+        Eight work = add_warp_stress(motion, LayerModuli(), g.warp);
         double* const made = cell_motion(model.zones, law, z);
         if (large)
-            store_six(made, zones_of_cell, cells, turned(load_six(made, zones_of_cell, cells), motion.half_spin));
-        const CellForces ruled = ruled_forces(model, rows, law, place, z, cells);
+            store_six(made, zones_of_cell, g.cells, turned(load_six(made, zones_of_cell, g.cells), motion.half_spin));
+        const CellForces ruled = ruled_forces(model, rows, law, g.place, z, g.cells);
         for (std::size_t c = 1; c < 8; ++c) work -= ruled[c].dot(shift[c - 1]);
-        for (Row l = cells; l < eight; ++l) work[l] = 0;
+        for (Row l = g.cells; l < eight; ++l) work[l] = 0;
         add_to(whole, work);
-        forces.add(corners, cells, both(forces_of(shape, SixEights{}, stress), ruled));
+        forces.add(g.corners, g.cells, both(g.of_warp(), ruled));
     }
     return sum(whole);
 }
@@ -324,14 +333,8 @@ double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, cons
 void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
                  TileForces& forces) {
     for (Row z = tile.first; z < tile.last; z += zones_of_group) {
-        const Row cells = cells_from(z, tile.last);
-        const CellGroupCorners corners = rows.cells_at(z);
-        const CellField place = from_first(rows.places(), corners);
-        const CellShape shape(place, RuledFaces(rows.ruled(z)));
-        WarpStress stress;
-        load_warps(model.zones, law.cell_history, z, cells, stress);
-        forces.add(corners, cells,
-                   both(forces_of(shape, SixEights{}, stress), ruled_forces(model, rows, law, place, z, cells)));
+        const CellGroupView g(model, rows, tile, law, z);
+        forces.add(g.corners, g.cells, both(g.of_warp(), ruled_forces(model, rows, law, g.place, z, g.cells)));
     }
 }
 
