@@ -131,7 +131,8 @@ namespace {
 
 /// The common volume of two blocks, relative to its own origin.
 struct CommonPart {
-    OverlapGradient volume, depth;
+    double volume = 0;
+    OverlapGradient depth;
     OverlapMoments moments;
     double flatness = 0; ///< see Flatness
 };
@@ -145,17 +146,18 @@ struct LeastJoint {
     LeastJoint(const CommonPart& common, double least_area) {
         constexpr double of_tip =
             2700; // V/q^3 of a square pyramid whose sides rise by 10 degrees; of a cube's corner 55
-        const double mean = common.depth.value / common.volume.value,
-                     ratio = common.volume.value / (of_tip * mean * mean * mean), whole = 1 + ratio * ratio;
+        const double mean = common.depth.value / common.volume, ratio = common.volume / (of_tip * mean * mean * mean),
+                     whole = 1 + ratio * ratio;
         blunt = 1 - 1 / whole;
         energy = 18 * least_area * (mean * mean) / (whole * whole);
     }
 };
 
 /// Energy over stiffness of an overlap: U of the depth, or that of the least joint, whichever is larger, by a smooth norm that is exact far
-/// from where they are equal. Returns minus its gradient.
-OverlapGradient energy_of(const CommonPart& common, double least_area) {
-    const OverlapGradient &volume = common.volume, &depth = common.depth;
+/// from where they are equal. Returns minus its gradient. `volume_gradient_of` is called only where the least joint counts.
+template <class Gradient>
+OverlapGradient energy_of(const CommonPart& common, double least_area, Gradient volume_gradient_of) {
+    const OverlapGradient& depth = common.depth;
     const LeastJoint joint(common, least_area);
     constexpr double no_part = 0.01; // its eighth power is below rounding
     if (!(joint.energy > no_part * depth.value)) return depth;
@@ -169,7 +171,7 @@ OverlapGradient energy_of(const CommonPart& common, double least_area) {
     const double of_depth = seventh_power(one / sum), of_joint = seventh_power(other / sum) * joint.energy;
     OverlapGradient energy;
     energy.add(depth, of_depth + of_joint * (2 + 12 * joint.blunt) / depth.value);
-    energy.add(volume, -of_joint * (2 + 16 * joint.blunt) / volume.value);
+    energy.add(volume_gradient_of(), -of_joint * (2 + 16 * joint.blunt) / common.volume);
     energy.value = larger * sum;
     return energy;
 }
@@ -239,7 +241,7 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
     if (!(common.moments.volume > 0)) return false;
     const Flatness flatness(model, pair);
     common.flatness = flatness.value;
-    common.volume = volume_gradient(work.clip, common.moments.volume, second);
+    common.volume = common.moments.volume;
     const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
     const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject,
                                  const std::vector<HalfSpace>& faces_of_other) {
@@ -280,10 +282,13 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     CommonPart common;
     const Flat flat = find_flat(model, pair, origin, moved, work);
     if (flat == Flat::apart) return patch;
-    if (flat == Flat::found) common = {work.flat.volume(), work.flat.depth(), work.flat.moments(), 1};
+    if (flat == Flat::found) common = {work.flat.volume().value, work.flat.depth(), work.flat.moments(), 1};
     else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
     patch.lies = common.flatness > 0.5;
-    const OverlapGradient energy = energy_of(common, pair.least_area);
+    const OverlapGradient energy = energy_of(common, pair.least_area, [&] {
+        return flat == Flat::found ? work.flat.volume()
+                                   : volume_gradient(work.clip, common.volume, second_is_subject(model.blocks, pair));
+    });
     const double force = energy.force.norm();
     if (!(force > 0)) return patch;
 
