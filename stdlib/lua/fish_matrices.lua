@@ -1,9 +1,8 @@
--- Matrices and principal values of FISH, and split arguments. Returns rows {name, least, most, read}: the numbers of arguments, and a
--- function.
+-- Matrices of FISH. Returns rows {name, least, most, read}: the numbers of arguments, and a function.
 
 local runtime, native = ...
 local stop, describe, whole = native.stop, native.describe, native.whole
-local own, kind_of, make_list, need = runtime.own, runtime.kind_of, runtime.make_list, runtime.need
+local own, kind_of, need = runtime.own, runtime.kind_of, runtime.need
 local operations = runtime.operations
 local types, new_matrix, place_in_tensor = runtime.types, runtime.make_matrix, runtime.place_in_tensor
 local rows = {}
@@ -12,42 +11,7 @@ local function define(name, least, most, read)
     rows[#rows + 1] = { name, least, most, read }
 end
 
--- --- tensors ------------------------------------------------------------------------------------------
-
-function runtime.new_tensor(...)
-    local values = { ... }
-    if #values ~= 0 and #values ~= 6 then
-        stop(("'tensor' is given %d numbers"):format(#values), "six: xx, yy, zz, xy, xz, yz")
-    end
-    for i = 1, 6 do
-        values[i] = native.number(values[i] or 0)
-    end
-    return setmetatable(values, types.tensor)
-end
-
-define("tensor", 0, 6, runtime.new_tensor)
-
-local function of_tensor(event, sign, apply)
-    types.tensor[event] = function(left, right)
-        local tensors = (kind_of(left) == "tensor" and 1 or 0) + (kind_of(right) == "tensor" and 1 or 0)
-        local scale = type(left) == "number" or type(right) == "number"
-        local fits = sign == "+" or sign == "-"
-        fits = fits and tensors == 2 or not fits and scale and (sign == "*" or kind_of(left) == "tensor")
-        if not fits then
-            stop(("%s and %s cannot be combined by '%s'"):format(describe(left), describe(right), sign), "")
-        end
-        local result = {}
-        for i = 1, 6 do
-            result[i] = apply(type(left) == "number" and left or left[i], type(right) == "number" and right or right[i])
-        end
-        return setmetatable(result, types.tensor)
-    end
-end
-for event, operation in pairs(operations) do
-    of_tensor(event, operation[2], operation[1])
-end
-
--- --- making and combining matrices --------------------------------------------------------------------
+-- --- making and combining -----------------------------------------------------------------------------
 
 local function numbers_of(list)
     local numbers = {}
@@ -213,80 +177,5 @@ define("matrix.identity", 1, 1, function(size)
     end
     return made
 end)
-
--- --- principal values of tensors ----------------------------------------------------------------------
-
-define("tensor.prin", 1, 1, function(t)
-    local least, middle, greatest = native.principal(need("tensor", t, "tensor.prin"))
-    return native.vector(least, middle, greatest)
-end)
-define("tensor.prin.dir", 1, 1, function(t)
-    local columns = { select(4, native.principal(need("tensor", t, "tensor.prin.dir"))) }
-    columns.columns = 3
-    return setmetatable(columns, types.matrix)
-end)
-define("tensor.prin.from", 2, 2, function(values, directions)
-    local axes = need("matrix", directions, "tensor.prin.from")
-    if not native.is_vector(values) or #axes ~= 9 or axes.columns ~= 3 then
-        stop("'tensor.prin.from' takes a vector of principal values and a matrix with their directions as columns", "")
-    end
-    local function part(i, k)
-        local sum = 0.0
-        for j, value in ipairs({ values.x, values.y, values.z }) do
-            sum = sum + value * axes[3 * i + j] * axes[3 * k + j]
-        end
-        return sum
-    end
-    return runtime.new_tensor(part(0, 0), part(1, 1), part(2, 2), part(0, 1), part(0, 2), part(1, 2))
-end)
-
--- --- splitting: block.vol(::blocks) ------------------------------------------------------------------
-
--- Calls `take` with the elements of the lists at each place.
-local function walk(lists, take)
-    local members, size = {}, nil
-    for i, list in ipairs(lists) do
-        local kind = kind_of(list)
-        if kind ~= "list" and kind ~= "array" and kind ~= "map" then
-            stop(("'::' splits a list, here it is given %s"):format(describe(list)), "")
-        end
-        members[i] = runtime.members(list)
-        size = size or #members[i]
-        if #members[i] ~= size then
-            stop(("lists of %d and %d elements are split together"):format(size, #members[i]), "")
-        end
-    end
-    local at = {}
-    for place = 1, size do
-        for i = 1, #lists do
-            at[i] = members[i][place]
-        end
-        take(place, table.unpack(at, 1, #lists))
-    end
-    return size
-end
-
--- The list of what a call gives for each element.
-function runtime.split(call, ...)
-    local results = {}
-    walk({ ... }, function(place, ...)
-        results[place] = call(...) or 0
-    end)
-    return make_list(results)
-end
-
--- Sets the same value for each element; with `one_each` those of a list in turn.
-function runtime.set_split(set, value, one_each, ...)
-    local values = one_each and (kind_of(value) == "list" or kind_of(value) == "array") and value or nil
-    if one_each and not values then
-        stop(("'=::' gives the elements of a list, here it is given %s"):format(describe(value)), "write = for one value")
-    end
-    walk({ ... }, function(place, ...)
-        if values and values[place] == nil then
-            stop(("%d values are given to more elements"):format(#values), "")
-        end
-        set(values and values[place] or value, ...)
-    end)
-end
 
 return rows

@@ -192,8 +192,8 @@ void add_functions_of(lua_State* L, const std::string& module) {
 } // namespace
 
 void add_value_functions(lua_State* L) {
-    add_functions_of(L, "fish_functions");
-    add_functions_of(L, "fish_matrices");
+    for (const char* const module : {"fish_functions", "fish_tensors", "fish_matrices", "fish_splitting"})
+        add_functions_of(L, module);
 }
 
 } // namespace kaya::script

@@ -1,5 +1,5 @@
-// Lists, maps, tensors and structures of FISH, written in Lua: stdlib/lua/fish_values.lua, and the functions on them,
-// stdlib/lua/fish_functions.lua and fish_matrices.lua.
+// Lists, maps, tensors and structures of FISH, written in Lua: stdlib/lua/fish_values.lua, and the functions on them in the other files
+// whose names begin with fish_.
 #pragma once
 
 #include "lang/script/base/lua_headers.hpp"
