@@ -16,7 +16,7 @@
 namespace kaya::joints {
 
 /// The first n coefficients of a power series, made by the compiler.
-template <std::size_t n, class Coefficient> consteval std::array<double, n> series(Coefficient coefficient) {
+template <std::size_t n> consteval std::array<double, n> series(double (*coefficient)(std::size_t)) {
     std::array<double, n> table{};
     for (std::size_t k = 0; k < n; ++k) table[k] = coefficient(k);
     return table;
@@ -63,11 +63,14 @@ template <std::size_t n>
 /// x to the power y, x above 0.
 [[gnu::always_inline]] inline double power(double x, double y) { return exponential(y * logarithm(x)); }
 
+/// Of the series of sine and cosine, in even powers.
+constexpr double sine_term(std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k + 1); }
+constexpr double cosine_term(std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k); }
+
 /// Tangent of an angle in degrees, from -89 to 89.
 [[gnu::always_inline]] inline double tangent_of_degrees(double angle) {
     // From sine and cosine of the half angle, at most 45 degrees: tan = 2 s c / (c^2 - s^2).
-    constexpr auto sine = series<9>([](std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k + 1); });
-    constexpr auto cosine = series<9>([](std::size_t k) { return (k % 2 ? -1 : 1) / factorial(2 * k); });
+    constexpr auto sine = series<9>(sine_term), cosine = series<9>(cosine_term);
     const double h = angle * (std::numbers::pi / 360), q = h * h;
     const double s = h * polynomial(sine, q), c = polynomial(cosine, q);
     return 2 * s * c / (c * c - s * s);
