@@ -1,11 +1,10 @@
 #include "lang/interp/source.hpp"
 
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <set>
 
@@ -97,7 +96,7 @@ Source read_source(const fs::path& path, std::string name) {
         throw Diagnostic(fmt::format("'{}' has {} MB: too large for a command file (at most {} MB)", name,
                                      fs::file_size(path, error) >> 20, largest_deck >> 20));
 
-    const Descriptor in = door::open(path, Use::read, O_RDONLY);
+    const Descriptor in = door::open(path, Use::read, door::Access::read);
     if (!in)
         throw Diagnostic(fmt::format("'{}' cannot be read: {}", name, std::strerror(errno)),
                          "check the permissions of the file");

@@ -6,11 +6,11 @@
 //   vscode/words.json                      words for completion: commands, their forms and keywords, with help
 //   vim/syntax/kaya.vim                    syntax file for Vim
 //   fuzz/kaya.dict                         words for a fuzzer that reads dictionaries of libFuzzer or AFL++
-#include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/binder.hpp"
 #include "lang/interp/help.hpp"
 #include "lang/modern/language.hpp"
+#include "system/generated_files.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,10 +1,10 @@
 // command_pages FOLDER [--check]: one page for each first word of the language. Syntax, arguments, examples and errors come from the
 // tables; the other sections of a page are written by hand and kept. With --check nothing is written, and the status is 1 when a page does
 // not agree with the tables.
-#include "base/generated_files.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/help.hpp"
 #include "lang/modern/language.hpp"
+#include "system/generated_files.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "app/command_line.hpp"
 
-#include "base/door.hpp"
 #include "commands/session/save_session.hpp"
 #include "io/difference.hpp"
 #include "lang/interp/source.hpp"
+#include "system/door.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

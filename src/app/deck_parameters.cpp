@@ -1,8 +1,8 @@
 #include "app/deck_parameters.hpp"
 
 #include "base/lower_case.hpp"
-#include "base/whole_file.hpp"
 #include "study/study.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "app/interrupt.hpp"
 
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,11 +1,11 @@
 #include "app/joint_bench.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
 #include "commands/world/lua_joint_models.hpp"
 #include "commands/program/output.hpp"
 #include "jointtest/bench.hpp"
 #include "study/command_output.hpp"
+#include "system/whole_file.hpp"
 #include "zonetest/zone_bench.hpp"
 
 #include <CLI/CLI.hpp>

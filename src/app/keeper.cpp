@@ -1,7 +1,7 @@
 #include "app/keeper.hpp"
 
 #include "commands/session/autosave.hpp"
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
 
 #include <csignal>
 #include <ctime>

@@ -1,6 +1,6 @@
 #include "app/landlock.hpp"
 
-#include "base/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <cstddef>
 #include <cstdint>

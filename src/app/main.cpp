@@ -2,8 +2,8 @@
 #include "app/parent.hpp"
 #include "app/work.hpp"
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
-#include "laws/run_record.hpp"
+#include "system/door.hpp"
+#include "system/run_record.hpp"
 
 #include <cstdio>
 #include <cstdlib>

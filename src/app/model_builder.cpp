@@ -2,12 +2,12 @@
 
 #include "app/adapter_cache.hpp"
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
 #include "base/pattern.hpp"
 #include "base/terminal_text.hpp"
-#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 #include "study/command_output.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,8 +2,8 @@
 
 #include "app/model_templates.hpp"
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
-#include "base/whole_file.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

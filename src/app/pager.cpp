@@ -2,7 +2,7 @@
 
 #include "base/terminal_text.hpp"
 #include "commands/program/fitted.hpp"
-#include "commands/program/keyboard.hpp"
+#include "system/keyboard.hpp"
 
 #include <algorithm>
 #include <sstream>

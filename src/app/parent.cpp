@@ -1,10 +1,10 @@
 #include "app/parent.hpp"
 
 #include "base/ask_again.hpp"
-#include "base/door.hpp"
-#include "laws/ending.hpp"
-#include "laws/run_copies.hpp"
-#include "laws/run_record.hpp"
+#include "system/door.hpp"
+#include "system/ending.hpp"
+#include "system/run_copies.hpp"
+#include "system/run_record.hpp"
 
 #include <csignal>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "app/permissions.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
 #include "base/sha256.hpp"
-#include "base/whole_file.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>

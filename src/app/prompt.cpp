@@ -6,16 +6,15 @@
 #include "app/keeper.hpp"
 #include "app/pager.hpp"
 #include "guide/help_text.hpp"
-#include "base/door.hpp"
 #include "base/terminal_text.hpp"
 #include "commands/session/autosave.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/help.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <clocale>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <histedit.h>
 #include <iostream>
@@ -57,7 +56,7 @@ public:
     ~LineEditor() {
         try {
             HistEvent event;
-            if (const Descriptor file = door::open(history_file(), Use::own, O_WRONLY))
+            if (const Descriptor file = door::open(history_file(), Use::own, door::Access::write))
                 history(history_, &event, H_SAVE, file.name().c_str());
         } catch (const Diagnostic&) { // without a place for it the history ends with the session
         }

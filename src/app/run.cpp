@@ -7,16 +7,15 @@
 #include "app/run_report.hpp"
 #include "app/sandbox.hpp"
 #include "base/counted.hpp"
-#include "base/door.hpp"
 #include "commands/session/autosave.hpp"
 #include "commands/session/journal.hpp"
 #include "commands/monitors/progress.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/door.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <new>
 #include <optional>
@@ -189,7 +188,7 @@ int run_session(Session& session, const RunOrder& order) {
 void prepare_history(const RunOrder& order) {
     const fs::path file = history_file();
     if (!order.decks.empty() || !order.journal.empty() || file.empty() || isatty(STDIN_FILENO) == 0) return;
-    if (!door::make_folders(file.parent_path(), Use::own)) door::open(file, Use::own, O_WRONLY | O_CREAT);
+    if (!door::make_folders(file.parent_path(), Use::own)) door::open(file, Use::own, door::Access::keep);
 }
 
 SandboxOrder sandbox_of(const RunOrder& order, const fs::path& program) {

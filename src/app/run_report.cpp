@@ -4,8 +4,8 @@
 
 #include "commands/session/save_session.hpp"
 #include "report/scene_data.hpp"
-#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,8 +2,8 @@
 
 #include "app/landlock.hpp"
 #include "app/permissions.hpp"
-#include "base/door.hpp"
 #include "laws/zone_model.hpp"
+#include "system/door.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Collects what the program may use: from the command line, the user's permissions, and the place of the program.
 #pragma once
 
-#include "base/gate.hpp"
+#include "system/gate.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "app/scope.hpp"
 #include "app/study_commands.hpp"
 #include "app/tool_commands.hpp"
-#include "laws/run_copies.hpp"
+#include "system/run_copies.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -3,18 +3,18 @@
 #include "app/interrupt.hpp"
 #include "app/permissions.hpp"
 #include "app/study_deck.hpp"
-#include "base/door.hpp"
-#include "base/whole_file.hpp"
 #include "commands/program/output.hpp"
 #include "lang/interp/lexer.hpp"
 #include "lang/script/values/value_text.hpp"
-#include "laws/run_record.hpp"
 #include "model/tables/model.hpp"
 #include "model/whole/state_hash.hpp"
 #include "study/local_runs.hpp"
 #include "study/slurm_runs.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_table.hpp"
+#include "system/door.hpp"
+#include "system/run_record.hpp"
+#include "system/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "app/study_deck.hpp"
 
 #include "app/deck_parameters.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -3,17 +3,17 @@
 #include "app/command_line.hpp"
 #include "app/run_report.hpp"
 
-#include "base/door.hpp"
 #include "commands/session/save_session.hpp"
 #include "io/field_csv.hpp"
 #include "io/history_csv.hpp"
-#include "base/whole_file.hpp"
 #include "laws/joint_model.hpp"
 #include "report/report.hpp"
 #include "report/scene_data.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/format.hpp"
 #include "lang/modern/convert.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "app/run.hpp"
 #include "app/start.hpp"
 #include "base/diagnostic.hpp"
-#include "base/limits.hpp"
-#include "base/memory.hpp"
 #include "base/terminal_text.hpp"
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
+#include "system/limits.hpp"
+#include "system/memory.hpp"
 
 #include <csignal>
 #include <cstdio>

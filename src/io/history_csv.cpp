@@ -2,9 +2,9 @@
 
 #include "base/csv.hpp"
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
 #include "model/fields/field.hpp"
 #include "model/fields/sampling.hpp"
+#include "system/whole_file.hpp"
 
 #include <fmt/format.h>
 

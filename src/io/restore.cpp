@@ -3,10 +3,10 @@
 #include "io/save.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
-#include "base/whole_file.hpp"
 #include "model/whole/consistency.hpp"
 #include "model/whole/state.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,12 +1,12 @@
 #include "io/save.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
 #include "io/save_archive.hpp"
 #include "io/save_trailer.hpp"
 #include "io/save_walk.hpp"
 #include "model/whole/state.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,11 +2,11 @@
 
 #include "base/diagnostic.hpp"
 #include "base/markup_text.hpp"
-#include "base/whole_file.hpp"
 #include "io/vtk_arrays.hpp"
 #include "io/vtu_grid.hpp"
 #include "model/measure/joint_polygons.hpp"
 #include "model/measure/structure_rows.hpp"
+#include "system/whole_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "jointtest/bench.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
 #include "laws/arithmetic.hpp"
 #include "laws/given_values.hpp"
 #include "jointtest/fit_residuals.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/csv.hpp"
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>

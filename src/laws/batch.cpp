@@ -1,8 +1,8 @@
 #include "laws/batch.hpp"
 
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
 #include "laws/trespass.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <bit>

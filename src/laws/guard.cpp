@@ -1,7 +1,7 @@
 #include "laws/guard.hpp"
 
 #include "laws/law_table.hpp"
-#include "laws/run_record.hpp"
+#include "system/run_record.hpp"
 
 #include <atomic>
 #include <bit>

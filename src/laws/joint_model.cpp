@@ -3,7 +3,7 @@
 
 #include "base/diagnostic.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "base/abbreviation.hpp"
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
-#include "laws/crash_report.hpp"
 #include "laws/property_roles.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -2,15 +2,15 @@
 #include "laws/joint_model.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
 #include "base/lower_case.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
-#include "laws/library_file.hpp"
+#include "system/crash_report.hpp"
+#include "system/door.hpp"
+#include "system/library_file.hpp"
+#include "system/loaded_library.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <set>
@@ -68,18 +68,15 @@ void refuse_crashing(const fs::path& file, const fs::path& name, const Called* w
 }
 
 std::shared_ptr<void> open_library(const fs::path& file, const fs::path& name, const Called* who) {
-    // Local symbols keep models apart.
-    void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
-    return {handle, [who](void* h) {
-                const AtWork at_work(who, "unloading");
-                dlclose(h);
-            }};
+    std::string fault;
+    auto library = load_library(name, who, fault);
+    if (!library) refuse("joint-model-not-a-library", fmt::format("{} could not be loaded", file.string()), fault);
+    return library;
 }
 
 const kaya_jmodel* descriptor_of(void* library, const fs::path& file) {
     using Entry = const kaya_jmodel* (*)();
-    const auto entry = reinterpret_cast<Entry>(dlsym(library, entry_point));
+    const auto entry = reinterpret_cast<Entry>(symbol_of(library, entry_point));
     if (!entry)
         refuse("joint-model-no-entry",
                fmt::format("{} is not a joint model: it has no function {}", file.string(), entry_point),
@@ -134,7 +131,7 @@ std::unique_ptr<JointModel> JointRegistry::open(const fs::path& file) const {
     const auto library = open_library(file, name, who);
     auto model = std::make_unique<JointModel>(descriptor_of(library.get(), file), file, library);
     // Objects of a model may outlive the registry, and their code must be there when they go.
-    if (model->keeps_objects()) dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (model->keeps_objects()) keep_loaded(name);
     model->note_arithmetic(arithmetic.put_back());
     return model;
 }

@@ -2,8 +2,8 @@
 
 #include "base/diagnostic.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
 #include "laws/lone_row.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <cmath>

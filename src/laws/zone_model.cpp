@@ -3,16 +3,16 @@
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
-#include "laws/library_file.hpp"
 #include "laws/trespass.hpp"
+#include "system/crash_report.hpp"
+#include "system/library_file.hpp"
+#include "system/loaded_library.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
@@ -52,14 +52,11 @@ std::unique_ptr<ZoneModel> open(const fs::path& file, const fs::path& name) {
             "look at what its source does before any of its functions is called: static objects, the functions that describe it");
     const AtWork at_work(who, zone_law.entry_point);
     ArithmeticGuard arithmetic; // a library that was linked with -ffast-math changes it when it is loaded
-    void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) refuse("zone-model-not-a-library", fmt::format("{} could not be loaded", file.string()), dlerror());
-    const std::shared_ptr<void> library(handle, [who](void* h) {
-        const AtWork unloading(who, "unloading");
-        dlclose(h);
-    });
+    std::string fault;
+    const auto library = load_library(name, who, fault);
+    if (!library) refuse("zone-model-not-a-library", fmt::format("{} could not be loaded", file.string()), fault);
     using Entry = const kaya_zmodel* (*)();
-    const auto entry = reinterpret_cast<Entry>(dlsym(handle, zone_law.entry_point));
+    const auto entry = reinterpret_cast<Entry>(symbol_of(library.get(), zone_law.entry_point));
     if (!entry)
         refuse("zone-model-no-entry",
                fmt::format("{} is not a zone model: it has no function {}", file.string(), zone_law.entry_point),

@@ -5,12 +5,12 @@
 #include "commands/program/program.hpp"
 #include "commands/session/autosave.hpp"
 #include "commands/session/session.hpp"
-#include "laws/run_record.hpp"
 #include "lang/interp/deck.hpp"
 #include "library/field_span.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/loaded_library.hpp"
+#include "system/run_record.hpp"
 
-#include <dlfcn.h>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,10 +39,10 @@ struct Mistake {
 
 /// The folders next to this library, where an installation and the folder of a build have the joint models.
 std::vector<fs::path> installed_joints() {
-    Dl_info info{};
-    if (::dladdr(reinterpret_cast<const void*>(&kaya_version), &info) == 0 || info.dli_fname == nullptr) return {};
+    const fs::path own = file_of_code(reinterpret_cast<const void*>(&kaya_version));
+    if (own.empty()) return {};
     std::error_code failed;
-    const fs::path folder = fs::canonical(info.dli_fname, failed).parent_path();
+    const fs::path folder = fs::canonical(own, failed).parent_path();
     for (const auto& candidate :
          {folder / "joints", folder / "kaya" / "joints", folder.parent_path() / "kaya" / "joints"})
         if (fs::is_directory(candidate, failed)) return {candidate};

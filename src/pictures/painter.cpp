@@ -1,7 +1,7 @@
 #include "pictures/painter.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <cerrno>

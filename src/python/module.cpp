@@ -5,7 +5,6 @@
 #include "guide/help_text.hpp"
 #include "lang/interp/deck.hpp"
 #include "lang/modern/language.hpp"
-#include "laws/run_record.hpp"
 #include "model/whole/state_hash.hpp"
 #include "pictures/painter.hpp"
 #include "python/errors.hpp"
@@ -13,6 +12,7 @@
 #include "python/results.hpp"
 #include "python/running.hpp"
 #include "python/values.hpp"
+#include "system/run_record.hpp"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -1,11 +1,11 @@
 #include "python/running.hpp"
 
 #include "commands/session/autosave.hpp"
+#include "system/interrupt_signal.hpp"
 
 #include <array>
 #include <atomic>
-#include <csignal>
-#include <unistd.h>
+#include <optional>
 
 namespace kaya::python {
 
@@ -19,30 +19,27 @@ std::atomic<bool> asked = false;
 /// Python's own action of Ctrl-C waits for the interpreter, which waits for the session: so the session is notified at once.
 class OnInterrupt {
 public:
-    explicit OnInterrupt(Session& session) : main_(::getpid() == ::gettid() && listening == nullptr) {
-        if (!main_) return; // signals belong to the main thread
+    explicit OnInterrupt(Session& session) {
+        if (!is_main_thread() || listening != nullptr) return; // signals belong to the main thread
         asked = false;
         listening = &session;
-        struct sigaction action {};
-        action.sa_handler = [](int) {
+        signal_.emplace([] {
             asked = true;
             if (Session* heard = listening; heard != nullptr) heard->interrupt();
-        };
-        ::sigaction(SIGINT, &action, &before_);
+        });
     }
     ~OnInterrupt() {
-        if (!main_) return;
-        ::sigaction(SIGINT, &before_, nullptr);
+        if (!signal_) return;
+        signal_.reset();
         listening = nullptr;
     }
     OnInterrupt(const OnInterrupt&) = delete;
     OnInterrupt& operator=(const OnInterrupt&) = delete;
 
-    bool was_asked() const { return main_ && asked.exchange(false); }
+    bool was_asked() const { return signal_ && asked.exchange(false); }
 
 private:
-    bool main_;
-    struct sigaction before_ {};
+    std::optional<InterruptSignal> signal_;
 };
 
 script::Moment moment_of(const std::string& name) {

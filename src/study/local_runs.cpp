@@ -1,8 +1,8 @@
 #include "study/local_runs.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
 #include "base/terminal_text.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -106,7 +106,7 @@ LocalRuns::Start LocalRuns::start(const Case& one) {
         sweep(folder);
         return Start::done;
     }
-    const Descriptor output = door::open(folder / output_file, Use::write, O_WRONLY | O_CREAT | O_TRUNC);
+    const Descriptor output = door::open(folder / output_file, Use::write, door::Access::renew);
     if (!output)
         throw Diagnostic(fmt::format("cannot write {}: {}", (folder / output_file).string(), std::strerror(errno)),
                          "runs that are done are kept", Fault::run);

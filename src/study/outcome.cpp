@@ -1,7 +1,7 @@
 #include "study/outcome.hpp"
 
-#include "base/whole_file.hpp"
 #include "study/toml_section.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <array>

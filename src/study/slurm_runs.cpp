@@ -1,10 +1,10 @@
 #include "study/slurm_runs.hpp"
 
-#include "base/door.hpp"
 #include "base/pattern.hpp"
 #include "base/sha256.hpp"
-#include "base/whole_file.hpp"
 #include "study/command_output.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 #include "study/study_folder.hpp"
 
 #include "base/ask_again.hpp"
-#include "base/door.hpp"
 #include "base/sha256.hpp"
-#include "base/whole_file.hpp"
 #include "study/toml_section.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 FileLock FileLock::of(const fs::path& file, Kind kind) {
     FileLock lock;
-    lock.file_ = door::open(file, Use::own, O_RDWR | O_CREAT);
+    lock.file_ = door::open(file, Use::own, door::Access::keep);
     if (!lock.file_)
         throw Diagnostic(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)), {}, Fault::run);
     // The lock belongs to the open file and not to the process: a child keeps it, and other machines see it on shared file systems.

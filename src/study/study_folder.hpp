@@ -1,8 +1,8 @@
 // The folder in which a study stores its runs.
 #pragma once
 
-#include "base/descriptor.hpp"
 #include "study/outcome.hpp"
+#include "system/descriptor.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 // The study file, TOML, as a Study.
-#include "base/whole_file.hpp"
 #include "study/study.hpp"
 #include "study/toml_section.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <array>

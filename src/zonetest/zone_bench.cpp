@@ -1,8 +1,8 @@
 #include "zonetest/zone_bench.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
 #include "laws/given_values.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cmath>

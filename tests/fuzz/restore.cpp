@@ -5,7 +5,7 @@
 
 #include "commands/session/save_session.hpp"
 #include "io/save_trailer.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include <cstdlib>
 #include <cstring>

@@ -1,7 +1,7 @@
 // The file of FISH's `open`, `read`, `write` and `close`: one at a time.
 #pragma once
 
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 namespace kaya::script {
 

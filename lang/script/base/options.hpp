@@ -1,7 +1,7 @@
 // Permissions of scripts, and the moments at which they run.
 #pragma once
 
-#include "base/gate.hpp"
+#include "system/gate.hpp"
 
 #include <cstddef>
 #include <cstdint>

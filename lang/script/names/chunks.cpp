@@ -1,6 +1,6 @@
 #include "lang/script/names/chunks.hpp"
 
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 #include "lang/script/base/modules.hpp"
 #include "lang/script/names/hooks.hpp"
 #include "lang/script/state/guard.hpp"

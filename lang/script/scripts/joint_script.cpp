@@ -1,7 +1,7 @@
 #include "lang/script/scripts/joint_script.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 #include "lang/script/scripts/joint_script_state.hpp"
 
 #include <fmt/format.h>

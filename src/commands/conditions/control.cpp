@@ -4,11 +4,11 @@
 
 #include "base/lower_case.hpp"
 #include "base/parallel.hpp"
-#include "commands/program/keyboard.hpp"
 #include "commands/session/plausible.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/common/property_sets.hpp"
 #include "model/measure/compatibility.hpp"
+#include "system/keyboard.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 // table, and tables for histories of boundary conditions.
 #include "commands/conditions/tables.hpp"
 #include "base/lower_case.hpp"
-#include "base/whole_file.hpp"
 #include "commands/session/handlers.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

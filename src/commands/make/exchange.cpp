@@ -1,11 +1,11 @@
 // import, export: blocks in files of other programs.
 #include "base/counted.hpp"
-#include "base/whole_file.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/make/incoming.hpp"
 #include "geometry/grid/grid3d.hpp"
 #include "model/edit/build.hpp"
 #include "model/kinds/groups.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -5,10 +5,11 @@
 
 #include "base/counted.hpp"
 #include "base/lower_case.hpp"
-#include "base/whole_file.hpp"
+
 #include "geometry/fractures/growth.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/read/read_discs.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

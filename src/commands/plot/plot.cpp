@@ -3,12 +3,12 @@
 
 #include "base/lower_case.hpp"
 #include "commands/plot/pictures.hpp"
-#include "base/whole_file.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/deck.hpp"
 #include "model/fields/sampling.hpp"
 #include "pictures/picture_page.hpp"
 #include "scene/svg_chart.hpp"
+#include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,26 +2,16 @@
 
 #include "base/terminal_text.hpp"
 #include "commands/program/fitted.hpp"
+#include "system/terminal.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace kaya {
 
-namespace {
-
-std::size_t columns_of(std::FILE* terminal) {
-    winsize size{};
-    return ioctl(fileno(terminal), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-} // namespace
-
 Output::Output(std::FILE* results, std::FILE* messages)
-    : results_(results), messages_(messages), terminal_(isatty(fileno(messages)) == 1), in_place_(terminal_) {
+    : results_(results), messages_(messages), terminal_(is_terminal(messages)), in_place_(terminal_) {
     // Results of a long run can be read while it runs.
     std::setvbuf(results_, nullptr, _IOLBF, BUFSIZ);
     colour_ = terminal_ && std::getenv("NO_COLOR") == nullptr;
@@ -61,7 +51,7 @@ void Output::print(std::string_view text) {
 }
 
 void Output::print_deck(const std::string& text) {
-    if (isatty(fileno(results_)) == 1) return print(text);
+    if (is_terminal(results_)) return print(text);
     errno = 0;
     if (std::fwrite(text.data(), 1, text.size(), results_) != text.size()) fail_to_write(the_results);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <cstdio>
 #include <string>

@@ -1,9 +1,9 @@
 // The program around a run: options of the command line, output, listeners, and requests to stop.
 #pragma once
 
-#include "base/door.hpp"
 #include "commands/program/output.hpp"
 #include "commands/program/run_name.hpp"
+#include "system/door.hpp"
 
 #include "lang/interp/binder.hpp"
 

@@ -1,15 +1,11 @@
 #include "commands/program/run_name.hpp"
 
 #include "base/ask_again.hpp"
-#include "base/diagnostic.hpp"
-#include "base/door.hpp"
+#include "system/door.hpp"
+#include "system/locked_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <utility>
 
 namespace kaya {
@@ -20,37 +16,6 @@ namespace {
 
 constexpr int most_runs = 1000;           ///< of one name in one folder
 constexpr std::size_t longest_stem = 200; ///< bytes: file systems allow 255, and suffixes follow
-
-Descriptor opened(const fs::path& file) {
-    try {
-        return door::open(file, Use::own, O_RDWR | O_CREAT | O_NOFOLLOW);
-    } catch (const Diagnostic&) { return Descriptor(); } // a link that leads elsewhere, say
-}
-
-struct Lock {
-    Descriptor file;   ///< none: no file can be made here
-    bool busy = false; ///< another run has it
-};
-
-Lock locked(const fs::path& file) {
-    for (;;) {
-        Lock lock{opened(file)};
-        if (!lock.file) return lock;
-        if (::flock(lock.file.number(), LOCK_EX | LOCK_NB) != 0) return {Descriptor(), errno == EWOULDBLOCK};
-        struct stat mine {
-        }, there{};
-        const bool same =
-            ::fstat(lock.file.number(), &mine) == 0 && ::stat(file.c_str(), &there) == 0 && mine.st_ino == there.st_ino;
-        if (same) return lock;
-        // Otherwise the run before has just removed it.
-    }
-}
-
-/// A lock is empty: a file with content is kept.
-bool is_empty(const Descriptor& file) {
-    struct stat info {};
-    return ::fstat(file.number(), &info) == 0 && info.st_size == 0;
-}
 
 } // namespace
 
@@ -66,8 +31,8 @@ RunNames::Taken RunNames::take(const std::string& stem) {
         const std::string name = number == 1 ? stem : fmt::format("{}-{}", stem, number);
         std::error_code ignored;
         const fs::path file = fs::absolute(fmt::format(".{}.kaya-lock", name), ignored);
-        Lock lock = locked(file);
-        const auto is_free = [&] { return !(lock = locked(file)).busy; };
+        LockedFile lock = lock_file(file);
+        const auto is_free = [&] { return !(lock = lock_file(file)).busy; };
         if (lock.busy && (number > 1 || !ask_again(is_free))) continue;
         const std::string& taken = lock.file ? name : stem;
         held_[stem] = {taken, std::move(lock.file), file};

@@ -1,7 +1,7 @@
 // Separate files for two runs of one deck in one folder.
 #pragma once
 
-#include "base/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,5 @@
 #include "commands/review/deck_review.hpp"
 
-#include "base/door.hpp"
 #include "commands/review/deck_finding.hpp"
 #include "commands/review/plot_views.hpp"
 #include "commands/review/save_name.hpp"
@@ -9,6 +8,7 @@
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 #include "lang/interp/script_files.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <any>

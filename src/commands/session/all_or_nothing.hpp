@@ -1,8 +1,8 @@
 // Commands that search for contacts, or change many things one by one, before they know whether they can succeed.
 #pragma once
 
-#include "base/memory.hpp"
 #include "commands/session/session.hpp"
+#include "system/memory.hpp"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 #include "commands/session/autosave.hpp"
 
-#include "base/door.hpp"
 #include "base/terminal_text.hpp"
 #include "commands/session/save_session.hpp"
 #include "commands/session/session.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <filesystem>

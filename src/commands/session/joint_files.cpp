@@ -1,8 +1,8 @@
 #include "commands/session/joint_files.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
 #include "base/sha256.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,12 +1,11 @@
 #include "commands/session/journal.hpp"
 
-#include "base/door.hpp"
 #include "base/hash.hpp"
 #include "model/whole/state_hash.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -156,7 +155,7 @@ std::string final_hash(Session& session) { return fmt::format("{:016x}", state_h
 
 Journal::Journal(Session& session, const std::string& file) : session_(session), file_(file) {
     try {
-        opened_ = door::open(session.output_file(file), Use::write, O_WRONLY | O_CREAT | O_TRUNC);
+        opened_ = door::open(session.output_file(file), Use::write, door::Access::renew);
     } catch (const Diagnostic&) { // a link that leads elsewhere, say: the first line cannot be written
     }
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));

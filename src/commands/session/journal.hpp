@@ -1,8 +1,8 @@
 // Record of a run as a text that can be run again: `kaya replay run.journal`.
 #pragma once
 
-#include "base/descriptor.hpp"
 #include "commands/session/session.hpp"
+#include "system/descriptor.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #include "commands/session/last_good.hpp"
 
-#include "base/memory.hpp"
 #include "commands/session/save_session.hpp"
 #include "commands/session/session.hpp"
+#include "system/memory.hpp"
 
 #include <algorithm>
 #include <new>

@@ -1,8 +1,8 @@
 #include "commands/session/law_conduct.hpp"
 
 #include "commands/session/session.hpp"
-#include "laws/process_state.hpp"
-#include "laws/run_copies.hpp"
+#include "system/process_state.hpp"
+#include "system/run_copies.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "lang/script/values/value_text.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/crash_report.hpp"
 #include "laws/guard.hpp"
 #include "mechanics/assign/contact_properties.hpp"
+#include "system/crash_report.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/law_conduct.hpp"
 #include "lang/script/values/value_text.hpp"
-#include "laws/crash_report.hpp"
 #include "laws/guard.hpp"
+#include "system/crash_report.hpp"
 
 #include <fmt/format.h>
 #include <optional>

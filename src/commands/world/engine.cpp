@@ -2,11 +2,11 @@
 
 #include "commands/world/joint_values.hpp"
 #include "commands/world/lua_joint_models.hpp"
-#include "laws/process_state.hpp"
+#include "system/memory.hpp"
+#include "system/process_state.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace kaya {
 
@@ -31,8 +31,7 @@ std::optional<JointTables::Points> table_points(script::Scripts& scripts, const 
 /// Memory limit of scripts in bytes: a text that is doubled too often ends with a message instead of exhausting the machine.
 std::size_t memory_for_scripts(std::size_t megabytes) {
     if (megabytes > 0) return megabytes << 20;
-    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page) : 0;
+    return memory_of_machine() / 2;
 }
 
 } // namespace

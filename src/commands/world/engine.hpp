@@ -1,12 +1,12 @@
 // The engine of a session: the model, its cycle, the laws of joints and zones, and the scripts that act on them.
 #pragma once
 
-#include "base/gate.hpp"
 #include "commands/world/model_world.hpp"
 #include "commands/world/occupied.hpp"
 #include "laws/joint_model.hpp"
 #include "mechanics/cycle/cycle.hpp"
 #include "model/tables/model.hpp"
+#include "system/gate.hpp"
 
 #include "lang/script/scripts/scripts.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,9 +1,9 @@
 // joint_pages MODELS PAGES [--check]: puts the tables of properties and of history of every joint model in the folder MODELS, or of every
 // zone model if the folder is called `zones`, into its page in the folder PAGES. The rest of a page is written by hand and kept. With
 // --check nothing is written, and the status is 1 when a page does not agree with its model.
-#include "base/generated_files.hpp"
 #include "base/diagnostic.hpp"
 #include "laws/joint_model.hpp"
+#include "system/generated_files.hpp"
 
 #include <algorithm>
 #include <cmath>

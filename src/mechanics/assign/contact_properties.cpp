@@ -1,7 +1,6 @@
 #include "mechanics/assign/contact_properties.hpp"
 
 #include "mechanics/common/remedy.hpp"
-#include "base/memory.hpp"
 #include "laws/given_values.hpp"
 #include "mechanics/contact/contact_search.hpp"
 #include "mechanics/contact/contact_table.hpp"
@@ -10,6 +9,7 @@
 #include "mechanics/contact/take_over.hpp"
 #include "mechanics/ties/ties.hpp"
 #include "model/edit/bounded.hpp"
+#include "system/memory.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "mechanics/cycle/cycle.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "mechanics/bodies/adjacency.hpp"
 #include "mechanics/contact/advance_joints.hpp"
@@ -34,6 +33,7 @@
 #include "model/edit/bounded.hpp"
 #include "model/fields/sampling.hpp"
 #include "model/structures/structures.hpp"
+#include "system/memory.hpp"
 
 #include <algorithm>
 #include <cmath>

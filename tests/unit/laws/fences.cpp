@@ -1,8 +1,8 @@
 // What a joint model writes where it must not, in a batch of several rows.
 #include "test_joint.hpp"
 
-#include "laws/ending.hpp"
-#include "laws/run_copies.hpp"
+#include "system/ending.hpp"
+#include "system/run_copies.hpp"
 
 #include <cstdlib>
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
-#include "laws/process_state.hpp"
+#include "system/process_state.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
-#include "laws/crash_report.hpp"
-#include "laws/run_copies.hpp"
+#include "system/crash_report.hpp"
+#include "system/door.hpp"
+#include "system/run_copies.hpp"
 
 #include <array>
 #include <clocale>

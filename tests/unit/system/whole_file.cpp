@@ -1,4 +1,4 @@
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include "base/diagnostic.hpp"
 #include "tests/unit/refused_calls.hpp"

@@ -1,8 +1,8 @@
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
 
 #include "base/diagnostic.hpp"
-#include "laws/run_copies.hpp"
-#include "laws/sentence.hpp"
+#include "system/run_copies.hpp"
+#include "system/sentence.hpp"
 
 #include <atomic>
 #include <csignal>

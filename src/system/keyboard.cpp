@@ -1,4 +1,4 @@
-#include "commands/program/keyboard.hpp"
+#include "system/keyboard.hpp"
 
 #include <poll.h>
 #include <termios.h>

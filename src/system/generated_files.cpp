@@ -1,8 +1,8 @@
-#include "base/generated_files.hpp"
+#include "system/generated_files.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
-#include "base/whole_file.hpp"
+#include "system/door.hpp"
+#include "system/whole_file.hpp"
 
 #include <iostream>
 

@@ -1,14 +1,13 @@
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 #include "tests/unit/refused_calls.hpp"
 #include "tests/unit/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <fcntl.h>
 #include <functional>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -86,7 +85,7 @@ TEST_P(DoorTest, RefusesPathsOutsideForEachUse) {
                                            "../out/victim", "folder/../victim"}) {
                       const fs::path file = work / name;
                       for (const Use use : {Use::read, Use::write, Use::own}) {
-                          EXPECT_TRUE(refused([&] { door::open(file, use, O_RDWR | O_CREAT | O_TRUNC); })) << name;
+                          EXPECT_TRUE(refused([&] { door::open(file, use, door::Access::renew); })) << name;
                           EXPECT_TRUE(refused([&] { write_whole_file(file, "x", use); })) << name;
                       }
                       EXPECT_FALSE(door::peek(file)) << name;

@@ -1,8 +1,8 @@
 // Which files the program may use. Commands, scripts, restore, replay, logs and joint models query it before they open one, and the door
-// (base/door.hpp) queries it again for every file; docs/safety.md describes the rules.
+// (system/door.hpp) queries it again for every file; docs/safety.md describes the rules.
 #pragma once
 
-#include "base/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <filesystem>
 #include <map>

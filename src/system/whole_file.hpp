@@ -1,7 +1,7 @@
-// Files that are written whole or not at all, and read whole. Their names go through the door (base/door.hpp).
+// Files that are written whole or not at all, and read whole. Their names go through the door (system/door.hpp).
 #pragma once
 
-#include "base/gate.hpp"
+#include "system/gate.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "base/descriptor.hpp"
+#include "system/descriptor.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 namespace kaya {
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Where the kernel lacks openat2 (before Linux 5.6), or a container refuses it: folder by folder.
-Descriptor open_step_by_step(int folder, const fs::path& below, int flags, mode_t mode) {
+Descriptor open_step_by_step(int folder, const fs::path& below, int flags, unsigned mode) {
     Descriptor at;
     for (auto part = below.begin(); part != below.end(); ++part) {
         const int from = at ? at.number() : folder;
@@ -34,11 +35,13 @@ Descriptor open_step_by_step(int folder, const fs::path& below, int flags, mode_
 
 } // namespace
 
+bool Descriptor::close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
+
 Descriptor handle_of(const fs::path& path, int more_flags) {
     return Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC | more_flags));
 }
 
-Descriptor open_beneath(int folder, const fs::path& below, int flags, mode_t mode) {
+Descriptor open_beneath(int folder, const fs::path& below, int flags, unsigned mode) {
     open_how how{};
     how.flags = static_cast<std::uint64_t>(flags | O_CLOEXEC);
     how.mode = (flags & O_CREAT) != 0 ? mode : 0;

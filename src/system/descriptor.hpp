@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <sys/types.h>
-#include <unistd.h>
 #include <utility>
 
 namespace kaya {
@@ -27,7 +25,7 @@ public:
     std::string name() const { return "/proc/self/fd/" + std::to_string(number_); }
     int release() { return std::exchange(number_, -1); }
     /// False when data could not be written.
-    bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
+    bool close();
 
 private:
     int number_;
@@ -38,7 +36,7 @@ Descriptor handle_of(const std::filesystem::path& path, int more_flags = 0);
 
 /// Opens a file below a folder, by a path that only descends. A link anywhere on the path is an error, so that the file is the
 /// one that was checked before, even when another process changes the folders meanwhile. Without a descriptor errno says why.
-Descriptor open_beneath(int folder, const std::filesystem::path& below, int flags, mode_t mode = 0666);
+Descriptor open_beneath(int folder, const std::filesystem::path& below, int flags, unsigned mode = 0666);
 
 /// False: errno says why. Reading ends when there are more than `most` bytes.
 bool read_all(int descriptor, std::string& content, std::size_t most = std::string::npos);

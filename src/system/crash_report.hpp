@@ -1,7 +1,7 @@
 // Reports the running command, and the running joint model or zone model, when the program crashes, ends unexpectedly or hangs.
 #pragma once
 
-#include "laws/run_record.hpp"
+#include "system/run_record.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include "base/diagnostic.hpp"
 
@@ -57,7 +57,10 @@ void set_gate(std::shared_ptr<Gate> gate) { gate_of_process() = std::move(gate);
 
 std::shared_ptr<Gate> gate() { return gate_of_process() ? gate_of_process() : std::make_shared<Gate>(); }
 
-Descriptor open(const fs::path& file, Use use, int flags) {
+namespace {
+
+/// The flags are those of open(2).
+Descriptor open_with(const fs::path& file, Use use, int flags) {
     const auto held = gate();
     const Gate::Route route = held->route_to(file, use);
     if (route.folder < 0) return Descriptor(::open(route.below.c_str(), flags | O_CLOEXEC, 0666));
@@ -69,9 +72,24 @@ Descriptor open(const fs::path& file, Use use, int flags) {
     return opened;
 }
 
+int flags_of(Access access) {
+    switch (access) {
+    case Access::read: return O_RDONLY;
+    case Access::write: return O_WRONLY;
+    case Access::renew: return O_WRONLY | O_CREAT | O_TRUNC;
+    case Access::keep: return O_RDWR | O_CREAT;
+    case Access::no_link: return O_RDWR | O_CREAT | O_NOFOLLOW;
+    }
+    return O_RDONLY;
+}
+
+} // namespace
+
+Descriptor open(const fs::path& file, Use use, Access access) { return open_with(file, use, flags_of(access)); }
+
 Descriptor peek(const fs::path& file) {
     try {
-        return open(file, Use::read, O_RDONLY);
+        return open(file, Use::read, Access::read);
     } catch (const Diagnostic&) {
         errno = EACCES;
         return Descriptor();
@@ -79,7 +97,7 @@ Descriptor peek(const fs::path& file) {
 }
 
 Stream open_stream(const fs::path& file, Use use, const std::string& mode) {
-    Descriptor opened = open(file, use, flags_of(mode));
+    Descriptor opened = open_with(file, use, flags_of(mode));
     Stream stream(opened ? ::fdopen(opened.number(), mode.c_str()) : nullptr);
     if (stream) opened.release();
     return stream;

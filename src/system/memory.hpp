@@ -8,6 +8,9 @@ namespace kaya {
 /// Gives memory that is free back to the system.
 void give_back_memory();
 
+/// Bytes; 0 where the system does not tell.
+std::size_t memory_of_machine();
+
 /// Bytes available without displacing other programs; the largest number where the system does not tell.
 std::size_t memory_available();
 

@@ -1,7 +1,7 @@
 // Second processes of the run: after fork() in a law both processes would continue the run.
 #pragma once
 
-#include "laws/run_record.hpp"
+#include "system/run_record.hpp"
 
 namespace kaya {
 

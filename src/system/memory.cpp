@@ -1,12 +1,13 @@
-#include "base/memory.hpp"
+#include "system/memory.hpp"
 
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -35,6 +36,11 @@ std::size_t memory_entry(const std::string& name) {
 }
 
 } // namespace
+
+std::size_t memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : 0;
+}
 
 std::size_t memory_available() { return memory_entry("MemAvailable:"); }
 

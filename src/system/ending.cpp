@@ -1,8 +1,8 @@
-#include "laws/ending.hpp"
+#include "system/ending.hpp"
 
 #include "base/diagnostic.hpp"
-#include "laws/crash_report.hpp"
-#include "laws/sentence.hpp"
+#include "system/crash_report.hpp"
+#include "system/sentence.hpp"
 
 #include <csignal>
 #include <cstring>

@@ -1,7 +1,7 @@
-#include "base/whole_file.hpp"
+#include "system/whole_file.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -33,7 +33,7 @@ namespace {
 }
 
 void write_directly(const std::string& path, std::string_view content, Use use) {
-    Descriptor file = door::open(path, use, O_WRONLY);
+    Descriptor file = door::open(path, use, door::Access::write);
     if (!file || !write_all(file.number(), content)) fail_to_write(path, errno);
     if (!file.close()) fail_to_write(path, errno);
 }
@@ -165,14 +165,14 @@ std::string read_whole_file(const std::string& path) {
         if (error == EISDIR) return Diagnostic(fmt::format("'{}' is a folder", path), "give the name of a file");
         return Diagnostic(fmt::format("cannot read '{}': {}", path, std::strerror(error)), {}, Fault::run);
     };
-    const Descriptor file = door::open(path, Use::read, O_RDONLY);
+    const Descriptor file = door::open(path, Use::read, door::Access::read);
     std::string content;
     if (!file || !read_all(file.number(), content)) throw fail(errno);
     return content;
 }
 
 std::optional<std::string> file_text(const std::filesystem::path& file) {
-    const Descriptor opened = door::open(file, Use::read, O_RDONLY);
+    const Descriptor opened = door::open(file, Use::read, door::Access::read);
     std::string text;
     if (!opened || !read_all(opened.number(), text)) return std::nullopt;
     return text;

@@ -1,7 +1,7 @@
-#include "laws/library_file.hpp"
+#include "system/library_file.hpp"
 
-#include "base/door.hpp"
-#include "laws/crash_report.hpp"
+#include "system/crash_report.hpp"
+#include "system/door.hpp"
 
 #include <cerrno>
 #include <csignal>

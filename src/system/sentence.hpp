@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
-#include <unistd.h>
 
 namespace kaya {
 
@@ -41,15 +40,7 @@ public:
     /// What it holds so far.
     const char* text() const { return text_; }
     /// On the standard error. False when it is not there.
-    bool write() const {
-        std::size_t done = 0;
-        while (done < length_) {
-            const ssize_t n = ::write(STDERR_FILENO, text_ + done, length_ - done);
-            if (n <= 0) return false;
-            done += static_cast<std::size_t>(n);
-        }
-        return true;
-    }
+    bool write() const;
 
 private:
     char text_[2048] = "";

@@ -1,4 +1,4 @@
-#include "base/gate.hpp"
+#include "system/gate.hpp"
 
 #include "base/diagnostic.hpp"
 #include "base/sha256.hpp"

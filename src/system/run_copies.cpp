@@ -1,4 +1,4 @@
-#include "laws/run_copies.hpp"
+#include "system/run_copies.hpp"
 
 #include "base/diagnostic.hpp"
 

@@ -3,8 +3,8 @@
 // between the check and the opening. tests/house/check door refuses other openings.
 #pragma once
 
-#include "base/descriptor.hpp"
-#include "base/gate.hpp"
+#include "system/descriptor.hpp"
+#include "system/gate.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -21,8 +21,15 @@ std::shared_ptr<Gate> gate();
 
 // All functions throw Diagnostic when the gate refuses.
 
-/// Without a descriptor errno says why. The flags are those of open(2).
-Descriptor open(const std::filesystem::path& file, Use use, int flags);
+enum class Access {
+    read,
+    write,  ///< a file that is there
+    renew,  ///< made, or emptied, and written
+    keep,   ///< made where there is none; read and written
+    no_link ///< as `keep`, of a name that is not a link
+};
+/// Without a descriptor errno says why.
+Descriptor open(const std::filesystem::path& file, Use use, Access access);
 /// The same for a file that may be read or not: without a descriptor where the gate refuses, too.
 Descriptor peek(const std::filesystem::path& file);
 

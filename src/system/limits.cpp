@@ -1,7 +1,7 @@
-#include "base/limits.hpp"
+#include "system/limits.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/door.hpp"
+#include "system/door.hpp"
 
 #include <algorithm>
 #include <array>

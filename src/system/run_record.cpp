@@ -1,4 +1,4 @@
-#include "laws/run_record.hpp"
+#include "system/run_record.hpp"
 
 #include <algorithm>
 #include <cstring>
