@@ -2,6 +2,7 @@
 
 #include "system/crash_report.hpp"
 #include "system/door.hpp"
+#include "system/loaded_library.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -10,6 +11,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 #include <fmt/format.h>
+#include <optional>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -75,18 +77,20 @@ constexpr unsigned patience = 30; ///< seconds until the loading of a library is
 } // namespace
 
 std::string fault_of_loading(const std::filesystem::path& name, const char* entry, const Called* who) {
-    if (!who->foreign)
-        return {}; // it ships with the program; and a fork in a process with other threads may not load a library
-    int ends[2];
-    if (pipe(ends) != 0) return {};
+    if (!who->foreign) return {}; // it ships with the program
     std::fflush(nullptr);
+    int ends[2];
+    std::optional<LoadingHeld> held(std::in_place); // other sessions may be at work
+    if (pipe(ends) != 0) return {};
     const pid_t child = fork();
     if (child == 0) {
+        LoadingHeld::forked();
         close(ends[0]);
         load_and_leave(name, entry, who, ends[1]);
     }
+    close(ends[1]); // before another trial forks, or its process would hold it, too
+    held.reset();
     const WaitsFor waiting(who, entry);
-    close(ends[1]);
     char answer = 0;
     const bool well = child > 0 && read(ends[0], &answer, 1) == 1;
     close(ends[0]);

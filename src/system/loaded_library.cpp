@@ -1,12 +1,36 @@
 #include "system/loaded_library.hpp"
 
 #include "system/crash_report.hpp"
+#include "system/run_record.hpp"
 
 #include <dlfcn.h>
+#include <mutex>
 
 namespace kaya {
 
+namespace {
+
+std::recursive_mutex& of_loading() {
+    static auto* const mutex = new std::recursive_mutex; // outlives all exits
+    return *mutex;
+}
+
+} // namespace
+
+LoadingHeld::LoadingHeld() {
+    of_loading().lock();
+    hold_names();
+}
+
+LoadingHeld::~LoadingHeld() {
+    release_names();
+    of_loading().unlock();
+}
+
+void LoadingHeld::forked() { release_names(); }
+
 std::shared_ptr<void> load_library(const std::filesystem::path& name, const Called* who, std::string& fault) {
+    const std::lock_guard guard(of_loading());
     // Local symbols keep models apart.
     void* const handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {
@@ -14,6 +38,7 @@ std::shared_ptr<void> load_library(const std::filesystem::path& name, const Call
         return nullptr;
     }
     return {handle, [who](void* library) {
+                const std::lock_guard held(of_loading());
                 const AtWork unloading(who, "unloading");
                 ::dlclose(library);
             }};

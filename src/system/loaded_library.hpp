@@ -9,6 +9,18 @@ namespace kaya {
 
 struct Called;
 
+/// While it exists, no other thread loads or unloads a law, and none makes or reads a Called. So a process that is forked meanwhile has these
+/// whole; its own first act is forked().
+class LoadingHeld {
+public:
+    LoadingHeld();
+    ~LoadingHeld();
+    LoadingHeld(const LoadingHeld&) = delete;
+    LoadingHeld& operator=(const LoadingHeld&) = delete;
+
+    static void forked();
+};
+
 /// Loads the library of a law; its symbols stay apart from those of others. Null: `fault` receives the reason. It is unloaded with its last
 /// owner, and `who` is at work then.
 std::shared_ptr<void> load_library(const std::filesystem::path& name, const Called* who, std::string& fault);

@@ -100,7 +100,10 @@ void begin_run_record() {
 void add_own_folders(const std::vector<fs::path>& joints) {
     const std::lock_guard guard(laws_lock);
     std::error_code ignored;
-    for (const auto& folder : joints) own_folders().push_back(fs::weakly_canonical(folder, ignored).parent_path());
+    for (const auto& folder : joints) {
+        fs::path own = fs::weakly_canonical(folder, ignored).parent_path();
+        if (std::ranges::find(own_folders(), own) == own_folders().end()) own_folders().push_back(std::move(own));
+    }
 }
 
 const Called* called(std::string_view name, std::string_view file, const char* noun) {
@@ -114,6 +117,10 @@ const Called* called(std::string_view name, std::string_view file, const char* n
     law = own_name && own_file && memory ? new (memory) Called{own_name, own_file, noun, !ships(file)} : &one_of_many;
     return law;
 }
+
+void hold_names() { laws_lock.lock(); }
+
+void release_names() { laws_lock.unlock(); }
 
 std::string take_suspects() {
     const std::lock_guard guard(laws_lock);

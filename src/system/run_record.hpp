@@ -61,6 +61,10 @@ void add_own_folders(const std::vector<std::filesystem::path>& joints);
 /// The same one for the same three texts. Not for signal handlers.
 const Called* called(std::string_view name, std::string_view file, const char* noun);
 
+/// Around fork(): another thread may be in called(), whose lock a second process would find taken for ever.
+void hold_names();
+void release_names();
+
 /// The foreign laws that were called since this was last asked: "joint model 'wear' (/lib/wear.so)"; empty: none.
 std::string take_suspects();
 
