@@ -3,6 +3,7 @@
 #include "app/command_line.hpp"
 #include "app/deck_parameters.hpp"
 #include "app/interrupt.hpp"
+#include "app/process_host.hpp"
 #include "app/prompt.hpp"
 #include "app/run_report.hpp"
 #include "app/sandbox.hpp"
@@ -239,6 +240,7 @@ int run(RunOrder& order, const fs::path& program) {
     }
     order.options.joint_folders = joint_folders(order, program);
     order.options.own_joints = own_joint_folders(program);
+    order.options.host = std::make_shared<ProcessHost>();
     Session session(order.options);
     session.painter = painter;
     const std::vector<std::string> inputs = sandbox_of(order, program).inputs;

@@ -15,10 +15,7 @@ enum class Guard {
 };
 
 /// How a call in a cycle is guarded. Each batch of a foreign law is fenced once in 128 cycles, and in cycles whose number is a power of two, to
-/// detect a law that starts to write outside of its columns late in a run. `batch` is its number, the same in each run.
+/// detect a law that starts to write outside of its columns late in a run; and in all cycles where its owner wants it (LawTable::fence_all_calls). `batch` is its number, the same in each run.
 Guard guard_in_cycle(const LawTable& law, std::int64_t cycle, std::int64_t batch);
-
-/// Whether all calls of foreign laws in cycles are fenced, in this process.
-void fence_all_calls(bool all);
 
 } // namespace kaya

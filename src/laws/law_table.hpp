@@ -73,6 +73,10 @@ public:
     }
     unsigned arithmetic() const { return *arithmetic_; }
 
+    /// Whether all its calls in cycles are fenced (guard_in_cycle); set between cycles.
+    void fence_all_calls(bool all) { fences_all_ = all; }
+    bool fences_all_calls() const { return fences_all_; }
+
 protected:
     explicit LawTable(std::filesystem::path from) : file(std::move(from)) {}
 
@@ -87,6 +91,7 @@ protected:
 
 private:
     const Called* who_ = nullptr;
+    bool fences_all_ = false;
     std::shared_ptr<std::atomic<unsigned>> arithmetic_ = std::make_shared<std::atomic<unsigned>>(0u);
 };
 

@@ -69,6 +69,7 @@ struct kaya_model {
     /// Runs `work`; what it throws becomes the mistakes of the call.
     template <class Work> kaya_status attempt(const Work& work) {
         mistakes.clear();
+        const WithTeam loops(session.team());
         try {
             try {
                 work();
@@ -121,7 +122,6 @@ kaya_status kaya_open(const kaya_options* options, kaya_model** model) {
         of_session.colour = "never";
         of_session.strict = options->strict != 0;
         of_session.trust = options->trust != 0;
-        of_session.in_host = true;
         of_session.own_joints =
             options->joints != nullptr ? std::vector<fs::path>{options->joints} : installed_joints();
         of_session.joint_folders = of_session.own_joints;

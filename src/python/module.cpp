@@ -36,7 +36,6 @@ std::unique_ptr<PythonSession> new_session(const py::function& out, const py::fu
     options.quiet = quiet;
     options.progress = progress;
     options.trust = trust;
-    options.in_host = true;
     options.joint_folders = joints;
     options.joint_folders.insert(options.joint_folders.end(), own_joints.begin(), own_joints.end());
     options.own_joints = own_joints;

@@ -1,6 +1,7 @@
 // A deck's model, ready for timing.
 #pragma once
 
+#include "base/parallel.hpp"
 #include "commands/session/session.hpp"
 
 #include <chrono>
@@ -29,6 +30,7 @@ public:
     explicit Run(const std::string& deck, int threads = 1) : silence_(std::fopen("/dev/null", "w"), &std::fclose) {
         kaya::Options options;
         options.threads = threads;
+        kaya::set_threads(threads); // of the cycles that run without a command
         options.quiet = true;
         options.joint_folders = {KAYA_JOINT_FOLDER, KAYA_ZONE_PLUGINS};
         session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);

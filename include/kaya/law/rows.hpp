@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // Loops over the rows of a batch.
 #pragma once
 

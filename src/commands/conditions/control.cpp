@@ -112,7 +112,7 @@ void run(Session& session, const lang::Set& command) {
     }
     if (command.time_step) give_time_step(session, *command.time_step);
     if (command.as_3dec) set_compatibility(session.model, *command.as_3dec);
-    if (command.threads) set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
+    if (command.threads) session.set_threads(static_cast<int>(std::max<std::int64_t>(1, *command.threads)));
     if (command.echo) session.options.echo = *command.echo;
     if (command.autosave)
         session.autosave->set_interval(*command.autosave > 0 ? std::optional(60 * *command.autosave) : std::nullopt);

@@ -5,7 +5,6 @@
 
 #include "base/counted.hpp"
 #include "base/lower_case.hpp"
-
 #include "geometry/fractures/growth.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/read/read_discs.hpp"

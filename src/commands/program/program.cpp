@@ -1,7 +1,5 @@
 #include "commands/program/program.hpp"
 
-#include "base/parallel.hpp"
-
 #include <algorithm>
 #include <thread>
 
@@ -14,6 +12,11 @@ Program::Program(const Options& given, std::FILE* results, std::FILE* messages)
     if (options.colour != "auto") output.set_colour(options.colour == "always");
     set_threads(options.threads > 0 ? options.threads
                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+}
+
+void Program::set_threads(int count) {
+    if (team_) team_->set_count(count);
+    else team_ = options.host->threads(count);
 }
 
 void Program::tell_cycled() const {

@@ -1,6 +1,7 @@
 // The program around a run: options of the command line, output, listeners, and requests to stop.
 #pragma once
 
+#include "commands/program/host.hpp"
 #include "commands/program/output.hpp"
 #include "commands/program/run_name.hpp"
 #include "system/door.hpp"
@@ -28,9 +29,9 @@ struct Options {
     std::optional<bool> progress; ///< a line that is renewed in place; empty: on a terminal, unless quiet
     bool echo = false;            ///< each command is shown before it runs
     bool trust = false;           ///< scripts may use the whole of Lua: files, other programs
-    bool in_host = false; ///< inside another program, which owns the process: folder, signals, limits are not checked
-    std::size_t script_memory = 0;                    ///< megabytes for scripts; 0: no separate limit
-    std::vector<std::filesystem::path> joint_folders; ///< folders searched for joint models
+    std::shared_ptr<Host> host = std::make_shared<Host>(); ///< what owns the process
+    std::size_t script_memory = 0;                         ///< megabytes for scripts; 0: no separate limit
+    std::vector<std::filesystem::path> joint_folders;      ///< folders searched for joint models
     std::vector<std::filesystem::path> own_joints; ///< those of the program; their models are loaded for reading a deck
 };
 
@@ -76,6 +77,12 @@ public:
     /// The name of a file that is going to be written, when the gate lets it through. Throws Diagnostic.
     const std::string& output_file(const std::string& name);
 
+    /// Threads of the loops of this session, at least 1.
+    void set_threads(int count);
+
+    /// Null: loops use the threads of the process.
+    const ThreadTeam* team() const { return team_.get(); }
+
     /// A stop was requested and has not happened yet.
     bool is_to_stop() const noexcept { return interrupted_; }
 
@@ -102,6 +109,7 @@ protected:
 
 private:
     std::vector<Listener*> listeners_;
+    std::unique_ptr<ThreadTeam> team_;
 };
 
 /// "0.1.0"

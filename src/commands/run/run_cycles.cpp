@@ -14,7 +14,6 @@
 #include "commands/monitors/progress.hpp"
 #include "commands/conditions/tables.hpp"
 #include "commands/run/time_step.hpp"
-#include "laws/guard.hpp"
 #include "laws/property_roles.hpp"
 #include "mechanics/contact/take_over.hpp"
 #include "model/kinds/nearest.hpp"
@@ -45,8 +44,14 @@ void run_deferred(Session& session) {
     }
 }
 
+/// Foreign laws work between fences in every cycle, or where guard_in_cycle says so.
+void fence_laws(JointRegistry& laws, bool always) {
+    for (const auto& law : laws.loaded()) law->fence_all_calls(always);
+    for (const auto& law : laws.zones.loaded()) law->fence_all_calls(always);
+}
+
 /// One cycle and the changes that its hooks deferred. Errors get the cycle and the command that runs it.
-void advance(Session& session) {
+void advance(Session& session, bool fenced) {
     struct Inside {
         bool& flag;
         explicit Inside(bool& f) : flag(f) { flag = true; }
@@ -57,6 +62,7 @@ void advance(Session& session) {
     try {
         {
             const Inside inside(session.inside_cycle);
+            fence_laws(session.joints, fenced || session.options.strict);
             session.cycle->advance();
         }
         follow_material_table(session);
@@ -322,7 +328,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     Confirmation confirmation;
     bool at_ratio = false;
     while (span.cycles < cycles || at_ratio) {
-        advance(session);
+        advance(session, false);
         session.stop_after_cycle();
         ++span.cycles;
         sum += now.average_ratio;
@@ -374,8 +380,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     while (end.why.empty()) {
         try {
             refuse_standing_still(limits, start, session.model.clock);
-            fence_all_calls(session.options.strict || is_last(limits, start, session.model.clock));
-            advance(session);
+            advance(session, is_last(limits, start, session.model.clock));
             session.stop_after_cycle();
         } catch (...) {
             progress.finish();

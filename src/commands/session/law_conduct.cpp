@@ -1,8 +1,7 @@
 #include "commands/session/law_conduct.hpp"
 
 #include "commands/session/session.hpp"
-#include "system/process_state.hpp"
-#include "system/run_copies.hpp"
+#include "system/run_record.hpp"
 
 #include <fmt/format.h>
 
@@ -20,14 +19,12 @@ void warn_once(Session& session, const std::string& what, const char* hint) {
 } // namespace
 
 void review_conduct(Session& session) {
-    // Another program may have changed its process since, in any thread.
-    if (!session.options.in_host) {
-        refuse_copies();
-        std::string who;
-        for (const auto& what : put_process_state_back(who))
-            warn_once(session, fmt::format("{} changed {}; it was restored", who, what),
-                      "the process belongs to the whole run: correct the source of the model");
-    }
+    Host& host = *session.options.host;
+    host.refuse_copies();
+    std::string who;
+    for (const auto& what : host.restored(who))
+        warn_once(session, fmt::format("{} changed {}; it was restored", who, what),
+                  "the process belongs to the whole run: correct the source of the model");
     const auto tell_of_threads = [&](const LawTable& law, const char* noun) {
         if (law.who() != nullptr && law.who()->starts_threads)
             warn_once(session, fmt::format("{} '{}' starts threads", noun, law.name),
@@ -40,7 +37,7 @@ void review_conduct(Session& session) {
 void review_conduct_in_cycle(Session& session, long cycle) {
     constexpr long between = 1000;
     if (cycle % between == 0) review_conduct(session);
-    else if (!session.options.in_host) refuse_copies();
+    else session.options.host->refuse_copies();
 }
 
 } // namespace kaya

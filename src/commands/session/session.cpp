@@ -2,7 +2,6 @@
 
 #include "lang/script/values/value_text.hpp"
 #include "laws/arithmetic.hpp"
-#include "laws/guard.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "system/crash_report.hpp"
 

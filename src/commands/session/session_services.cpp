@@ -6,7 +6,6 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/law_conduct.hpp"
 #include "lang/script/values/value_text.hpp"
-#include "laws/guard.hpp"
 #include "system/crash_report.hpp"
 
 #include <fmt/format.h>
@@ -43,8 +42,7 @@ bool calls_file(const lang::BoundCommand& command) {
 Session::Session(const Options& given, std::FILE* results, std::FILE* messages)
     : Program(given, results, messages), Deck(static_cast<lang::InterpreterHost&>(*this)),
       Engine(static_cast<WorldHost&>(*this)), autosave(std::make_unique<Autosave>(*this)) {
-    fence_all_calls(options.strict);
-    begin(gate, options.joint_folders, options.trust, options.script_memory, options.in_host);
+    begin(gate, options.joint_folders, options.trust, options.script_memory, options.host);
     scripts->on_print([this](const std::string& line) { output.print(line); });
     scripts->on_require([this] { return interpreter.searched(); });
     interpreter.checks.before_reading = [this](const fs::path& file) { gate->may_read_code(file); };
@@ -62,12 +60,12 @@ lang::Ended Session::run_deck(const std::string& file) {
 }
 
 void Session::run(const lang::BoundCommand& command) {
-    // The program has its own listener.
+    const WithTeam loops(team());
     std::optional<StopListener> stops;
-    if (options.in_host) stops.emplace([this] { stop_if_interrupted(); });
+    if (options.host->stops_by_session()) stops.emplace([this] { stop_if_interrupted(); });
     const std::string text = command.text(), place = here();
     const std::string line = text.substr(0, text.find('\n'));
-    const AtCommand at_command(place.empty() ? line : fmt::format("{} ({})", line, place));
+    const auto at_command = options.host->at_command(place.empty() ? line : fmt::format("{} ({})", line, place));
     run_command(*this, command);
 }
 

@@ -3,7 +3,6 @@
 #include "commands/world/joint_values.hpp"
 #include "commands/world/lua_joint_models.hpp"
 #include "system/memory.hpp"
-#include "system/process_state.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -39,12 +38,12 @@ std::size_t memory_for_scripts(std::size_t megabytes) {
 Engine::~Engine() { scripts.reset(); }
 
 void Engine::begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders,
-                   bool trust, std::size_t script_memory, bool in_host) {
-    if (!in_host) forget_process_state();
+                   bool trust, std::size_t script_memory, const std::shared_ptr<Host>& host) {
+    host->session_begins();
     joints.set_path(joint_folders);
     add_lua_loader(joints);
-    joints.before_loading = joints.zones.before_loading = [gate, in_host](const std::filesystem::path& file) {
-        if (!in_host) take_process_state();
+    joints.before_loading = joints.zones.before_loading = [gate, host](const std::filesystem::path& file) {
+        host->law_loads();
         return gate->may_load(file);
     };
     joints.tables().set_source([this](const std::string& name) { return table_points(*scripts, name); });

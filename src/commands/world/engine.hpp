@@ -1,6 +1,7 @@
 // The engine of a session: the model, its cycle, the laws of joints and zones, and the scripts that act on them.
 #pragma once
 
+#include "commands/program/host.hpp"
 #include "commands/world/model_world.hpp"
 #include "commands/world/occupied.hpp"
 #include "laws/joint_model.hpp"
@@ -26,9 +27,8 @@ public:
     ~Engine();
 
     /// Call before anything runs. The gate is queried before a library is loaded; `script_memory` in megabytes, 0: no separate limit.
-    /// `in_host`: the state of the process is not kept, since it belongs to another program.
     void begin(const std::shared_ptr<Gate>& gate, const std::vector<std::filesystem::path>& joint_folders, bool trust,
-               std::size_t script_memory, bool in_host);
+               std::size_t script_memory, const std::shared_ptr<Host>& host);
 
     /// Runs the hooks of scripts for that moment, then the callbacks.
     void run_hooks(script::Moment moment);

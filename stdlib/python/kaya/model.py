@@ -46,7 +46,7 @@ class History(NamedTuple):
 class Model(Quantities):
     """One model with its own commands, functions and results; several may exist at once, and run in threads.
 
-    threads: 0 takes all cores, as the program does (one number for all models of the process); the bits of a result do not depend on it.
+    threads: 0 takes all cores, as the program does (of this model); the bits of a result do not depend on it.
     strict: warnings are errors. quiet: results and messages only. trust: scripts may use all of Lua.
     progress: a line that shows how far a run is, renewed in place; by default in terminals and notebooks.
     joints: folders that are searched for joint and zone models. out, messages: functions that take printed text (default: sys.stdout,

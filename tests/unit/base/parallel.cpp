@@ -1,11 +1,13 @@
 #include "base/parallel.hpp"
 #include "base/reduce.hpp"
+#include "base/thread_team.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -114,6 +116,43 @@ int leaves(int levels) {
 
 TEST(Reduce, MayBeNested) {
     with_threads([] { EXPECT_EQ(leaves(4), 256) << threads() << " threads"; });
+}
+
+TEST(ThreadTeam, IsThatOfOneThreadAndOfItsLoops) {
+    const int of_process = threads();
+    ThreadTeam team(3);
+    const ThreadTeam alone(-1);
+    EXPECT_EQ(alone.count(), 1);
+    {
+        const WithTeam loops(&team);
+        std::vector<int> seen(100);
+        for_chunks(seen.size(), 1, [&](std::size_t first, std::size_t) { seen[first] = threads(); });
+        EXPECT_EQ(seen, std::vector<int>(100, 3));
+        {
+            const WithTeam inner(&alone);
+            EXPECT_EQ(threads(), 1);
+        }
+        team.set_count(2);
+        EXPECT_EQ(threads(), 2);
+        std::thread([&] { EXPECT_EQ(threads(), of_process); }).join();
+    }
+    EXPECT_EQ(threads(), of_process);
+}
+
+TEST(ThreadTeam, SeveralOwnersLoopAtOnce) {
+    std::vector<std::thread> owners;
+    for (int owner = 1; owner <= 4; ++owner)
+        owners.emplace_back([owner] {
+            ThreadTeam team(owner);
+            const WithTeam loops(&team);
+            for (int turn = 0; turn < 50; ++turn) {
+                EXPECT_EQ(leaves(4), 256);
+                EXPECT_THROW(for_chunks(10, 1, [](std::size_t, std::size_t) { throw std::runtime_error("x"); }),
+                             std::runtime_error);
+                team.set_count(1 + (owner + turn) % 3);
+            }
+        });
+    for (auto& owner : owners) owner.join();
 }
 
 } // namespace
