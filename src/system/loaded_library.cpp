@@ -10,10 +10,13 @@ namespace kaya {
 
 namespace {
 
-std::recursive_mutex& of_loading() {
-    static auto* const mutex = new std::recursive_mutex; // outlives all exits
-    return *mutex;
+/// Outlives all exits.
+std::recursive_mutex*& mutex_of_loading() {
+    static auto* mutex = new std::recursive_mutex;
+    return mutex;
 }
+
+std::recursive_mutex& of_loading() { return *mutex_of_loading(); }
 
 } // namespace
 
@@ -27,7 +30,11 @@ LoadingHeld::~LoadingHeld() {
     of_loading().unlock();
 }
 
-void LoadingHeld::forked() { release_names(); }
+void LoadingHeld::forked() {
+    release_names();
+    // The other one belongs to a thread of the first process, and exit() in a library unloads the others.
+    mutex_of_loading() = new std::recursive_mutex;
+}
 
 std::shared_ptr<void> load_library(const std::filesystem::path& name, const Called* who, std::string& fault) {
     const std::lock_guard guard(of_loading());

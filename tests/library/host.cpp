@@ -107,9 +107,12 @@ TEST(Host, AUsersLawIsTriedWhileOtherModelsWork) {
             Model model;
             if (t % 2 == 0) EXPECT_EQ(model.run(slide(20)), KAYA_DONE) << kaya_error_at(model, 0).text;
             else {
-                EXPECT_NE(model.run("jmodel load " KAYA_TEST_PLUGINS "/crashes-at-load.so"), KAYA_DONE);
-                EXPECT_NE(std::string(kaya_error_at(model, 0).message).find("crashes when it is loaded"),
-                          std::string::npos)
+                const bool crashes = k % 2 == 0;
+                const std::string file = crashes ? "/crashes-at-load.so" : "/exits-at-load.so";
+                EXPECT_NE(model.run("jmodel load " KAYA_TEST_PLUGINS + file), KAYA_DONE);
+                const std::string expected =
+                    crashes ? "crashes when it is loaded" : "ends the program when it is loaded";
+                EXPECT_NE(std::string(kaya_error_at(model, 0).message).find(expected), std::string::npos)
                     << kaya_error_at(model, 0).text;
             }
         }
