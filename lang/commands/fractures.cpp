@@ -129,7 +129,7 @@ CommandSpec make_template() {
     entry.wrong("fracture template create 'a'", "a template needs a law of sizes");
     entry.wrong("fracture template create 'a' size powerlow 3", "'powerlow' is not a law of sizes");
     entry.wrong("fracture template create 'a' orientation fisher 30 120 size uniform",
-                "a number is missing after '120'");
+                "expected a number, found 'size'");
     entry.wrong("fracture template create 'a' size exponential 0", "mean must be greater than 0, not 0");
     return entry;
 }

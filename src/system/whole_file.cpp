@@ -4,6 +4,8 @@
 #include "system/door.hpp"
 
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <dirent.h>
 #include <fcntl.h>
@@ -41,11 +43,21 @@ void write_directly(const std::string& path, std::string_view content, Use use) 
 /// The name of an unfinished file. It is hidden and holds the number of the file itself: neither a user nor a copy has it.
 std::string unfinished_name(ino_t number) { return fmt::format(".kaya-{}.unfinished", number); }
 
-/// Whether kaya began to write this file and no run still writes it. A run locks its file before the file has a name.
+/// The name before its number is known: that of a process, and when it was made.
+std::string first_name() { return fmt::format(".kaya-{}-{}.unfinished", ::getpid(), ::time(nullptr)); }
+
+/// Whether the name is a first one of a file that was made then. Such a file is still empty.
+bool is_first_name(const std::string& name, const struct stat& info) {
+    long process = 0, made = 0;
+    return info.st_size == 0 && std::sscanf(name.c_str(), ".kaya-%ld-%ld", &process, &made) == 2 &&
+           name == fmt::format(".kaya-{}-{}.unfinished", process, made) && std::abs(info.st_mtime - made) <= 1;
+}
+
+/// Whether kaya began to write this file and no run still writes it. A run locks its file before the file has its second name.
 bool is_left_over(int descriptor, const std::string& name) {
     struct stat info {};
     return ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 &&
-           info.st_uid == ::geteuid() && name == unfinished_name(info.st_ino) &&
+           info.st_uid == ::geteuid() && (name == unfinished_name(info.st_ino) || is_first_name(name, info)) &&
            ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
@@ -105,14 +117,24 @@ private:
             return nameless;
         }
         if (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL) fail_to_write(path_, errno);
-        const std::string first = fmt::format(".kaya-{}-{}.unfinished", ::getpid(), ::time(nullptr));
-        Descriptor named(::openat(folder_, first.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-        if (!named) fail_to_write(path_, errno);
-        name_ = first; // not the name that is swept, until it is locked
-        ::flock(named.number(), LOCK_EX);
-        const std::string name = unfinished_name(inode(named.number()));
-        if (::renameat(folder_, first.c_str(), folder_, name.c_str()) == 0) name_ = name;
-        return named;
+        // Another run may take the file for a left-over and remove it before it is locked.
+        constexpr int most_tries = 100;
+        for (int k = 0; k < most_tries; ++k) {
+            const std::string first = first_name();
+            Descriptor named(::openat(folder_, first.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+            if (!named && errno == EEXIST) continue; // of another thread, for some microseconds
+            if (!named) fail_to_write(path_, errno);
+            name_ = first;
+            ::flock(named.number(), LOCK_EX);
+            const std::string name = unfinished_name(inode(named.number()));
+            if (::renameat(folder_, first.c_str(), folder_, name.c_str()) == 0) {
+                name_ = name;
+                return named;
+            }
+            if (errno != ENOENT) fail_to_write(path_, errno);
+        }
+        name_.clear();
+        fail_to_write(path_, ENOENT);
     }
 
     ino_t inode(int descriptor) const {

@@ -145,13 +145,22 @@ TEST(WholeFile, OnlyUnfinishedFilesOfKayaAreRemoved) {
     std::filesystem::copy_file(left, folder / ".kaya-1.unfinished");
     for (const auto* name : {"results.kaya-backup", "a.csv.kaya-AbCdEf", ".kaya-notes", ".kaya-.unfinished"})
         put(folder / name, "precious");
+    // The first name of a file without a second one: it is empty, and as old as its name says.
+    const std::string first = fmt::format(".kaya-77-{}.unfinished", ::time(nullptr)),
+                      full = fmt::format(".kaya-78-{}.unfinished", ::time(nullptr)), old = ".kaya-77-1000.unfinished";
+    put(folder / first, "");
+    put(folder / full, "precious");
+    put(folder / old, "");
     const int writer = ::open(written.c_str(), O_RDONLY | O_CLOEXEC);
     ASSERT_EQ(::flock(writer, LOCK_EX), 0);
     const auto before = folder.file_count();
     EXPECT_EQ(status_of(in_child(true, [&] { write_whole_file(folder / "a.csv", "text"); })), 0);
     ::close(writer);
-    // One file was added, and two old ones were removed: that of `other` was not locked.
-    EXPECT_EQ(folder.file_count(), before + 1 - 2);
+    // One file was added, and three old ones were removed: that of `other` was not locked.
+    EXPECT_EQ(folder.file_count(), before + 1 - 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / first));
+    EXPECT_TRUE(std::filesystem::exists(folder / full));
+    EXPECT_TRUE(std::filesystem::exists(folder / old));
     EXPECT_FALSE(std::filesystem::exists(left));
     EXPECT_TRUE(std::filesystem::exists(written));
     EXPECT_TRUE(std::filesystem::exists(other));
