@@ -32,7 +32,7 @@ public:
         options.threads = threads;
         kaya::set_threads(threads); // of the cycles that run without a command
         options.quiet = true;
-        options.joint_folders = {KAYA_JOINT_FOLDER, KAYA_ZONE_PLUGINS};
+        options.joint_folders = options.own_joints = {KAYA_JOINT_FOLDER, KAYA_ZONE_PLUGINS};
         session_ = std::make_unique<kaya::Session>(options, silence_.get(), stderr);
         session_->run_deck(deck.front() == '/' ? deck : KAYA_BENCH_FOLDER "/" + deck);
     }
