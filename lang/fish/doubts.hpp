@@ -1,4 +1,4 @@
-// Code of a function that is valid and hardly intended.
+// Code of a function that is valid, but is hardly what the author meant.
 #pragma once
 
 #include "lang/fish/compiler.hpp"

@@ -76,7 +76,7 @@ public:
     };
     Column column(const SectionPoint& base) const;
     /// The strength at a place on a slip surface of that direction: of a joint that it runs along, else of the cell. A zero direction
-    /// runs along no joint. Null where nothing is.
+    /// runs along no joint. Null outside of the ground.
     const Strength* strength_at(const SectionPoint& place, const SectionPoint& along) const;
     /// The base of a layer on a material that is stronger under the present weight, from left to right.
     struct Base {

@@ -83,7 +83,7 @@ SlidingAnswer slide(const Vec3& force, std::span<const HeldFace> faces) {
     };
     // The projection of the force on the cone of free directions is inside of it, on one of its planes, or on one of its edges.
     if (is_free(force, planes)) {
-        // Along a plane that carries nothing it slides rather than falls.
+        // A force parallel to a plane makes the wedge slide along it, although the plane carries nothing.
         for (const Plane& plane : planes)
             if (plane.outward.dot(force) > -tolerance * size)
                 return moves(SlidingMode::one_plane, force, {{&plane, 0.0}});

@@ -126,7 +126,7 @@ void StiffnessForecast::take(const Model& model, const std::vector<Batch>& batch
     }
 }
 
-/// Velocities of rigid blocks after the forces of now have acted for a step.
+/// Velocities of rigid blocks after the present forces have acted for a step.
 void StiffnessForecast::find_motions(const Model& model, const Adjacency& adjacency, double step) {
     const auto& blocks = model.blocks;
     motions_.resize(blocks.size());
