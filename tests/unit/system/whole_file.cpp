@@ -10,6 +10,7 @@
 #include <array>
 #include <fcntl.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
