@@ -246,6 +246,11 @@ protected:
     Keywords<Command> keywords_;
 };
 
+/// Takes the next word, one of `words`, which may be abbreviated, and returns its number. Throws Diagnostic when there is none, or another;
+/// `what` is their kind: "a law of sizes".
+std::size_t word_among(Reader& reader, const ArgumentSpec& spec, std::string_view what,
+                       const std::vector<std::string_view>& words);
+
 /// An incomplete line: "change needs mat, cons, jmat or jcons".
 [[noreturn]] void incomplete_line(const Reader& reader, std::string message, std::string hint = {});
 

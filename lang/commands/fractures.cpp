@@ -39,20 +39,6 @@ CommandSpec delete_fractures() {
     return entry;
 }
 
-/// The number of the next word among `words`; it may be abbreviated.
-std::size_t word_among(Reader& reader, const ArgumentSpec& spec, std::string_view what,
-                       const std::vector<std::string_view>& words) {
-    if (reader.at_end()) reader.missing(spec);
-    const std::string& given = reader.peek()->folded;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (!given.empty() && words[i].starts_with(given)) {
-            reader.take();
-            reader.spell(words[i]);
-            return i;
-        }
-    reader.unknown(what, words);
-}
-
 void read_orientation(Reader& reader, FractureTemplate& made) {
     using enum FractureTemplate::Orientation;
     static const ArgumentSpec law = text("law").spec, angle = real("angle").unit("degrees").spec,

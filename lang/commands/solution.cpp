@@ -115,20 +115,11 @@ CommandSpec cycle() {
     return entry;
 }
 
-constexpr std::string_view reduced_words[] = {"joints", "zones", "friction", "cohesion", "tension"};
-
 /// One of the words after include and exclude.
 Solve::Reduced reduced_word(Reader& reader) {
-    const auto spec = text("joints|zones|friction|cohesion|tension").spec;
-    if (reader.at_end()) reader.missing(spec);
-    const std::string& given = reader.peek()->folded;
-    for (std::size_t i = 0; i < std::size(reduced_words); ++i)
-        if (!given.empty() && reduced_words[i].starts_with(given)) {
-            reader.take();
-            reader.spell(reduced_words[i]);
-            return static_cast<Solve::Reduced>(i);
-        }
-    reader.unknown("a strength that fos reduces", {std::begin(reduced_words), std::end(reduced_words)});
+    return static_cast<Solve::Reduced>(word_among(reader, text("joints|zones|friction|cohesion|tension").spec,
+                                                  "a strength that fos reduces",
+                                                  {"joints", "zones", "friction", "cohesion", "tension"}));
 }
 
 CommandSpec solve() {

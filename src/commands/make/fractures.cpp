@@ -3,7 +3,6 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/long_work.hpp"
 
-#include "base/counted.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/fractures/growth.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
