@@ -1,4 +1,4 @@
-// What the process of another program is promised: models change nothing of it, and each has its own settings.
+// Promises to the process of another program: models change nothing of it, and each has its own settings.
 #include "kaya/kaya.h"
 
 #include <array>
@@ -49,7 +49,7 @@ std::string slide(int cycles) {
            std::to_string(cycles) + "\n";
 }
 
-/// What belongs to the process.
+/// State of the process.
 struct Process {
     std::filesystem::path folder = std::filesystem::current_path();
     std::vector<std::string> environment;

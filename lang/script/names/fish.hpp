@@ -1,4 +1,4 @@
-// What FISH has defined: functions, and its data other than variables.
+// Definitions of FISH: functions, and its data other than variables.
 #pragma once
 
 #include "lang/fish/compiler.hpp"

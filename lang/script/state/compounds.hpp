@@ -14,7 +14,7 @@ std::string kind_of_value(lua_State* L, int index);
 /// Such a value for the program, and back.
 Value compound_at(lua_State* L, int index, const std::string& kind);
 void push_compound(lua_State* L, const Compound& compound);
-/// What FISH prints for such a value.
+/// The text that FISH prints for such a value.
 std::string text_of_value(lua_State* L, int index);
 
 } // namespace kaya::script

@@ -1,4 +1,4 @@
-// What a Lua state belongs to, in five parts. Each is defined on its own floor, whose header has the function that finds it.
+// The five owners of a Lua state. Each is defined on its own floor, whose header has the function that finds it.
 #pragma once
 
 #include "lang/script/base/lua_headers.hpp"

@@ -1,4 +1,4 @@
-// What a deck names for cuts: surfaces of `geometry` from plane polygons, networks of `fracture` from discs, and laws to draw discs from.
+// Names of a deck for cuts: surfaces of `geometry` from plane polygons, networks of `fracture` from discs, and laws to draw discs from.
 #pragma once
 
 #include "base/vector.hpp"

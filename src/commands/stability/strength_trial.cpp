@@ -73,7 +73,7 @@ public:
         return advance_span(bench_.session, cycles, ratio, monitor, &bench_.progress);
     }
 
-    /// What became of a model that was left alone.
+    /// The state of a model that was left alone.
     struct Rest {
         RestSpan last;
         std::int64_t cycles = 0;

@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// What all trials of a search share.
+/// Shared by all trials of a search.
 struct TrialBench {
     Session& session; ///< its model is the place of work: what it holds between trials does not matter
     const Asked& asked;
