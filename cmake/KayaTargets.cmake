@@ -29,6 +29,12 @@ endif()
 if(KAYA_SANITIZE)
   target_compile_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(kaya_flags INTERFACE -fsanitize=${KAYA_SANITIZE})
+  # gcc defines these words; clang's allocator, too, needs the memory that the program else limits.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND KAYA_SANITIZE MATCHES "address")
+    target_compile_definitions(kaya_flags INTERFACE __SANITIZE_ADDRESS__)
+  elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND KAYA_SANITIZE MATCHES "thread")
+    target_compile_definitions(kaya_flags INTERFACE __SANITIZE_THREAD__)
+  endif()
   # Boost's sockets use fences, which the thread sanitizer does not support; the objects that they order are checked.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND KAYA_SANITIZE STREQUAL "thread")
     target_compile_options(kaya_flags INTERFACE -Wno-error=tsan)
