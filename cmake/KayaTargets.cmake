@@ -35,6 +35,10 @@ if(KAYA_SANITIZE)
   elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND KAYA_SANITIZE MATCHES "thread")
     target_compile_definitions(kaya_flags INTERFACE __SANITIZE_THREAD__)
   endif()
+  # clang compares the types of functions of other libraries by their addresses, which differ where a program does not export its own.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND KAYA_SANITIZE MATCHES "undefined")
+    target_compile_options(kaya_flags INTERFACE -fno-sanitize=function)
+  endif()
   # Boost's sockets use fences, which the thread sanitizer does not support; the objects that they order are checked.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND KAYA_SANITIZE STREQUAL "thread")
     target_compile_options(kaya_flags INTERFACE -Wno-error=tsan)
