@@ -36,7 +36,7 @@ void put_stress(Session& session, const lang::InSitu& command) {
         return;
     }
     doubt_tension(session, command);
-    forget_cell_motion(model, session.joints.zones, zones);
+    forget_cell_motion(model, zones);
     if (command.stress) return set_insitu_stress(model, session.joints, zones, points, stress_field(command));
     try {
         set_topography_stress(model, session.joints, zones, points, command.topography->kx, command.topography->ky);
@@ -75,7 +75,7 @@ void run(Session& session, const lang::Initialize& command) {
     if (any(command.stress)) {
         const auto zones = select(model, ObjectKind::zone, session.test_of(ObjectKind::zone, command.range));
         if (zones.empty()) refuse_stress_without_zones(session, command);
-        forget_cell_motion(model, session.joints.zones, zones);
+        forget_cell_motion(model, zones);
         for (int k = 0; k < 6; ++k)
             if (const auto& stress = command.stress[k])
                 set_stress_component(model, zones, k, stress->at_origin, stress->gradient);

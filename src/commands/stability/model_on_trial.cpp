@@ -91,7 +91,7 @@ std::int64_t characteristic_span(Session& session, Progress& progress, double ra
     for (double& force : model.sub_contacts.normal_force) force *= 0.5;
     for (auto& column : model.sub_contacts.shear_force.component)
         for (double& force : column) force *= 0.5;
-    scale_zone_stresses(model, ZoneLaws(model, session.joints.zones), 0.5);
+    scale_zone_stresses(model, 0.5);
     initialise_sub_contacts(model, session.joints, std::vector<char>(model.sub_contacts.size(), 1));
     ModelEdit(model, Change::properties);
     progress.expect("how long the model takes to come to rest", std::nullopt);

@@ -25,6 +25,7 @@ void drop_idle_dashpots(Model& model) {
     std::ranges::fill(model.sub_contacts.dashpot_normal, 0.0);
     for (auto& column : model.sub_contacts.dashpot_shear.component) std::ranges::fill(column, 0.0);
     std::ranges::fill(model.zones.dashpot, Stress::Zero());
+    for (auto& column : model.zones.warp_dashpot) std::ranges::fill(column, 0.0);
     std::ranges::fill(model.ties.dashpot, Vec3::Zero());
 }
 

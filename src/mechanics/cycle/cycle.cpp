@@ -89,6 +89,7 @@ void Cycle::prepare() {
         check_properties(model_, joints_);
         compute_masses(model_);
         take_zone_laws();
+        share_masses(model_, s.laws);
         part_cell_motion(model_, s.laws);
         zone_frequencies(model_, s.elastic);
         add_tie_frequencies(model_, s.ties);

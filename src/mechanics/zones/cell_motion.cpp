@@ -3,12 +3,13 @@
 #include "mechanics/zones/tile_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kaya {
 
 namespace {
 
-/// Calls each(law, first zone of a cell) for all elastic cells.
+/// Calls each(law, first zone of a cell) for all cells whose zones strain together.
 template <class Each> void for_cells(const ZoneLaws& laws, Each each) {
     for (const ZoneTile& tile : laws.tiles.tiles)
         if (const ZoneLaw& law = laws.laws[tile.law]; law.together == Together::cells)
@@ -19,47 +20,68 @@ template <class Each> void for_cells(const ZoneLaws& laws, Each each) {
 
 void part_cell_motion(Model& model, const ZoneLaws& laws) {
     Zones& zones = model.zones;
-    std::size_t columns = 0;
-    for_cells(laws, [&](const ZoneLaw& law, Row first) {
-        for (Row z = first + 1; z < first + zones_of_cell && columns <= law.cell_history; ++z)
-            if (zones.stress[z] != zones.stress[first]) columns = law.cell_history + 3;
+    if (zones.keeps_cell_motion) return;
+    bool differ = false;
+    for_cells(laws, [&](const ZoneLaw&, Row first) {
+        for (Row z = first + 1; z < first + zones_of_cell && !differ; ++z)
+            differ = zones.stress[z] != zones.stress[first];
     });
-    zones.keep_history(columns);
-}
-
-void keep_cell_motion(Model& model, const ZoneLaws& laws) {
-    Zones& zones = model.zones;
-    if (std::ranges::all_of(laws.laws, [&](const ZoneLaw& law) {
-            return law.together != Together::cells || keeps_cell_motion(zones, law);
-        }))
-        return;
-    const auto had = static_cast<std::size_t>(zones.history_columns);
-    for_cells(laws, [&](const ZoneLaw& law, Row first) {
-        if (had > law.cell_history + 2) return;
-        zones.keep_history(law.cell_history + 3);
-        for (Row k = 0; k < zones_of_cell; ++k) zones.history[law.cell_history + 2][first + k] = zones.stress[first][k];
+    if (!differ) return;
+    zones.keep_cell_motion();
+    // Cells whose zones have one stress: all of it acts on ruled faces.
+    for_cells(laws, [&](const ZoneLaw&, Row first) {
+        for (Row z = first + 1; z < first + zones_of_cell; ++z)
+            if (zones.stress[z] != zones.stress[first]) return;
+        for (Row k = 0; k < zones_of_cell; ++k) zones.cell_motion[first + k] = zones.stress[first][k];
     });
 }
 
-void forget_cell_motion(Model& model, ZoneModels& models, const std::vector<Row>& zones) {
-    Row known = no_row;
-    std::size_t column = 0;
-    for (const Row z : zones) {
-        const Row block = model.zones.block[z];
-        if (model.blocks.cell_zones[block] != zones_of_cell || model.zones.history_columns <= 4) continue;
-        if (block != known) column = first_cell_history(models.get(zone_model_of(model, block))) + 2;
-        known = block;
-        if (column < static_cast<std::size_t>(model.zones.history_columns)) model.zones.history[column][z] = 0;
-    }
+void forget_cell_motion(Model& model, const std::vector<Row>& zones) {
+    if (!model.zones.keeps_cell_motion) return;
+    for (const Row z : zones) model.zones.cell_motion[z] = 0;
 }
 
-void scale_zone_stresses(Model& model, const ZoneLaws& laws, double factor) {
+void scale_zone_stresses(Model& model, double factor) {
     Zones& zones = model.zones;
     for (Stress& stress : zones.stress) stress *= factor;
+    for (auto* column : {&zones.warp[0], &zones.warp[1], &zones.cell_motion})
+        for (double& stress : *column) stress *= factor;
+}
+
+void share_masses(Model& model, const ZoneLaws& laws) {
+    const Zones& zones = model.zones;
+    Gridpoints& g = model.gridpoints;
+    const std::vector<double> before(g.mass.begin(), g.mass.end());
+    for_cells(laws, [&](const ZoneLaw&, Row first) {
+        const Row block = zones.block[first];
+        const double density = model.blocks.mass[block] / model.blocks.volume[block];
+        double whole = 0;
+        for (Row z = first; z < first + zones_of_cell; ++z) {
+            const double mass = density * zones.volume[z];
+            whole += mass;
+            for (const Row corner : zones.gridpoints[z]) g.mass[corner] -= 0.25 * mass;
+        }
+        for (const Row corner : corners_of_cell(&zones.gridpoints[first])) g.mass[corner] += 0.125 * whole;
+    });
+    for (std::size_t row = 0; row < before.size(); ++row)
+        if (before[row] != g.mass[row]) g.inertial_mass[row] *= g.mass[row] / before[row];
+}
+
+void take_cells_from_history(Model& model, const ZoneLaws& laws) {
+    Zones& zones = model.zones;
+    constexpr std::size_t least = 2; // columns before them
     for_cells(laws, [&](const ZoneLaw& law, Row first) {
-        const auto columns = std::min<std::size_t>(law.cell_history + 3, zones.history_columns);
-        for (std::size_t k = law.cell_history; k < columns; ++k)
-            for (Row z = first; z < first + zones_of_cell; ++z) zones.history[k][z] *= factor;
+        if (law.model->flows()) return;
+        const std::size_t column = std::max(law.model->history.size(), least);
+        const auto move = [&](std::size_t from, Column<double>& to) {
+            if (from >= static_cast<std::size_t>(zones.history_columns)) return;
+            for (Row z = first; z < first + zones_of_cell; ++z) to[z] = std::exchange(zones.history[from][z], 0.0);
+        };
+        for (std::size_t half = 0; half < 2; ++half) move(column + half, zones.warp[half]);
+        if (static_cast<std::size_t>(zones.history_columns) > column + 2) {
+            zones.keep_cell_motion();
+            move(column + 2, zones.cell_motion);
+        }
     });
 }
 

@@ -5,28 +5,27 @@
 
 namespace kaya {
 
-/// Whether cells keep it separately, in a column of Zones::history with component k in zone k of the cell.
-inline bool keeps_cell_motion(const Zones& zones, const ZoneLaw& law) {
-    return static_cast<std::size_t>(zones.history_columns) > law.cell_history + 2;
-}
 /// The stress of motion of the cells starting at `first`; null where it equals their total stress.
-inline double* cell_motion(Zones& zones, const ZoneLaw& law, Row first) {
-    return keeps_cell_motion(zones, law) ? &zones.history[law.cell_history + 2][first] : nullptr;
+inline double* cell_motion(Zones& zones, Row first) {
+    return zones.keeps_cell_motion ? &zones.cell_motion[first] : nullptr;
 }
-inline const double* cell_motion(const Zones& zones, const ZoneLaw& law, Row first) {
-    return keeps_cell_motion(zones, law) ? &zones.history[law.cell_history + 2][first] : nullptr;
+inline const double* cell_motion(const Zones& zones, Row first) {
+    return zones.keeps_cell_motion ? &zones.cell_motion[first] : nullptr;
 }
 
 /// For cells whose zones have different stresses: starts a separate stress of motion at zero.
 void part_cell_motion(Model& model, const ZoneLaws& laws);
 
-/// Keeps the stress of motion from here on. Without a column for it, the total stress of the cells is used.
-void keep_cell_motion(Model& model, const ZoneLaws& laws);
-
 /// Resets the stress of motion of zones whose stress was set.
-void forget_cell_motion(Model& model, ZoneModels& models, const std::vector<Row>& zones);
+void forget_cell_motion(Model& model, const std::vector<Row>& zones);
 
 /// Scales all zone stresses.
-void scale_zone_stresses(Model& model, const ZoneLaws& laws, double factor);
+void scale_zone_stresses(Model& model, double factor);
+
+/// Gives each corner of cells whose zones strain together an eighth of the cell's mass, in place of what its zones give.
+void share_masses(Model& model, const ZoneLaws& laws);
+
+/// Moves what earlier versions kept of elastic cells in columns of their zone model's history.
+void take_cells_from_history(Model& model, const ZoneLaws& laws);
 
 } // namespace kaya

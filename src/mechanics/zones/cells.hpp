@@ -3,6 +3,7 @@
 
 #include "mechanics/zones/tile_rows.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kaya {
@@ -233,17 +234,17 @@ struct CellMotion {
 /// cc and bc of the other two axes; then the stress along each axis for the product of all three.
 using WarpStress = std::array<Eight, 12>;
 
-/// The warp stresses of consecutive cells, starting at `first`.
-[[gnu::always_inline]] inline void load_warps(const Zones& zones, std::size_t column, Row first, Row cells,
-                                              WarpStress& stress) {
+/// The warp stresses of consecutive cells, starting at `first`: in columns of Zones.
+using WarpColumns = std::array<Column<double>, 2>;
+[[gnu::always_inline]] inline void load_warps(const WarpColumns& columns, Row first, Row cells, WarpStress& stress) {
     for (std::size_t half = 0; half < 2; ++half) {
-        const SixEights six = load_six(&zones.history[column + half][first], 6, cells);
+        const SixEights six = load_six(&columns[half][first], 6, cells);
         for (std::size_t k = 0; k < 6; ++k) stress[6 * half + k] = six[k];
     }
 }
-inline void store_warps(Zones& zones, std::size_t column, Row first, Row cells, const WarpStress& s) {
-    store_six(&zones.history[column][first], 6, cells, {s[0], s[1], s[2], s[3], s[4], s[5]});
-    store_six(&zones.history[column + 1][first], 6, cells, {s[6], s[7], s[8], s[9], s[10], s[11]});
+inline void store_warps(WarpColumns& columns, Row first, Row cells, const WarpStress& s) {
+    store_six(&columns[0][first], 6, cells, {s[0], s[1], s[2], s[3], s[4], s[5]});
+    store_six(&columns[1][first], 6, cells, {s[6], s[7], s[8], s[9], s[10], s[11]});
 }
 
 /// Moduli of layers without pressure between them, and of fibres.
@@ -259,36 +260,60 @@ struct LayerModuli {
     }
 };
 
-/// Adds the stress of the warps of a step. Returns the work of the step, by cell.
-[[gnu::always_inline]] inline Eight add_warp_stress(const CellMotion& step, const LayerModuli& moduli,
-                                                    WarpStress& stress) {
-    const Warps& g = step.warp;
-    const Eight lambda = eights(moduli.lambda), two_shear = eights(moduli.two_shear);
-    std::array<Eight, 3> square, product; // of the axes: of one with itself, and of the two others
-    for (std::size_t a = 0; a < 3; ++a) {
-        square[a] = step.axis[a].dot(step.axis[a]);
-        product[a] = step.axis[(a + 1) % 3].dot(step.axis[(a + 2) % 3]);
-    }
-    Eight layers{}, fibres{};
-    for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-        const Eight3 &jb = step.axis[b], &jc = step.axis[c];
-        const Eight bb = jb.dot(g[c]), cc = jc.dot(g[b]), bc = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
-        const Eight &mb = square[b], &mc = square[c], &m = product[a], r = 1.0 / (mb * mc - m * m);
+/// The stress of a layer in its plane, without pressure from layer to layer.
+struct LayerStress {
+    Eight bb, cc, bc;
+
+    /// `bb`, `cc` and `bc` of the strain along the halves of the mean edges jb and jc.
+    [[gnu::always_inline]] LayerStress(const LayerModuli& moduli, const Eight3& jb, const Eight3& jc, const Eight& bb,
+                                       const Eight& cc, const Eight& bc) {
+        const Eight lambda = eights(moduli.lambda), two_shear = eights(moduli.two_shear);
+        const Eight mb = jb.dot(jb), mc = jc.dot(jc), m = jb.dot(jc), r = 1.0 / (mb * mc - m * m);
         const Eight ib = mc * r, ic = mb * r, i = -m * r; // inverse of the metric
         const Eight trace = lambda * (ib * bb + ic * cc + 2.0 * i * bc);
-        const std::array<Eight, 3> change{ib * trace + two_shear * (ib * ib * bb + 2.0 * ib * i * bc + i * i * cc),
-                                          ic * trace + two_shear * (ic * ic * cc + 2.0 * ic * i * bc + i * i * bb),
-                                          i * trace + two_shear * (ib * i * bb + (ib * ic + i * i) * bc + ic * i * cc)};
-        Eight* const s = &stress[3 * a];
-        layers += (s[0] + 0.5 * change[0]) * bb + (s[1] + 0.5 * change[1]) * cc + (2.0 * s[2] + change[2]) * bc;
-        for (std::size_t k = 0; k < 3; ++k) s[k] += change[k];
-        const Eight along = step.axis[a].dot(g[3]) / square[a], more = moduli.young * along;
-        fibres += (stress[9 + a] + 0.5 * more) * along;
-        stress[9 + a] += more;
+        this->bb = ib * trace + two_shear * (ib * ib * bb + 2.0 * ib * i * bc + i * i * cc);
+        this->cc = ic * trace + two_shear * (ic * ic * cc + 2.0 * ic * i * bc + i * i * bb);
+        this->bc = i * trace + two_shear * (ib * i * bb + (ib * ic + i * i) * bc + ic * i * cc);
     }
-    // Means over the cell of the squares of one axis, and of a product of two.
-    return step.volume * (layers * (1.0 / 3) + fibres * (1.0 / 9));
+};
+
+/// Warps of a step as strains and as elastic changes of stress, in the order of WarpStress.
+struct WarpStep {
+    WarpStress strain, change;
+    Eight volume;
+
+    WarpStep() = default;
+
+    [[gnu::always_inline]] WarpStep(const CellMotion& step, const LayerModuli& moduli) : volume(step.volume) {
+        const Warps& g = step.warp;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+            const Eight3 &jb = step.axis[b], &jc = step.axis[c];
+            const Eight bb = jb.dot(g[c]), cc = jc.dot(g[b]), bc = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
+            const LayerStress layer(moduli, jb, jc, bb, cc, bc);
+            const std::size_t k = 3 * a;
+            strain[k] = bb, strain[k + 1] = cc, strain[k + 2] = bc;
+            change[k] = layer.bb, change[k + 1] = layer.cc, change[k + 2] = layer.bc;
+            strain[9 + a] = step.axis[a].dot(g[3]) / step.axis[a].dot(step.axis[a]);
+            change[9 + a] = moduli.young * strain[9 + a];
+        }
+    }
+
+    /// Work of the step against a stress, by cell: means over the cell of the squares of one axis, and of a product of two.
+    [[gnu::always_inline]] Eight work(const WarpStress& s) const {
+        Eight layers{}, fibres{};
+        for (std::size_t a = 0; a < 9; a += 3)
+            layers += s[a] * strain[a] + s[a + 1] * strain[a + 1] + 2.0 * s[a + 2] * strain[a + 2];
+        for (std::size_t a = 9; a < 12; ++a) fibres += s[a] * strain[a];
+        return volume * (layers * (1.0 / 3) + fibres * (1.0 / 9));
+    }
+};
+
+/// a + factor * b
+[[gnu::always_inline]] inline WarpStress added(const WarpStress& a, double factor, const WarpStress& b) {
+    WarpStress sum;
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = a[k] + factor * b[k];
+    return sum;
 }
 
 /// Forces on the corners 0 to 7 of cells whose zones all have the same stress, and which are warped.
@@ -333,6 +358,17 @@ struct LayerModuli {
     }
     f[0] = first;
     return f;
+}
+
+inline CellForces both(const CellForces& a, const CellForces& b) {
+    CellForces forces;
+    for (std::size_t c = 0; c < 8; ++c) forces[c] = a[c] + b[c];
+    return forces;
+}
+
+/// Whether any cell has warp stresses.
+inline bool resists(const WarpStress& warp) {
+    return !std::ranges::all_of(warp, [](const Eight& s) { return all_zero(s); });
 }
 
 /// Forces of a stress with a separate gradient, as in CellShape.

@@ -48,12 +48,6 @@ SixEights mean_stress(const Zones& zones, Row zone, Row cells) {
     for (Row i = 0; i < count; i += eight) __builtin_prefetch(first + i, 1);
 }
 
-CellForces both(const CellForces& a, const CellForces& b) {
-    CellForces forces;
-    for (std::size_t c = 0; c < 8; ++c) forces[c] = a[c] + b[c];
-    return forces;
-}
-
 /// Forces of a stress on the ruled faces of cells.
 CellForces forces_on(const RuledFaces& faces, const CellField& place, const SixEights& stress) {
     CellForces forces{};
@@ -63,39 +57,61 @@ CellForces forces_on(const RuledFaces& faces, const CellField& place, const SixE
 }
 
 /// Forces of the ruled faces of cells whose zones have different stresses.
-CellForces ruled_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellField& place, Row zone,
-                        Row cells) {
+CellForces ruled_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
     const RuledFaces faces(rows.ruled(zone));
     if (!faces.any) return {};
-    const double* const made = cell_motion(model.zones, law, zone);
+    const double* const made = cell_motion(model.zones, zone);
     return forces_on(faces, place, made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells));
 }
 
-/// Up to eight cells as they are.
-struct CellGroupView {
-    Row cells;
-    CellGroupCorners corners;
-    CellField place;
-    CellShape shape;
-    WarpStress warp;
+/// The stresses of the zones of cells, by zone.
+using SixZones = std::array<SixEights, zones_of_cell>;
 
-    [[gnu::always_inline]] CellGroupView(const Model& model, const TileRows& rows, const ZoneTile& tile,
-                                         const ZoneLaw& law, Row zone)
-        : cells(cells_from(zone, tile.last)), corners(rows.cells_at(zone)), place(from_first(rows.places(), corners)),
-          shape(place, RuledFaces(rows.ruled(zone))) {
-        load_warps(model.zones, law.cell_history, zone, cells, warp);
+/// Adds the forces of zones with different stresses. Stresses that change with depth bear the weights of the zones. A corner bears an eighth
+/// of its cell instead: the rest, the difference of volume times the divergence of the stresses, is added.
+void add_forces_of_zones(const Model& model, const CellField& place, const SixZones& stress, CellForces& forces) {
+    std::array<Eight, 8> share{}; // of the volume
+    std::array<Eight, zones_of_cell> depth;
+    const Vec3& gravity = model.settings.gravity;
+    const double size = gravity.norm();
+    const Vec3 down = size > 0 ? Vec3(gravity / size) : Vec3::Zero();
+    Eight whole{}, mean_depth{};
+    for (Row z = 0; z < zones_of_cell; ++z) {
+        const Edges edges = edges_of_zone(place, z);
+        add_forces_of_zone(edges, z, stress[z], forces);
+        const Eight volume = edges[0].dot(edges[1].cross(edges[2])) * (1.0 / 6);
+        for (const std::size_t c : corners_of_zone[z]) share[c] += 0.25 * volume;
+        const Eight3 sum = edges[0] + edges[1] + edges[2];
+        depth[z] = 0.25 * (sum.x * down.x() + sum.y * down.y() + sum.z * down.z());
+        whole += volume;
+        mean_depth += depth[z] * (1.0 / zones_of_cell);
     }
-
-    /// Of the warp stresses alone.
-    CellForces of_warp() const { return forces_of(shape, SixEights{}, warp); }
-};
+    Eight squares{};
+    SixEights slope{};
+    for (Row z = 0; z < zones_of_cell; ++z) {
+        const Eight d = depth[z] - mean_depth;
+        squares += d * d;
+        for (std::size_t k = 0; k < 6; ++k) slope[k] += d * stress[z][k];
+    }
+    // Zones at the same depth have no slope.
+    const Eight3& far = place[6];
+    const Eight over = 1.0 / (squares + 1e-12 * far.dot(far));
+    const double x = down.x(), y = down.y(), z = down.z();
+    const Eight3 divergence =
+        Eight3{slope[0] * x + slope[3] * y + slope[4] * z, slope[3] * x + slope[1] * y + slope[5] * z,
+               slope[4] * x + slope[5] * y + slope[2] * z} *
+        over;
+    for (std::size_t c = 0; c < 8; ++c) forces[c] = forces[c] + divergence * (0.125 * whole - share[c]);
+}
 
 /// Forces of the zones of these cells.
-CellForces own_forces(const Model& model, const TileRows& rows, const ZoneLaw& law, const CellGroupView& g, Row zone) {
-    CellForces forces = ruled_forces(model, rows, law, g.place, zone, g.cells);
+CellForces own_forces(const Model& model, const TileRows& rows, CellGroupCorners corners, Row zone, Row cells) {
+    const CellField place = from_first(rows.places(), corners);
+    CellForces forces = ruled_forces(model, rows, place, zone, cells);
+    SixZones stress;
     for (Row z = 0; z < zones_of_cell; ++z)
-        add_forces_of_zone(edges_of_zone(g.place, z), z,
-                           load_six(model.zones.stress[zone + z].data(), to_next_cell, g.cells), forces);
+        stress[z] = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
+    add_forces_of_zones(model, place, stress, forces);
     return forces;
 }
 
@@ -118,8 +134,9 @@ struct CellGroup {
     bool apart;       ///< the zones have different stresses, or the stress of the cell's motion differs from them
     SixEights before; ///< the common stress of the zones, or their mean, turned with the cell
     Eight3 half_spin;
-    Eight volume, work; ///< in the middle of the step; of warping
-    WarpStress warp;
+    Eight volume, work, damped; ///< in the middle of the step; work of the step, and of viscous stresses
+    WarpStress warp, viscous_warp;
+    SixEights viscous; ///< of the step before, and then of this one
 };
 
 /// Each cell is a row for the zone model. Its history is that of the first zone, and is then copied to all.
@@ -128,12 +145,13 @@ public:
     CellRun(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
             std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(law), kept_(scratch.cells),
-          moduli_(law.elastic.lambda, law.elastic.two_shear), large_(model.settings.large_strain),
+          moduli_(law.elastic.lambda, law.elastic.two_shear),
+          damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
           wet_(!scratch.pressure.empty()), rows_(model, tiles, tile, scratch.pressure), forces_(tile, forces),
           batch_(model, law) {}
 
-    double run() {
-        Lanes work = Lanes::Zero();
+    ZoneSums run() {
+        Lanes work = Lanes::Zero(), damped = Lanes::Zero();
         const Row whole = cells_in_batch * zones_of_cell;
         for (Row first = tile_.first; first < tile_.last; first += whole) {
             const Row last = std::min(first + whole, tile_.last);
@@ -143,9 +161,17 @@ public:
             for (Row z = first; z < last; z += zones_of_group) strain(z, z - first, cells_from(z, last));
             batch_.run(model_);
             write_history(first, cells);
-            for (Row z = first; z < last; z += zones_of_group) add_to(work, finish(z, z - first, cells_from(z, last)));
+            for (Row z = first; z < last; z += zones_of_group) {
+                finish(z, z - first, cells_from(z, last));
+                const CellGroup& g = group_at(z - first);
+                add_to(work, g.work);
+                if (damping_ > 0) add_to(damped, g.damped);
+            }
         }
-        return kaya::sum(work);
+        ZoneSums sums;
+        sums.work = kaya::sum(work);
+        sums.damped = kaya::sum(damped);
+        return sums;
     }
 
 private:
@@ -167,8 +193,7 @@ private:
     [[gnu::always_inline]] void bring_group(Row zone) {
         if (zone + zones_of_group > tile_.last) return;
         if (!kept_.has(tile_.group(zone))) bring(stresses(zone), 6 * zones_of_group);
-        for (const std::size_t column : {law_.cell_history, law_.cell_history + 1})
-            bring(&model_.zones.history[column][zone], zones_of_group);
+        for (const auto& column : model_.zones.warp) bring(&column[zone], zones_of_group);
     }
 
     /// Strains of the step, stresses turned with the material, and warp stresses of the cells.
@@ -189,13 +214,11 @@ private:
         const CellMotion motion(g.shape, shift, large_);
         g.half_spin = motion.half_spin;
         g.volume = motion.volume;
-        load_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
-        g.work = add_warp_stress(motion, moduli_, g.warp);
-        store_warps(model_.zones, law_.cell_history, zone, cells, g.warp);
+        warp(g, motion, zone, cells);
 
         const Row group = tile_.group(zone);
         const bool kept = kept_.has(group);
-        g.apart = !kept && (keeps_cell_motion(model_.zones, law_) || !are_alike(model_.zones.stress, zone, cells));
+        g.apart = !kept && (model_.zones.keeps_cell_motion || !are_alike(model_.zones.stress, zone, cells));
         if (kept) g.before = kept_.of(group);
         else if (g.apart) g.before = mean_stress(model_.zones, zone, cells);
         else g.before = load_six(stresses(zone), to_next_cell, cells);
@@ -211,8 +234,33 @@ private:
         store(batch_.volume + i, motion.volume * (1.0 / zones_of_cell));
     }
 
-    /// Writes stresses to the zones and computes their forces. Returns the work of the step, by cell.
-    Eight finish(Row zone, Row in_batch, Row cells) {
+    /// Adds the warps of the step.
+    void warp(CellGroup& g, const CellMotion& motion, Row zone, Row cells) {
+        const WarpStep step(motion, moduli_);
+        load_warps(model_.zones.warp, zone, cells, g.warp);
+        g.work = step.work(added(g.warp, 0.5, step.change));
+        g.warp = added(g.warp, 1, step.change);
+        store_warps(model_.zones.warp, zone, cells, g.warp);
+        if (!(damping_ > 0)) return;
+        WarpStress last;
+        load_warps(model_.zones.warp_dashpot, zone, cells, last);
+        g.viscous_warp = added(WarpStress{}, damping_, step.change);
+        g.damped = 0.5 * step.work(added(last, 1, g.viscous_warp));
+        store_warps(model_.zones.warp_dashpot, zone, cells, g.viscous_warp);
+    }
+
+    /// Finds the viscous stress of the cells.
+    void damp(CellGroup& g, Row zone, Row cells, const SixEights& change, const SixEights& strain) {
+        double* const rows = model_.zones.dashpot[zone].data();
+        const SixEights last = load_six(rows, to_next_cell, cells);
+        for (std::size_t k = 0; k < 6; ++k) g.viscous[k] = damping_ * change[k];
+        store_six(rows, to_next_cell, cells, g.viscous, zones_of_cell);
+        g.damped += 0.5 * g.volume * product(sum(last, g.viscous), strain);
+        for (Row l = cells; l < eight; ++l) g.damped[l] = 0;
+    }
+
+    /// Writes stresses to the zones and computes their forces and the work of the step.
+    void finish(Row zone, Row in_batch, Row cells) {
         CellGroup& g = group_at(in_batch);
         const Row i = in_batch / zones_of_cell;
         const auto column = [&](const double* rows) { return load_as<Eight>(rows + i); };
@@ -224,21 +272,25 @@ private:
         }
         const SixEights after = sum(g.before, change);
         g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
+        g.viscous = SixEights{};
+        if (damping_ > 0) {
+            damp(g, zone, cells, change, strain);
+            g.warp = added(g.warp, 1, g.viscous_warp);
+        }
         if (g.apart) {
             finish_apart(g, zone, cells, change);
         } else {
             if (kept_.wanted) kept_.keep(tile_.group(zone), after);
             else store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
-            forces_.add(g.corners, cells, forces_of(g.shape, after, g.warp));
+            forces_.add(g.corners, cells, forces_of(g.shape, damping_ > 0 ? sum(after, g.viscous) : after, g.warp));
         }
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
-        return g.work;
     }
 
     /// The same where each zone has its own stress, and ruled faces the stress of the cell's motion.
     void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
         SixEights of_motion = sum(g.before, change);
-        if (double* const made = cell_motion(model_.zones, law_, zone)) {
+        if (double* const made = cell_motion(model_.zones, zone)) {
             of_motion = load_six(made, zones_of_cell, cells);
             if (large_) of_motion = turned(of_motion, g.half_spin);
             of_motion = sum(of_motion, change);
@@ -247,13 +299,14 @@ private:
         const CellField place = from_first(rows_.places(), g.corners);
         const RuledFaces faces(rows_.ruled(zone));
         CellForces own = faces.any ? forces_on(faces, place, of_motion) : CellForces{};
+        SixZones stress;
         for (Row z = 0; z < zones_of_cell; ++z) {
-            SixEights stress = load_six(stresses(zone + z), to_next_cell, cells);
-            if (large_) stress = turned(stress, g.half_spin);
-            stress = sum(stress, change);
-            store_six(stresses(zone + z), to_next_cell, cells, stress);
-            add_forces_of_zone(edges_of_zone(place, z), z, stress, own);
+            stress[z] = load_six(stresses(zone + z), to_next_cell, cells);
+            if (large_) stress[z] = turned(stress[z], g.half_spin);
+            stress[z] = sum(stress[z], change);
+            store_six(stresses(zone + z), to_next_cell, cells, stress[z]);
         }
+        add_forces_of_zones(model_, place, stress, own);
         // The deviation from the mean stress is constant in the step: its forces are the same before and after.
         CellForces beyond = own;
         SixEights mean = sum(g.before, change);
@@ -261,7 +314,7 @@ private:
         add_forces(g.shape.gradient, mean, beyond);
         const CellField shift = from_first(rows_.shifts(), g.corners);
         for (std::size_t c = 1; c < 8; ++c) g.work -= beyond[c].dot(shift[c - 1]);
-        forces_.add(g.corners, cells, both(forces_of(g.shape, SixEights{}, g.warp), own));
+        forces_.add(g.corners, cells, both(forces_of(g.shape, g.viscous, g.warp), own));
     }
 
     Model& model_;
@@ -269,6 +322,7 @@ private:
     const ZoneLaw& law_;
     CellStresses& kept_;
     const LayerModuli moduli_;
+    const double damping_;
     const bool large_, wet_;
     TileRows rows_;
     TileForces forces_;
@@ -278,63 +332,46 @@ private:
 
 } // namespace
 
-bool cells_go_together(const Settings& settings) {
-    return !settings.dynamic && settings.damping != Damping::none && settings.damping != Damping::rayleigh;
-}
-
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
                    std::vector<PointRow>& forces) {
-    ZoneSums sums;
-    sums.work = CellRun(model, tiles, tile, law, scratch, forces).run();
-    return sums;
+    return CellRun(model, tiles, tile, law, scratch, forces).run();
 }
 
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  std::vector<PointRow>& forces) {
     const TileRows rows(model, tiles, tile);
     TileForces sums(tile, forces);
-    const bool together = law.together == Together::cells, kept = keeps_cell_motion(model.zones, law);
+    const bool kept = model.zones.keeps_cell_motion, damped = zones_are_damped(model);
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
-        if (!together) {
-            const Row cells = cells_from(zone, tile.last);
-            const CellGroupCorners corners = rows.cells_at(zone);
-            sums.add(corners, cells, zones_alone(model, from_first(rows.places(), corners), zone, cells));
+        const Row cells = cells_from(zone, tile.last);
+        const CellGroupCorners corners = rows.cells_at(zone);
+        const CellField place = from_first(rows.places(), corners);
+        if (law.together == Together::flow_in_cells) {
+            CellForces own = zones_alone(model, place, zone, cells);
+            WarpStress held{};
+            if (model.zones.keeps_warps) load_warps(model.zones.warp, zone, cells, held);
+            if (resists(held))
+                own = both(own, forces_of(CellShape(place, RuledFaces(rows.ruled(zone))), SixEights{}, held));
+            sums.add(corners, cells, own);
             continue;
         }
-        const CellGroupView g(model, rows, tile, law, zone);
-        if (kept || !are_alike(model.zones.stress, zone, g.cells))
-            sums.add(g.corners, g.cells, both(g.of_warp(), own_forces(model, rows, law, g, zone)));
+        const CellShape shape(place, RuledFaces(rows.ruled(zone)));
+        WarpStress warp;
+        load_warps(model.zones.warp, zone, cells, warp);
+        SixEights viscous{};
+        if (damped) {
+            viscous = load_six(model.zones.dashpot[zone].data(), to_next_cell, cells);
+            WarpStress more;
+            load_warps(model.zones.warp_dashpot, zone, cells, more);
+            warp = added(warp, 1, more);
+        }
+        if (kept || !are_alike(model.zones.stress, zone, cells))
+            sums.add(corners, cells,
+                     both(forces_of(shape, viscous, warp), own_forces(model, rows, corners, zone, cells)));
         else
-            sums.add(g.corners, g.cells,
-                     forces_of(g.shape, load_six(model.zones.stress[zone].data(), to_next_cell, g.cells), g.warp));
-    }
-}
-
-double hold_cells(Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law, TileForces& forces) {
-    const bool large = model.settings.large_strain;
-    Lanes whole = Lanes::Zero();
-    for (Row z = tile.first; z < tile.last; z += zones_of_group) {
-        CellGroupView g(model, rows, tile, law, z);
-        const CellField shift = from_first(rows.shifts(), g.corners);
-        const CellMotion motion(g.shape, shift, large);
-        Eight work = add_warp_stress(motion, LayerModuli(), g.warp);
-        double* const made = cell_motion(model.zones, law, z);
-        if (large)
-            store_six(made, zones_of_cell, g.cells, turned(load_six(made, zones_of_cell, g.cells), motion.half_spin));
-        const CellForces ruled = ruled_forces(model, rows, law, g.place, z, g.cells);
-        for (std::size_t c = 1; c < 8; ++c) work -= ruled[c].dot(shift[c - 1]);
-        for (Row l = g.cells; l < eight; ++l) work[l] = 0;
-        add_to(whole, work);
-        forces.add(g.corners, g.cells, both(g.of_warp(), ruled));
-    }
-    return sum(whole);
-}
-
-void held_forces(const Model& model, const TileRows& rows, const ZoneTile& tile, const ZoneLaw& law,
-                 TileForces& forces) {
-    for (Row z = tile.first; z < tile.last; z += zones_of_group) {
-        const CellGroupView g(model, rows, tile, law, z);
-        forces.add(g.corners, g.cells, both(g.of_warp(), ruled_forces(model, rows, law, g.place, z, g.cells)));
+            sums.add(
+                corners, cells,
+                forces_of(shape, sum(load_six(model.zones.stress[zone].data(), to_next_cell, cells), viscous), warp));
     }
 }
 

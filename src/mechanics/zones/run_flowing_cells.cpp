@@ -13,6 +13,13 @@ namespace {
 
 constexpr Row groups_in_batch = 2;
 
+SixEights deviator(const SixEights& stress) {
+    const Eight mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+    SixEights s = stress;
+    for (std::size_t k = 0; k < 3; ++k) s[k] -= mean;
+    return s;
+}
+
 /// Per-group data kept until the stresses are updated.
 struct FlowGroup {
     CellGroupCorners corners;
@@ -134,6 +141,7 @@ private:
         std::array<SixEights, zones_of_cell> stress, strain;
         std::array<Eight, zones_of_cell> flow; // plastic change of the mean stress
         Eight flowed{}, whole{}, work{}, damped{};
+        Eight remains{}, elastic{}; // squares of deviators, and without flow
         for (Row z = 0; z < zones_of_cell; ++z) {
             const auto column = [&](const double* rows) { return load_rows(rows + at.row(z), at.cells); };
             const Eight pressure = wet_ ? column(batch_.pressure) : Eight{};
@@ -145,6 +153,9 @@ private:
             flow[z] =
                 (after[0] - before[0] + after[1] - before[1] + after[2] - before[2]) / 3.0 - bulk_ * g.mean_strain;
             flowed += g.volume[z] * flow[z];
+            const SixEights trial = elastic_trial(before, strain[z]);
+            remains += product(deviator(after), deviator(after));
+            elastic += product(deviator(trial), deviator(trial));
             whole += g.volume[z];
         }
         const Eight mean_flow = flowed / whole;
@@ -163,10 +174,35 @@ private:
             if (damping_ > 0) after = sum(after, load_six(dashpots(at.zone + z), to_next_cell, at.cells));
             add_forces_of_zone(edges_of_zone(g.place, z), z, after, forces);
         }
+        if (model_.zones.keeps_warps) forces = both(forces, held(at, remains / elastic, work));
         forces_.add(g.corners, at.cells, forces);
         for (Row l = at.cells; l < eight; ++l) work[l] = damped[l] = 0;
         add_to(work_, 0.5 * work);
         add_to(damped_work_, 0.5 * damped);
+    }
+
+    SixEights elastic_trial(const SixEights& before, const SixEights& strain) const {
+        const auto& [lambda, two_shear] = law_.elastic;
+        const Eight mean = lambda * (strain[0] + strain[1] + strain[2]);
+        SixEights stress;
+        for (std::size_t k = 0; k < 6; ++k) stress[k] = before[k] + two_shear * strain[k] + (k < 3 ? mean : Eight{});
+        return stress;
+    }
+
+    /// Forces of warp stresses from a time when the cells were elastic. They remain until the zones flow, and are then reduced as the
+    /// squares of their deviators are.
+    CellForces held(const Place& at, const Eight& part, Eight& work) {
+        WarpStress warp;
+        load_warps(model_.zones.warp, at.zone, at.cells, warp);
+        if (!resists(warp)) return {};
+        const Eight kept = part < 1 - 1e-12 ? part : eights(1);
+        for (Eight& s : warp) s *= kept;
+        store_warps(model_.zones.warp, at.zone, at.cells, warp);
+        const FlowGroup& g = group_at(at);
+        const CellField shift = from_first(rows_.shifts(), g.corners);
+        const CellForces forces = forces_of(CellShape(g.place, RuledFaces(rows_.ruled(at.zone))), SixEights{}, warp);
+        for (std::size_t c = 1; c < 8; ++c) work -= 2.0 * forces[c].dot(shift[c - 1]);
+        return forces;
     }
 
     double* dashpots(Row zone) { return model_.zones.dashpot[zone].data(); }

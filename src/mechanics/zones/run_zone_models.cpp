@@ -31,7 +31,6 @@ public:
         const Row whole = static_cast<Row>(most_zones_in_batch);
         for (Row first = tile_.first; first < tile_.last; first += whole)
             sums.add(run_batch(first, std::min(whole, tile_.last - first)));
-        if (law_.together == Together::cells) sums.work += hold_cells(model_, rows_, tile_, law_, forces_);
         return sums;
     }
 
@@ -229,8 +228,7 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
 /// Forces of all zones of a tile from their present stresses.
 void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
-    if (law.together == Together::flow_in_cells ||
-        (law.together == Together::cells && cells_go_together(model.settings)))
+    if (law.together == Together::flow_in_cells || law.together == Together::cells)
         return cell_forces(model, laws.tiles, tile, law, forces);
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
@@ -244,7 +242,6 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std
         const ZoneGroup zones = rows.group_at(z);
         sums.add(zones, std::min<Row>(tile.last - z, eight), rows.edges(zones), stress);
     }
-    if (law.together == Together::cells) held_forces(model, rows, tile, law, sums);
 }
 
 /// Averages the plastic change of the mean stress, then computes the forces. Returns the corresponding work.
@@ -272,10 +269,12 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
 void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     scratch.cells.make_room(laws.tiles);
     if (!scratch.cells.wanted) scratch.cells.give_back(model, laws.tiles);
-    if (stiffness_damping(model.settings) > 0) model.zones.keep_dashpots();
+    if (stiffness_damping(model.settings) > 0) {
+        model.zones.keep_dashpots();
+        if (model.zones.keeps_warps) model.zones.keep_warp_dashpots();
+    }
     find_pressure(model, scratch.pressure);
     if (laws.any_averages_at_points()) average_strain(model, laws, scratch);
-    if (!cells_go_together(model.settings)) keep_cell_motion(model, laws);
 }
 
 bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
@@ -287,8 +286,7 @@ ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, Zone
     const ZoneLaw& law = laws.laws[tile.law];
     if (law.together == Together::flow_in_cells)
         return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
-    if (law.together == Together::cells && cells_go_together(model.settings))
-        return run_cells(model, laws.tiles, tile, law, scratch, forces);
+    if (law.together == Together::cells) return run_cells(model, laws.tiles, tile, law, scratch, forces);
     return TileRun(model, laws, tile, scratch, forces).run();
 }
 

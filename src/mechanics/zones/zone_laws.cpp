@@ -1,3 +1,4 @@
+#include "mechanics/zones/cell_motion.hpp"
 #include "mechanics/zones/tile_rows.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
@@ -119,15 +120,10 @@ double reduced(const LawTable::Property& property, double value, double factor) 
 Together together_of(const Settings& settings, const ZoneModel& zone_model, bool has_cells) {
     if (!settings.mixed_discretisation) return Together::nothing;
     if (zone_model.flows()) return has_cells ? Together::flow_in_cells : Together::at_points;
-    const bool has_room = first_cell_history(zone_model) + 3 <= KAYA_JMODEL_MAX_HISTORY;
-    return has_cells && has_room ? Together::cells : Together::nothing;
+    return has_cells ? Together::cells : Together::nothing;
 }
 
 } // namespace
-
-std::size_t first_cell_history(const ZoneModel& zone_model) {
-    return std::max<std::size_t>(zone_model.history.size(), 2);
-}
 
 std::string zone_model_of(const Model& model, Row block) {
     const auto& given = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
@@ -180,11 +176,9 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
-            const std::size_t own = zone_model.history.size(), cell_history = first_cell_history(zone_model);
             const Together together = together_of(model.settings, zone_model, has_cells);
-            laws.push_back(
-                {&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, together, cell_history});
-            model.zones.keep_history(together == Together::cells ? cell_history + 2 : own);
+            laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, together});
+            model.zones.keep_history(zone_model.history.size());
         }
         law_of_[b] = found->second;
     }
@@ -193,6 +187,11 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
         const Together together = laws[law].together;
         return together == Together::cells || together == Together::flow_in_cells ? zones_of_cell : 1;
     });
+    const bool any_cells =
+        std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.together == Together::cells; });
+    if (!any_cells || model.zones.keeps_warps) return;
+    model.zones.keep_warps();
+    take_cells_from_history(model, *this);
 }
 
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {

@@ -25,8 +25,6 @@ struct ZoneLaw {
     std::vector<double> values; ///< in the order of the model's property table
     ElasticConstants elastic;
     Together together;
-    std::size_t
-        cell_history; ///< the first of the two columns of Zones::history for the warp stresses of cells; another: cell_motion.hpp
 };
 
 class ZoneLaws {
@@ -46,10 +44,6 @@ public:
 private:
     std::vector<Row> law_of_; ///< by block, no_row for rigid ones
 };
-
-/// The first column of Zones::history for cells: after those of the model, and after the first two, which fields of plastic strain read for
-/// any model.
-std::size_t first_cell_history(const ZoneModel& zone_model);
 
 /// The zone model of a block: that of `zone model`, else that of its constitutive number. Throws Diagnostic for a number
 /// that means none.

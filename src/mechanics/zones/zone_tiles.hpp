@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/bodies/adjacency.hpp"
+#include "model/measure/cell_corners.hpp"
 #include "model/tables/model.hpp"
 
 #include <array>
@@ -29,7 +30,6 @@ static_assert(most_points_in_tile <= std::numeric_limits<TilePoint>::max());
 using ZoneCorners = std::array<TilePoint, 4>;
 using CellCorners = std::array<TilePoint, 8>;
 
-constexpr Row zones_of_cell = 6;
 constexpr Row cells_of_group = 8; ///< cells that are worked on together
 constexpr Row zones_of_group = zones_of_cell * cells_of_group;
 
@@ -46,11 +46,6 @@ struct ZoneTile {
     /// The place of a cell by its first zone, counted in whole groups.
     Row cell(Row zone) const { return first_group * cells_of_group + (zone - first) / zones_of_cell; }
 };
-
-/// The corners of the cell whose six zones begin at `zones`, in the order of the walks of hexahedron_mesh.
-template <class Point> std::array<Point, 8> corners_of_cell(const std::array<Point, 4>* zones) {
-    return {zones[0][0], zones[0][1], zones[1][1], zones[0][2], zones[2][1], zones[2][2], zones[1][2], zones[0][3]};
-}
 
 /// A point of a tile is the gridpoint in that tile: only one task writes to it. A gridpoint between tiles of its block is a point of each
 /// of them.

@@ -34,11 +34,8 @@ template <class TableType> struct CopiedRows {
 /// Copies blocks with all their parts behind those of another set of tables. `From` and `To` are Model or Excavated. Returns the row of the
 /// first.
 template <class From, class To> Row append_blocks(From& from, const std::vector<Row>& rows, To& to) {
-    const auto histories = static_cast<std::size_t>(std::max(from.zones.history_columns, to.zones.history_columns));
-    from.zones.keep_history(histories);
-    to.zones.keep_history(histories);
-    if (from.zones.keeps_dashpots) to.zones.keep_dashpots();
-    if (to.zones.keeps_dashpots) from.zones.keep_dashpots();
+    to.zones.keep_as(from.zones);
+    from.zones.keep_as(to.zones);
     const CopiedRows<Blocks> blocks(from.blocks, rows, to.blocks);
     const CopiedRows<Gridpoints> gridpoints(from.gridpoints, from.blocks.gridpoints, rows, to.gridpoints);
     const CopiedRows<Faces> faces(from.faces, from.blocks.faces, rows, to.faces);

@@ -210,11 +210,34 @@ public:
     std::int32_t history_columns = 0; ///< the largest number that a zone model needs
     bool keeps_dashpots = false;      ///< whether damping needs viscous stresses
 
+    // Of cells of six zones, for any zone model: docs/theory/zones.md, "Cells".
+    std::array<Column<double>, 2> warp; ///< stresses of warping, twelve for a cell: six in its rows of each column
+    std::array<Column<double>, 2> warp_dashpot; ///< their viscous parts
+    Column<double>
+        cell_motion; ///< the stress of the cell's motion where it differs from that of its zones: component k in zone k
+    bool keeps_warps = false, keeps_warp_dashpots = false, keeps_cell_motion = false;
+
     /// Allocates viscous stresses; they are never released.
     void keep_dashpots() {
         if (keeps_dashpots) return;
         keeps_dashpots = true;
         dashpot.assign(size(), Stress::Zero());
+    }
+
+    /// Allocates columns for cells; they are never released.
+    void keep_warps() { keep(keeps_warps, warp); }
+    void keep_warp_dashpots() { keep(keeps_warp_dashpots, warp_dashpot); }
+    void keep_cell_motion() {
+        if (!keeps_cell_motion) cell_motion.assign(size(), 0.0);
+        keeps_cell_motion = true;
+    }
+    /// Allocates the columns that another table has.
+    void keep_as(const Zones& other) {
+        if (other.keeps_dashpots) keep_dashpots();
+        if (other.keeps_warps) keep_warps();
+        if (other.keeps_warp_dashpots) keep_warp_dashpots();
+        if (other.keeps_cell_motion) keep_cell_motion();
+        keep_history(static_cast<std::size_t>(other.history_columns));
     }
 
     /// Allocates history columns for a zone model; they are never released.
@@ -238,6 +261,18 @@ public:
         visit("state", state, Role::state);
         for (std::size_t k = 0; k < history.size() && static_cast<std::int32_t>(k) < history_columns; ++k)
             visit("history_" + std::to_string(k), history[k], Role::state);
+        for (std::size_t k = 0; keeps_warps && k < warp.size(); ++k)
+            visit("warp_" + std::to_string(k), warp[k], Role::state);
+        for (std::size_t k = 0; keeps_warp_dashpots && k < warp_dashpot.size(); ++k)
+            visit("warp_dashpot_" + std::to_string(k), warp_dashpot[k], Role::state);
+        if (keeps_cell_motion) visit("cell_motion", cell_motion, Role::state);
+    }
+
+private:
+    void keep(bool& keeps, std::array<Column<double>, 2>& columns) {
+        if (keeps) return;
+        keeps = true;
+        for (auto& column : columns) column.assign(size(), 0.0);
     }
 };
 

@@ -276,7 +276,12 @@ template <class T> void visit_table(Archive& archive, const char* name, T& table
     archive.section(name, [&] {
         if constexpr (requires { table.history_columns; }) { archive.value("history_columns", table.history_columns); }
         if constexpr (requires { table.keeps_dashpots; }) // not hashed: the column itself is
-            archive.aside([&] { archive.value("keeps_dashpots", table.keeps_dashpots); });
+            archive.aside([&] {
+                archive.value("keeps_dashpots", table.keeps_dashpots);
+                archive.value("keeps_warps", table.keeps_warps);
+                archive.value("keeps_warp_dashpots", table.keeps_warp_dashpots);
+                archive.value("keeps_cell_motion", table.keeps_cell_motion);
+            });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; }) archive.value("field_columns", table.field_columns);
         archive.rows(rows);
