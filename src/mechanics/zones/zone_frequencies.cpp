@@ -2,6 +2,7 @@
 #include "mechanics/zones/zone_frequencies.hpp"
 
 #include "base/parallel.hpp"
+#include "mechanics/zones/zone_laws.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -36,9 +37,41 @@ std::array<Vec3, 4> places(const Model& model, Row z) {
     return x;
 }
 
+double greatest_eigenvalue(const Mat3& squares) {
+    Eigen::SelfAdjointEigenSolver<Mat3> solver;
+    solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+    return (1 + rounding) * solver.eigenvalues()[2];
+}
+
+/// Cells that strain together: the stiffness against their mean strain, and a third of it against warping.
+void add_cells(Model& model, Span zones, const ElasticConstants& elastic) {
+    constexpr double with_warps = 4.0 / 3;
+    auto& g = model.gridpoints;
+    for (Row first = zones.first; first < zones.end(); first += zones_of_cell) {
+        const std::array<Row, 8> corners = corners_of_cell(&model.zones.gridpoints[first]);
+        std::array<Vec3, 8> gradient;
+        gradient.fill(Vec3::Zero());
+        double volume = 0;
+        for (Row z = first; z < first + zones_of_cell; ++z) {
+            const Corners now(places(model, z));
+            volume += now.volume;
+            for (std::size_t a = 0; a < 4; ++a) {
+                const auto corner = std::ranges::find(corners, model.zones.gridpoints[z][a]) - corners.begin();
+                gradient[static_cast<std::size_t>(corner)] += now.volume * now.gradient[a];
+            }
+        }
+        Mat3 squares = Mat3::Zero();
+        for (const Vec3& b : gradient) squares += b * b.transpose() / (volume * volume);
+        const double stiffness =
+            with_warps * volume *
+            (std::max(elastic.lambda, 0.0) * squares.trace() + elastic.two_shear * greatest_eigenvalue(squares));
+        for (const Row row : corners) g.zone_frequency[row] += stiffness / g.mass[row];
+    }
+}
+
 } // namespace
 
-void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic) {
+void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws) {
     auto& g = model.gridpoints;
     std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
     constexpr std::size_t blocks_in_chunk = 4;
@@ -48,13 +81,15 @@ void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic
             const Span zones = model.blocks.zones[b];
             // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
             const auto& [lambda, two_shear] = elastic[b];
+            if (zones.count > 0 && laws && laws->of_block(static_cast<Row>(b)).together == Together::cells) {
+                add_cells(model, zones, elastic[b]);
+                continue;
+            }
             for (Row z = zones.first; z < zones.end(); ++z) {
                 const Corners now(places(model, z));
                 Mat3 squares = Mat3::Zero();
                 for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
-                Eigen::SelfAdjointEigenSolver<Mat3> solver;
-                solver.computeDirect(squares, Eigen::EigenvaluesOnly);
-                const double largest = (1 + rounding) * solver.eigenvalues()[2];
+                const double largest = greatest_eigenvalue(squares);
                 const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
                 for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
             }

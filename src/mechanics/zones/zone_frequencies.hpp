@@ -10,7 +10,9 @@
 
 namespace kaya {
 
+class ZoneLaws;
+
 /// `elastic` has the constants of the blocks.
-void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic);
+void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws = nullptr);
 
 } // namespace kaya
