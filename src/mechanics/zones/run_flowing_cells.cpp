@@ -36,7 +36,7 @@ public:
                  const std::vector<double>& pressure, std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(law), bulk_(law.elastic.lambda + law.elastic.two_shear / 3),
           damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
-          wet_(!pressure.empty()), rows_(model, tiles, tile, pressure), forces_(tile, forces), batch_(model, law) {}
+          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure), forces_(tile, forces), batch_(model, law) {}
 
     ZoneSums run() {
         const Row whole = groups_in_batch * zones_of_group;
@@ -63,6 +63,8 @@ private:
     FlowGroup& group_at(const Place& at) { return groups_[static_cast<std::size_t>(at.first_row / zones_of_group)]; }
 
     double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
+    /// What averaging over the cell changes: nothing with `zone nmd off`.
+    Eight averaged(const Eight& change) const { return averages_ ? change : Eight{}; }
 
     /// Strains of the step, and the stresses turned with the material.
     void strain(const Place& at) {
@@ -88,7 +90,7 @@ private:
         }
         g.mean_strain = grown / whole;
         for (Row z = 0; z < zones_of_cell; ++z) {
-            const Eight more = (g.mean_strain - g.volume_strain[z]) / 3.0;
+            const Eight more = averaged((g.mean_strain - g.volume_strain[z]) / 3.0);
             for (std::size_t k = 0; k < 3; ++k) strains[z][k] += more;
             Eight pressure{};
             if (wet_)
@@ -162,13 +164,13 @@ private:
         CellForces forces;
         forces.fill({Eight{}, Eight{}, Eight{}});
         for (Row z = 0; z < zones_of_cell; ++z) {
-            const Eight more = mean_flow - flow[z];
+            const Eight more = averaged(mean_flow - flow[z]);
             SixEights& after = stress[z];
             if (damping_ > 0) damped += g.volume[z] * damp(at, z, g.before[z], after, strain[z]);
             for (std::size_t k = 0; k < 3; ++k) after[k] += more;
             // The forces act on the zone's own deformation.
             const SixEights both = sum(g.before[z], after);
-            const Eight own = (g.volume_strain[z] - g.mean_strain) / 3.0;
+            const Eight own = averaged((g.volume_strain[z] - g.mean_strain) / 3.0);
             work += g.volume[z] * (product(both, strain[z]) + (both[0] + both[1] + both[2]) * own);
             store_six(stresses(at.zone + z), to_next_cell, at.cells, after);
             if (damping_ > 0) after = sum(after, load_six(dashpots(at.zone + z), to_next_cell, at.cells));
@@ -221,7 +223,7 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     const double bulk_, damping_;
-    const bool large_, wet_;
+    const bool large_, wet_, averages_;
     TileRows rows_;
     TileForces forces_;
     StagedZones<groups_in_batch * zones_of_group> batch_;

@@ -2,6 +2,7 @@
 #include "mechanics/zones/zone_frequencies.hpp"
 
 #include "base/parallel.hpp"
+#include "mechanics/zones/cells.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -43,33 +44,35 @@ double greatest_eigenvalue(const Mat3& squares) {
     return (1 + rounding) * solver.eigenvalues()[2];
 }
 
-/// Cells that strain together: the stiffness against their mean strain, and a third of it against warping.
+/// Adds cells that strain together.
 void add_cells(Model& model, Span zones, const ElasticConstants& elastic) {
-    constexpr double with_warps = 4.0 / 3;
     auto& g = model.gridpoints;
     for (Row first = zones.first; first < zones.end(); first += zones_of_cell) {
-        const std::array<Row, 8> corners = corners_of_cell(&model.zones.gridpoints[first]);
-        std::array<Vec3, 8> gradient;
-        gradient.fill(Vec3::Zero());
-        double volume = 0;
-        for (Row z = first; z < first + zones_of_cell; ++z) {
-            const Corners now(places(model, z));
-            volume += now.volume;
-            for (std::size_t a = 0; a < 4; ++a) {
-                const auto corner = std::ranges::find(corners, model.zones.gridpoints[z][a]) - corners.begin();
-                gradient[static_cast<std::size_t>(corner)] += now.volume * now.gradient[a];
-            }
-        }
-        Mat3 squares = Mat3::Zero();
-        for (const Vec3& b : gradient) squares += b * b.transpose() / (volume * volume);
-        const double stiffness =
-            with_warps * volume *
-            (std::max(elastic.lambda, 0.0) * squares.trace() + elastic.two_shear * greatest_eigenvalue(squares));
-        for (const Row row : corners) g.zone_frequency[row] += stiffness / g.mass[row];
+        const std::array<Row, 8> rows = corners_of_cell(&model.zones.gridpoints[first]);
+        std::array<Vec3, 8> place;
+        for (std::size_t c = 0; c < 8; ++c) place[c] = g.position[rows[c]];
+        const double stiffness = stiffness_of_cell(place, elastic);
+        for (const Row row : rows) g.zone_frequency[row] += stiffness / g.mass[row];
     }
 }
 
 } // namespace
+
+double stiffness_of_cell(const std::array<Vec3, 8>& place, const ElasticConstants& elastic) {
+    constexpr double with_warps = 4.0 / 3;
+    std::array<Vec3, 8> gradient; // times the volume
+    gradient.fill(Vec3::Zero());
+    double volume = 0;
+    for (const auto& corners : corners_of_zone) {
+        const Corners zone({place[corners[0]], place[corners[1]], place[corners[2]], place[corners[3]]});
+        volume += zone.volume;
+        for (std::size_t a = 0; a < 4; ++a) gradient[corners[a]] += zone.volume * zone.gradient[a];
+    }
+    Mat3 squares = Mat3::Zero();
+    for (const Vec3& b : gradient) squares += b * b.transpose() / (volume * volume);
+    return with_warps * volume *
+           (std::max(elastic.lambda, 0.0) * squares.trace() + elastic.two_shear * greatest_eigenvalue(squares));
+}
 
 void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws) {
     auto& g = model.gridpoints;

@@ -6,11 +6,15 @@
 #include "mechanics/common/elastic_constants.hpp"
 #include "model/tables/model.hpp"
 
+#include <array>
 #include <vector>
 
 namespace kaya {
 
 class ZoneLaws;
+
+/// Greatest eigenvalue, or more, of the stiffness of an elastic cell with these corners: equation (7a) of docs/theory/time-step.md.
+double stiffness_of_cell(const std::array<Vec3, 8>& place, const ElasticConstants& elastic);
 
 /// `elastic` has the constants of the blocks.
 void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws = nullptr);

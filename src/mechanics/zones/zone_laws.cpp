@@ -118,9 +118,8 @@ double reduced(const LawTable::Property& property, double value, double factor) 
 }
 
 Together together_of(const Settings& settings, const ZoneModel& zone_model, bool has_cells) {
-    if (!settings.mixed_discretisation) return Together::nothing;
-    if (zone_model.flows()) return has_cells ? Together::flow_in_cells : Together::at_points;
-    return has_cells ? Together::cells : Together::nothing;
+    if (has_cells) return zone_model.flows() ? Together::flow_in_cells : Together::cells;
+    return zone_model.flows() && settings.mixed_discretisation ? Together::at_points : Together::nothing;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "mechanics/zones/cells.hpp"
+#include "mechanics/zones/zone_frequencies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -59,11 +60,19 @@ RuledFaces faces(std::uint8_t bits) {
 }
 constexpr std::uint8_t no_face = 0, every_face = 63;
 
+/// Adds the stress of the warps of a motion. Returns its work.
+Eight add_warp_stress(const CellMotion& motion, WarpStress& stress) {
+    const WarpStep step(motion, moduli);
+    const Eight work = step.work(added(stress, 0.5, step.change));
+    stress = added(stress, 1, step.change);
+    return work;
+}
+
 /// The warping forces of cells after a motion from zero. Returns its work.
 Eight warp(const EightCells& cells, const Field& motion, WarpStress& stress) {
     const CellShape shape(cells.corners(), faces(every_face));
     stress = {};
-    return add_warp_stress(CellMotion(shape, cells.values(motion), false), moduli, stress);
+    return add_warp_stress(CellMotion(shape, cells.values(motion), false), stress);
 }
 
 TEST(Cells, AnEvenStrainAndARigidTurnDoNotWarp) {
@@ -167,7 +176,7 @@ Eigen::MatrixXd stiffness_of(const EightCells& cells, const RuledFaces& ruled, i
         for (Vec3& v : motion[static_cast<std::size_t>(i / 3)]) v[i % 3] = 1;
         const CellMotion step(shape, EightCells::loaded(motion), false);
         WarpStress warped{};
-        add_warp_stress(step, moduli, warped);
+        add_warp_stress(step, warped);
         const Eight mean = lambda * (step.strain[0] + step.strain[1] + step.strain[2]);
         SixEights stress;
         for (std::size_t k = 0; k < 6; ++k) stress[k] = two_shear * step.strain[k] + (k < 3 ? mean : Eight{});
@@ -216,6 +225,24 @@ TEST(Cells, AreNotStifferThanTheBoundOfTheirZones) {
                 }
 }
 
+TEST(Cells, AreNotStifferThanTheirOwnBound) {
+    for (const double distortion : {0.0, 0.05, 0.1, 0.2})
+        for (unsigned seed = 1; seed <= 5; ++seed)
+            for (const std::uint8_t ruled : {no_face, std::uint8_t{7}, std::uint8_t{18}, every_face})
+                for (int l = 0; l < 8; ++l) {
+                    const EightCells cells(distortion, seed);
+                    std::array<Vec3, 8> place;
+                    for (std::size_t c = 0; c < 8; ++c) place[c] = cells.place[c][static_cast<std::size_t>(l)];
+                    const Eigen::MatrixXd stiffness = stiffness_of(cells, faces(ruled), l);
+                    const double greatest =
+                        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly)
+                            .eigenvalues()[23];
+                    const double bound = stiffness_of_cell(place, {lambda, two_shear});
+                    EXPECT_LT(greatest, bound) << distortion;
+                    EXPECT_GT(greatest, 0.5 * bound) << distortion;
+                }
+}
+
 TEST(Cells, ACommonVelocityOfAllCornersHasNoEffect) {
     const EightCells cells(0.15);
     const CellMotion motion(CellShape(cells.corners(), faces(every_face)),
@@ -250,7 +277,7 @@ TEST(Cells, ForcesAreInBalanceAndDoTheWork) {
     };
     const CellMotion step(shape, cells.values(motion), false);
     WarpStress warped{};
-    const Eight of_warping = add_warp_stress(step, moduli, warped);
+    const Eight of_warping = add_warp_stress(step, warped);
     SixEights stress;
     for (std::size_t k = 0; k < 6; ++k) stress[k] = moduli.young * step.strain[k]; // of some law
     const CellForces forces = forces_of(shape, stress, warped);

@@ -108,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(ties, TiesOfMeshes,
 
 TEST_P(TiesOfMeshes, KeepMomentumAndEnergyOfAFreeBody) {
     Row3 bench(GetParam());
+    std::ranges::fill(bench.model.blocks.cell_zones,
+                      0); // cells would store energy by bending, too, which stored() does not count
     bench.model.settings.damping = Damping::none;
     bench.model.settings.time_step_fraction = 0.05; // the account is of second order in the step
     for (const Row g : bench.at(0)) bench.model.gridpoints.velocity[g] = {0.1, 0.05, -0.02};
