@@ -36,7 +36,8 @@ public:
                  const std::vector<double>& pressure, std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(law), bulk_(law.elastic.lambda + law.elastic.two_shear / 3),
           damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
-          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure), forces_(tile, forces), batch_(model, law) {}
+          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure),
+          forces_(tile, forces), batch_(model, law) {}
 
     ZoneSums run() {
         const Row whole = groups_in_batch * zones_of_group;
