@@ -1,7 +1,6 @@
 #include "commands/stability/slip.hpp"
 
 #include "mechanics/contact/contact_table.hpp"
-#include "mechanics/zones/zone_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,16 +51,12 @@ bool Slip::has_turned_shear(const Model& model) const {
 
 namespace {
 
-/// Resets the history of zones to that of `start`. Columns beyond those of their zone model hold warp stresses and are kept.
-void forget_flow(Model& model, const Model& start, ZoneModels& laws) {
-    model.zones.state = start.zones.state;
-    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
-        const Span span = model.blocks.zones[b];
-        if (span.count == 0) continue;
-        const std::size_t own = laws.get(zone_model_of(model, b)).history.size();
-        for (std::size_t k = 0; k < own; ++k)
-            std::copy_n(start.zones.history[k].begin() + span.first, span.count,
-                        model.zones.history[k].begin() + span.first);
+/// Resets the history of zones to that of `start`.
+void forget_flow(Zones& zones, const Zones& start) {
+    zones.state = start.state;
+    for (std::int32_t k = 0; k < zones.history_columns; ++k) {
+        if (k < start.history_columns) zones.history[k] = start.history[k];
+        else std::ranges::fill(zones.history[k], 0.0);
     }
 }
 
@@ -78,7 +73,7 @@ void forget_slip(Model& model, const Model& start, JointRegistry& joints) {
         if (subs.keeps_objects) subs.object[i].reset();
     }
     initialise_sub_contacts(model, joints, loaded);
-    if (start.zones.size() == model.zones.size()) forget_flow(model, start, joints.zones);
+    if (start.zones.size() == model.zones.size()) forget_flow(model.zones, start.zones);
 }
 
 } // namespace kaya

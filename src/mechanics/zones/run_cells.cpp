@@ -361,9 +361,11 @@ void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& til
         SixEights viscous{};
         if (damped) {
             viscous = load_six(model.zones.dashpot[zone].data(), to_next_cell, cells);
-            WarpStress more;
-            load_warps(model.zones.warp_dashpot, zone, cells, more);
-            warp = added(warp, 1, more);
+            if (model.zones.keeps_warp_dashpots) { // not before the first step
+                WarpStress more;
+                load_warps(model.zones.warp_dashpot, zone, cells, more);
+                warp = added(warp, 1, more);
+            }
         }
         if (kept || !are_alike(model.zones.stress, zone, cells))
             sums.add(corners, cells,
