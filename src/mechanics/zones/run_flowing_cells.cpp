@@ -36,8 +36,8 @@ public:
                  const std::vector<double>& pressure, std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(law), bulk_(law.elastic.lambda + law.elastic.two_shear / 3),
           damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
-          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure),
-          forces_(tile, forces), batch_(model, law) {}
+          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), bent_(model.zones.keeps_warps),
+          rows_(model, tiles, tile, pressure), forces_(tile, forces), batch_(model, law) {}
 
     ZoneSums run() {
         const Row whole = groups_in_batch * zones_of_group;
@@ -156,9 +156,11 @@ private:
             flow[z] =
                 (after[0] - before[0] + after[1] - before[1] + after[2] - before[2]) / 3.0 - bulk_ * g.mean_strain;
             flowed += g.volume[z] * flow[z];
-            const SixEights trial = elastic_trial(before, strain[z]);
-            remains += product(deviator(after), deviator(after));
-            elastic += product(deviator(trial), deviator(trial));
+            if (bent_) {
+                const SixEights trial = elastic_trial(before, strain[z]);
+                remains += product(deviator(after), deviator(after));
+                elastic += product(deviator(trial), deviator(trial));
+            }
             whole += g.volume[z];
         }
         const Eight mean_flow = flowed / whole;
@@ -177,7 +179,7 @@ private:
             if (damping_ > 0) after = sum(after, load_six(dashpots(at.zone + z), to_next_cell, at.cells));
             add_forces_of_zone(edges_of_zone(g.place, z), z, after, forces);
         }
-        if (model_.zones.keeps_warps) forces = both(forces, held(at, remains / elastic, work));
+        if (bent_) forces = both(forces, held(at, remains / elastic, work));
         forces_.add(g.corners, at.cells, forces);
         for (Row l = at.cells; l < eight; ++l) work[l] = damped[l] = 0;
         add_to(work_, 0.5 * work);
@@ -224,7 +226,7 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     const double bulk_, damping_;
-    const bool large_, wet_, averages_;
+    const bool large_, wet_, averages_, bent_; ///< the last: cells may have been elastic and bent
     TileRows rows_;
     TileForces forces_;
     StagedZones<groups_in_batch * zones_of_group> batch_;
