@@ -1,5 +1,6 @@
 // Commands that steer the program: files, settings, the end.
 #include "base/lower_case.hpp"
+#include "base/units.hpp"
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
@@ -45,8 +46,14 @@ CommandSpec set() {
     entry.keyword({"report"}, on_off(), &Set::report,
                   "on: writes a page for a browser at the end of the run, with the model over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
-    entry.keyword(
-        {"units"}, text("system"), &Set::units,
+    const auto units = text("system");
+    entry.special(
+        {"units"}, {units.spec},
+        [=](Reader& reader, Set& set) {
+            set.units = reader.text(units.spec);
+            // The units one by one: m kg s Pa.
+            for (int i = 0; i < 3 && Units::begins_with(*set.units); ++i) *set.units += "-" + reader.text(units.spec);
+        },
         "names the units of pictures, histories and reports and checks values against them; converts nothing");
     const auto seed = integer("n").at_least(0).optional();
     entry.special(
@@ -94,7 +101,10 @@ CommandSpec set() {
         .right("set log on logfile run.log")
         .right("set @load = 5e6");
     entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
-    entry.right("set gravity 0 0 -9.81 random 7").right("set random").right("set units si");
+    entry.right("set gravity 0 0 -9.81 random 7")
+        .right("set random")
+        .right("set units si")
+        .right("set units m kg s Pa");
     entry.right("set pagination off").right("set atol 1e-4 echo off").right("set compatibility 3dec");
     entry.wrong("set", "set has no setting");
     entry.wrong("set dyn maybe", "expected on or off, found 'maybe'");

@@ -166,6 +166,10 @@ CommandSpec solve() {
             "with fos: the model keeps the state at the end of the last failed trial")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
+            const std::string& last = reader.previous().folded;
+            if (last == "and" || last == "or")
+                incomplete_line(reader, fmt::format("a limit is missing after '{}'", last),
+                                "write for example: solve ratio 1e-5 and cycles 1000");
             if (!s.factor_of_safety &&
                 (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
                 incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos",
@@ -198,6 +202,7 @@ CommandSpec solve() {
                "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve cycles 10 adn time 1", "'adn' is not a keyword of solve")
+        .wrong("solve ratio 1e-5 and", "a limit is missing after 'and'")
         .wrong("solve ratio", "a number is missing after 'ratio'")
         .wrong("solve ratio 0", "ratio must be greater than 0, not 0")
         .wrong("solve 100", "expected a keyword of solve, found '100'");

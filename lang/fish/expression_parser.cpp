@@ -288,7 +288,20 @@ void Line::expect_end(std::string_view after) {
     throw Diagnostic(fmt::format("{} is left over after {}", shown(rest), after), std::move(hint)).at(rest.place);
 }
 
+namespace {
+
+/// What a value that is missing before a sign was meant to be.
+std::string_view hint_for_missing(const Token& found) {
+    if (found.is_sign("*")) return "a value stands before it; powers are written a ^ b";
+    if (found.is_sign("/")) return "a comment begins with ;";
+    if (found.is_sign("=")) return "one '=' is enough: it compares after `if`, and gives a value elsewhere";
+    return "a number, a text in quotes, a name or a parenthesis belongs there";
+}
+
+} // namespace
+
 void fail_expected(const Line& line, std::string_view expected, std::string hint) {
+    if (hint.empty() && expected == "a value") hint = hint_for_missing(line.peek());
     throw Diagnostic(fmt::format("expected {}, found {}", expected, shown(line.peek())), std::move(hint))
         .at(line.peek().place);
 }

@@ -1,6 +1,7 @@
 #include "lang/fish/lexer.hpp"
 
 #include "base/lower_case.hpp"
+#include "base/odd_letters.hpp"
 
 #include <array>
 #include <charconv>
@@ -40,6 +41,13 @@ const char* hint_for_sign(char sign) {
     case '.': return "`fish define` reads names with points; `define` has b_mass(b) and the like";
     default: return "";
     }
+}
+
+/// A quote, a minus or a blank of a word processor in a name or a number; letters of other alphabets may be in names.
+void refuse_odd_letter(std::string_view text, const Place& place) {
+    const std::string hint = odd_letter_hint(text);
+    if (!hint.empty())
+        throw Diagnostic(fmt::format("'{}' has a letter without a meaning in FISH", text), hint).at(place);
 }
 
 /// More digits than any 32 bit integer has: the classic program makes a real number of it.
@@ -149,6 +157,7 @@ void Lexer::scan_token(Cursor& cursor, std::vector<Token>& tokens) const {
     const std::size_t from = cursor.at;
     if (starts_name(c)) {
         while (!cursor.done() && continues_name(cursor.peek())) ++cursor.at;
+        refuse_odd_letter(cursor.code.substr(from, cursor.at - from), place(cursor.line, from, cursor.at - from));
         token.kind = TokenKind::name;
         token.text = lower_case(cursor.code.substr(from, cursor.at - from));
     } else {
@@ -189,6 +198,8 @@ void Lexer::scan_number(Cursor& cursor, std::vector<Token>& tokens) const {
     }
     const std::string_view text = cursor.code.substr(from, cursor.at - from);
     const Place where = place(cursor.line, from, text.size());
+    if (starts_name(cursor.peek()))
+        refuse_odd_letter(cursor.code.substr(from, cursor.code.find(' ', from) - from), where);
     if (starts_name(cursor.peek()))
         throw Diagnostic(fmt::format("'{}{}' is neither a number nor a name", text, cursor.peek()),
                          "a name must not begin with a digit")

@@ -2,13 +2,19 @@
 
 #include "lang/fish/statement_parser.hpp"
 
+#include "lang/fish/open_block.hpp"
+
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace kaya::fish {
 
 namespace {
 
+constexpr std::array<std::string_view, 14> words_of_statements{"loop",    "endloop", "if",     "else",    "elseif",
+                                                               "endif",   "case_of", "case",   "section", "exit",
+                                                               "command", "end",     "return", "array"};
 constexpr std::size_t deepest_block = 40;
 constexpr std::size_t most_arguments = 50;
 
@@ -25,7 +31,12 @@ ParsedFunction Parser::function() {
         throw Diagnostic("a FISH function begins with 'def'").at(opening.place);
     read_as(tree.dialect);
     tree.place = opening.place;
-    tree.name = line_.expect_name("the name of the function").text;
+    const Token& name = line_.expect_name("the name of the function");
+    if (is_one_of(name.text, words_of_statements))
+        throw Diagnostic(fmt::format("'{}' is a word of FISH and cannot be the name of a function", name.text),
+                         "give the function another name")
+            .at(name.place);
+    tree.name = name.text;
     if (line_.take_sign("(")) {
         if (!line_.take_sign(")")) {
             add_arguments();
@@ -107,7 +118,9 @@ void Parser::fail_unclosed(const Block& opened) {
         throw Diagnostic(fmt::format("the function '{}' has no 'end'", result_.tree.name),
                          "write 'end' on a separate line after its last statement")
             .at(opened.place);
-    throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing)).at(opened.place);
+    throw Diagnostic(fmt::format("this '{}' has no '{}'", opened.opening, opened.closing),
+                     fmt::format("write a line '{}' after its last line", opened.closing))
+        .at(opened.place);
 }
 
 void Parser::fail_wrong_closer(const Block& opened, const Token& word) {
@@ -117,7 +130,8 @@ void Parser::fail_wrong_closer(const Block& opened, const Token& word) {
     if (opened.opening == "def")
         throw Diagnostic(fmt::format("'{}' closes nothing: no block is open here", word.text)).at(word.place);
     throw Diagnostic(fmt::format("expected '{}' to close the '{}' of line {}, found '{}'", opened.closing,
-                                 opened.opening, opened.place.line, word.text))
+                                 opened.opening, opened.place.line, word.text),
+                     fmt::format("write a line '{}' before it", opened.closing))
         .at(word.place);
 }
 

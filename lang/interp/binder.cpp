@@ -2,6 +2,7 @@
 
 #include "lang/interp/command_words.hpp"
 #include "lang/interp/habits.hpp"
+#include "lang/interp/other_languages.hpp"
 #include "lang/interp/word_slips.hpp"
 #include "lang/interp/short_list.hpp"
 
@@ -69,7 +70,8 @@ std::string two_words(const Language& language, const Word& word) {
     for_each_command(language, [&](const CommandSpec& command) {
         for (const auto& first : command.words) {
             if (first.word.size() < 3 || !word.folded.starts_with(first.word)) continue;
-            const std::string_view rest = std::string_view(word.folded).substr(first.word.size());
+            std::string_view rest = std::string_view(word.folded).substr(first.word.size());
+            if (rest.size() > 1 && std::string_view("_-./").find(rest.front()) != rest.npos) rest.remove_prefix(1);
             std::vector<std::string_view> followers{"range"};
             for (const auto& keyword : command.keywords) add_words(followers, keyword.words);
             if (!command.form.empty()) add_words(followers, command.form.front());
@@ -83,6 +85,7 @@ std::string two_words(const Language& language, const Word& word) {
 std::string hint_for_unknown(const Language& language, const Statement& statement,
                              const std::vector<std::string_view>& candidates) {
     const Word& word = statement.words.front();
+    if (const auto odd = odd_line_hint(statement); !odd.empty()) return std::string(odd);
     if (auto slip = slip_hint(statement, 0); !slip.empty()) return slip;
     if (const auto ordered = in_other_order(language, statement); !ordered.empty())
         return fmt::format("did you mean '{}'?", ordered);

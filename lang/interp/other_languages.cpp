@@ -2,6 +2,9 @@
 
 #include "base/pattern.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace kaya::lang {
 
 namespace {
@@ -34,24 +37,55 @@ constexpr Neighbour neighbours[] = {
     {R"(\*(heading|node|element|nset|elset|material|step|part|assembly|instance|boundary|include)\b.*)",
      "this is a line of Abaqus", rock_hint},
     {R"(/(prep7|solu|post1|clear|filname|title|units|batch|com)\b.*|finish)", "this is a line of Ansys", rock_hint},
+    {R"((using\s+namespace|#include|int\s+main|void\s+\w+\s*\(|double\s+\w+|template\s*<).*)", "this is a line of C++",
+     "a joint model in C++ is compiled and loaded: jmodel load FILE; scripts of decks are FISH and Lua"},
     {R"(<(!doctype|html|\?xml|svg)\b.*)", "this is a page or a drawing, not a deck",
      "name the command file: kaya DECK"},
     {R"(\{\s*(".*)?)", "this is a file of JSON, not a deck", "name the command file: kaya DECK"},
 };
 
+struct OddLine {
+    const char* line;
+    const char* hint;
+};
+
+constexpr const char* comment_hint = "a comment begins with ;";
+
+constexpr OddLine odd_lines[] = {
+    {R"(<<<<<<<.*|>>>>>>>.*)", "it is a mark of git: two versions of the file are in it, keep one of them"},
+    {R"((>+|(kaya|3dec|fish|flac3d)\s*>).*)", "leave the prompt out"},
+    {R"(kaya\s.*)", "commands stand in a deck without the name of the program"},
+    {R"(\d+:?\s+[a-z].*)", "lines of a command file have no numbers: leave it out"},
+    {R"([*!]\s.*|(rem|c)\s+(a|the|this|an)\b.*)", comment_hint},
+    {R"(```.*)", "it is a mark of Markdown: leave it out"},
+    {R"(PK\b.*)", "this is a zip file: name the command file in it"},
+    {R"((var|let|const|double|real)\s+[a-z_]\w*\s*(=|<-).*|[a-z_$%]\w*\s*(=|<-|:=)\s*[^=].*)",
+     "variables are those of FISH: [name = value], or set @name = value"},
+};
+
+constexpr std::size_t longest = 200; // matching takes a stack that grows with the text
+
+bool is_like(const char* line, const std::string& text) {
+    return text.size() <= longest && Pattern(line, Pattern::Letters::of_either_case).matches(text);
+}
+
 } // namespace
 
 std::optional<Diagnostic> other_language(const Statement& statement) {
     const std::string text = statement.raw(0);
-    constexpr std::size_t longest = 200; // matching takes a stack that grows with the text
-    if (text.size() > longest) return std::nullopt;
-    for (const auto& neighbour : neighbours) {
-        if (!Pattern(neighbour.line, Pattern::Letters::of_either_case).matches(text)) continue;
-        Diagnostic d(neighbour.what, neighbour.hint);
-        d.code = "other-language";
-        return d.at(statement.words.front().place);
-    }
-    return std::nullopt;
+    const auto* found =
+        std::ranges::find_if(neighbours, [&](const Neighbour& known) { return is_like(known.line, text); });
+    if (found == std::end(neighbours)) return std::nullopt;
+    Diagnostic d(found->what, found->hint);
+    d.code = "other-language";
+    return d.at(statement.words.front().place);
+}
+
+std::string_view odd_line_hint(const Statement& statement) {
+    const std::string text = statement.raw(0);
+    const auto* found =
+        std::ranges::find_if(odd_lines, [&](const OddLine& known) { return is_like(known.line, text); });
+    return found == std::end(odd_lines) ? std::string_view{} : found->hint;
 }
 
 } // namespace kaya::lang

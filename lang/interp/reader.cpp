@@ -2,7 +2,7 @@
 
 #include "lang/interp/habits.hpp"
 #include "lang/interp/number_hints.hpp"
-#include "lang/interp/odd_letters.hpp"
+#include "base/odd_letters.hpp"
 #include "lang/interp/word_slips.hpp"
 
 #include <cmath>
@@ -104,8 +104,8 @@ void Reader::missing(const ArgumentSpec& argument) const {
     place.length = 1;
     const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
     // The name of a property may be any word: `bulk 1 gpa`.
-    if (auto slip = slip_hint(statement(), static_cast<std::size_t>(&previous() - statement().words.data()));
-        !slip.empty())
+    const auto before = static_cast<std::size_t>(&previous() - statement().words.data());
+    if (auto slip = previous().kind == WordKind::word ? slip_hint(statement(), before) : std::string(); !slip.empty())
         throw wrong("missing-value", previous().place, fmt::format("'{}' is not the name of a value", after),
                     std::move(slip));
     throw wrong("missing-value", place, fmt::format("a {} is missing after '{}'", number ? "number" : "word", after),
@@ -144,7 +144,7 @@ void Reader::unknown(std::string_view what, const std::vector<std::string_view>&
     }
     if (word.kind != WordKind::word)
         throw wrong("not-a-word", word.place, fmt::format("expected {}, found {}", what, word.shown()),
-                    "expected: " + list);
+                    slip.empty() ? "expected: " + list : std::move(slip));
     if (word.text == "&" || word.text == "...")
         throw wrong("unknown-word", word.place, fmt::format("'{}' stands in the middle of the line", word.text),
                     "a line is continued by a mark at its very end");
@@ -175,7 +175,7 @@ const Word& Reader::take_value(const ArgumentSpec& argument) {
 namespace {
 
 std::string hint_for_number(const Word& word, const ArgumentSpec& argument) {
-    if (auto odd = odd_letter_hint(word.text); !odd.empty()) return odd;
+    if (auto odd = odd_digit_hint(word.text); !odd.empty()) return odd;
     auto hint = number_hint(word.text);
     return hint.empty() ? expected(argument) : hint;
 }

@@ -31,6 +31,8 @@ void limits(Leaf<Solve>& leaf) {
 CommandSpec model_solve() {
     Leaf<Solve> leaf("model solve", "solve");
     limits(leaf);
+    leaf.checks_of_meaning();
+    leaf.wrong("model solve ratio 1e-5 or", "a limit is missing after 'or'");
     leaf.right("model solve", "solve").right("model solve ratio 1e-4 cycles 50", "solve ratio 1e-4 cycles 50");
     leaf.right("model solve ratio-local 1e-3 or time 2", "solve ratio-local 1e-3 time 2");
     leaf.right("model solve unb-max 10 cycles 20", "solve force 10 cycles 20");

@@ -69,6 +69,12 @@ std::vector<std::string_view> Units::names() {
     return all;
 }
 
+bool Units::begins_with(std::string_view units) {
+    const std::string beginning = lower_case(std::string(units)) + "-";
+    return std::ranges::any_of(systems,
+                               [&](const System& s) { return s.also.starts_with(beginning) && s.name != units; });
+}
+
 std::string Units::label(std::string_view quantity) const {
     const System* system = system_named(name_);
     if (system == nullptr) return std::string(quantity);

@@ -14,6 +14,8 @@ public:
     /// Throws Diagnostic for an unknown name, with the nearest one.
     explicit Units(std::string_view name);
     static std::vector<std::string_view> names();
+    /// Whether a system can be named by its units one by one, and these are the first of them: "m", "m-kg".
+    static bool begins_with(std::string_view units);
 
     const std::string& name() const { return name_; }
     bool given() const { return !name_.empty(); }

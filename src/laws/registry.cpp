@@ -10,6 +10,7 @@
 #include "system/loaded_library.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,6 +25,19 @@ namespace {
 
 constexpr const char* library_ending = ".so";
 constexpr const char* entry_point = "kaya_joint_model";
+
+/// The model that a name is meant for: a near one, one that the name continues (mohr-coulomb), or one that it is another word for.
+std::string_view near_model(const std::string& wanted, const std::vector<std::string>& names) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> others{
+        {{"coulomb", "mohr"}, {"mc", "mohr"}, {"linear", "elastic"}, {"bb", "barton-bandis"}}};
+    const auto known = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+    const std::string low = lower_case(wanted);
+    for (const auto& [other, name] : others)
+        if (low == other && known(name)) return name;
+    if (const auto near = did_you_mean(low, {names.begin(), names.end()}); !near.empty()) return near;
+    const auto longer = std::ranges::find_if(names, [&](const auto& name) { return low.starts_with(name); });
+    return longer == names.end() ? std::string_view{} : *longer;
+}
 
 [[noreturn]] void refuse(const char* code, std::string message, std::string hint) {
     Diagnostic error(std::move(message), std::move(hint));
@@ -154,7 +168,7 @@ const JointModel& JointRegistry::get(std::string_view name) {
         if (const auto meant = keyword_of(keyword); meant != keyword) return get(meant);
         if (const auto* model = find_among_3dec(keyword)) return *model;
         const auto names = available();
-        const auto near = did_you_mean(keyword, {names.begin(), names.end()});
+        const auto near = near_model(keyword, names);
         std::error_code ignored;
         const std::string in_folder = fmt::format("./{}.so", name);
         Diagnostic error(fmt::format("there is no joint model '{}'", name),

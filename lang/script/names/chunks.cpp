@@ -159,7 +159,10 @@ void push_module(lua_State* L, const std::string& name, const Place& place) {
         if (module.name == name && module.is_public)
             return run_module(L, name, name + ".lua", std::string(module.text));
     throw Diagnostic(fmt::format("there is no module '{}'", name),
-                     fmt::format("it would be the file {}.lua next to the deck", name), Fault::run)
+                     name.ends_with(".lua")
+                         ? fmt::format("name it without its ending: {}", name.substr(0, name.size() - 4))
+                         : fmt::format("it would be the file {}.lua next to the deck", name),
+                     Fault::run)
         .at(place);
 }
 

@@ -91,7 +91,8 @@ namespace {
     for (const auto& [known, built_in] : names_of(L).built_ins) candidates.push_back(known);
     const auto meant = fish::nearest_name(name, candidates);
     Diagnostic diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
-                          meant.empty() ? std::string() : fmt::format("did you mean '{}'?", meant));
+                          meant.empty() ? fmt::format("give it a value before: [{} = 1]", name)
+                                        : fmt::format("did you mean '{}'?", meant));
     diagnostic.code = "unknown-fish-name";
     throw diagnostic.at(place);
 }

@@ -1,4 +1,5 @@
 // Reads Lua without running it, in a separate state.
+#include "base/odd_letters.hpp"
 #include "lang/script/base/lua_headers.hpp"
 #include "lang/script/base/source_list.hpp"
 #include "lang/script/scripts/scripts.hpp"
@@ -46,6 +47,8 @@ constexpr Habit messages[] = {
     {"')' expected", "close the parenthesis"},
     {"'}' expected", "close the brace; commas separate the values in it"},
     {"malformed number", "write 1e6 or 0.5: numbers have no units"},
+    {"no visible label", "a label is written ::name::"},
+    {"<eof> expected", "there is no if, for, while or function open here"},
     {"unexpected symbol", "a value or a name belongs there"},
 };
 
@@ -58,6 +61,12 @@ std::string_view hint_for_message(std::string_view message) {
 std::string habit_of(std::string_view text, int line, std::string_view message) {
     for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     const std::string_view at = text.substr(0, text.find('\n'));
+    if (message.find("near '<\\") != message.npos) { // a byte beyond ASCII
+        const std::string odd = odd_letter_hint(at);
+        return odd.empty() ? "names in Lua have letters from a to z, digits and _" : odd;
+    }
+    if (const auto sign = at.find('#'); sign != at.npos && sign == at.find_first_not_of(" \t"))
+        return "a comment in Lua begins with --";
     for (const auto& habit : habits)
         if (at.find(habit.sign) != at.npos) return std::string(habit.hint);
     return std::string(hint_for_message(message));

@@ -105,7 +105,7 @@ Diagnostic of_nil(lua_State* L, const Attempt& attempt) {
         return said(fmt::format("there is no function {} here", name), hint.empty() ? hint_of_call(attempt) : hint);
     if (attempt.action == "index")
         return said(fmt::format("{} is nil here: it has no fields", name),
-                    attempt.name.empty() ? "the call or look-up before it returned nothing" : hint);
+                    attempt.name.empty() || hint.empty() ? "the call or look-up that gave it found nothing" : hint);
     return said(fmt::format("{} is nil here: nothing has set it", name),
                 hint.empty() ? "set it before, or test it: if value ~= nil then ... end" : hint);
 }
@@ -116,6 +116,10 @@ std::optional<Diagnostic> of_attempt(lua_State* L, const Attempt& attempt) {
         return said("a function has no fields or elements", how_to_walk);
     if (attempt.value == "function" && attempt.action == "get length of")
         return said("a function has no length", fmt::format("{}; count(\"block\") is their number", how_to_walk));
+    if (attempt.action == "concatenate")
+        return said(fmt::format("{} cannot be joined to a text",
+                                attempt.value == "userdata" ? "an object" : "a " + std::string(attempt.value)),
+                    "write tostring(value), or a field of it: value.id");
     if (attempt.action == "call" && (attempt.kind == "method" || attempt.kind == "field") && !attempt.name.empty())
         return said(fmt::format("'{}' is a {} and not a function", attempt.name, attempt.value),
                     fmt::format("write it without parentheses: .{}", attempt.name));
@@ -131,6 +135,9 @@ Diagnostic in_plain_words(lua_State* L, std::string_view text) {
         if (auto plain = of_attempt(L, *attempt)) return *plain;
     if (text.find("stack overflow") != text.npos)
         return said("functions call each other too deeply", "a function that calls itself needs a way to end");
+    if (text.starts_with("attempt to ") && text.find(" a 'string' with a ") != text.npos)
+        return said(fmt::format("a text and a number: {}", text),
+                    "tonumber(text) makes a number of a text, .. joins texts");
     if (text == "not enough memory") return said("the script needs more memory than there is");
     return said(std::string(text));
 }

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <any>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
+#include <span>
 
 namespace kaya {
 
@@ -25,6 +27,18 @@ template <class Visit> void for_each_word(std::string_view text, Visit visit) {
         if (i > from) visit(lang::fold(text.substr(from, i - from)));
         else ++i;
     }
+}
+
+/// "functions that begin with math: math.abs, ..." for a name with points; empty when there are none.
+std::string functions_of_kind(std::string_view name, std::vector<std::string_view> known) {
+    const std::string_view kind = name.substr(0, name.rfind('.') + 1);
+    std::erase_if(known, [&](std::string_view other) { return !other.starts_with(kind); });
+    std::ranges::sort(known);
+    constexpr std::size_t most = 12;
+    const auto shown = std::span(known).first(std::min(known.size(), most));
+    return known.empty() ? "docs/fish.md lists the functions"
+                         : fmt::format("it may be: {}{}; docs/fish.md lists all", fmt::join(shown, ", "),
+                                       known.size() > most ? ", ..." : "");
 }
 
 std::string proposal(std::string_view near) { return near.empty() ? "" : fmt::format("did you mean '{}'?", near); }
@@ -75,6 +89,7 @@ void DeckNames::check_lua(std::string_view text) {
 
 void DeckNames::learn_function(const std::string& text, const Place& place) {
     const auto function = fish::read_function(text, place);
+    first_places_.try_emplace(function.name, place);
     const int most = static_cast<int>(function.arguments.size());
     const auto [known, is_new] =
         functions_.try_emplace(function.name, fish::Meaning{fish::NameKind::function, function.least, most, false});
@@ -100,6 +115,8 @@ void DeckNames::learn_expression(const lang::Word& word) {
 
 void DeckNames::add(fish::NameUse use, bool of_command) {
     using enum fish::Use;
+    if (use.use == set) first_places_.try_emplace(use.name, use.place);
+    else if (of_command && !is_made(use.name) && !mentioned_.contains(use.name)) early_.push_back(use);
     if ((!of_command && use.use != command) || use.use == set) mentioned_.insert(use.name);
     if (use.use == set || use.use == declare) {
         const bool is_new = made_.insert(use.name).second;
@@ -145,6 +162,7 @@ std::vector<Diagnostic> DeckNames::findings() const {
     std::vector<Diagnostic> found;
     if (open_) return found;
     find_unknown(found);
+    find_early(found);
     find_unread(found);
     return found;
 }
@@ -166,7 +184,11 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
             if (use.use != read && use.use != call && use.use != line) continue;
             try {
                 fish::check_arguments(use.name, use.arguments, meaning, use.place);
-            } catch (const Diagnostic& mistake) { found.push_back(mistake); }
+            } catch (Diagnostic& mistake) {
+                mistake.hint = functions_.contains(use.name) ? "its arguments stand in its first line"
+                                                             : fmt::format("'kaya help {}' names them", use.name);
+                found.push_back(mistake);
+            }
             continue;
         }
         if (is_made(use.name) || fish::find_reserved(use.name)) continue;
@@ -188,9 +210,9 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
         if (!said.insert(use.name).second) continue;
         if (use.dialect == fish::Dialect::modern && use.name.find('.') != use.name.npos) {
             const auto* family = fish::find_reserved_family(use.name);
-            Diagnostic d = family != nullptr
-                               ? fish::reserved_message(use.name, *family)
-                               : Diagnostic(fmt::format("there is no FISH function '{}'", use.name), hint);
+            Diagnostic d = family != nullptr ? fish::reserved_message(use.name, *family)
+                                             : Diagnostic(fmt::format("there is no FISH function '{}'", use.name),
+                                                          hint.empty() ? functions_of_kind(use.name, names) : hint);
             if (family == nullptr) d.code = "unknown-fish-name";
             found.push_back(d.at(use.place));
             continue;
@@ -209,6 +231,19 @@ void DeckNames::find_unknown(std::vector<Diagnostic>& found) const {
             found.push_back(warning(fmt::format("nothing in this deck sets '{}': it is 0", use.name), hint, "never-set",
                                     use.place));
         }
+    }
+}
+
+/// `print @height` above the line that gives it its value.
+void DeckNames::find_early(std::vector<Diagnostic>& found) const {
+    for (const auto& use : early_) {
+        const auto later = first_places_.find(use.name);
+        if (later == first_places_.end() || fish::is_constant(use.name)) continue;
+        if (later->second.source != use.place.source || later->second.line <= use.place.line) continue;
+        Diagnostic d(fmt::format("there is no FISH variable or function '{}' here", use.name),
+                     fmt::format("line {} makes it: it must come first", later->second.line));
+        d.code = "unknown-fish-name";
+        found.push_back(d.at(use.place));
     }
 }
 

@@ -13,7 +13,7 @@
 
 namespace kaya {
 
-/// Fed with the statements of a deck in any order, before any of it runs.
+/// Fed with the statements of a deck in their order, before any of it runs.
 class DeckNames {
 public:
     /// `scripts` knows built-in names and those of earlier decks.
@@ -39,6 +39,7 @@ private:
     fish::Meaning meaning_of(const std::string& name) const;
     std::vector<std::string_view> candidates() const;
     void find_unknown(std::vector<Diagnostic>& found) const;
+    void find_early(std::vector<Diagnostic>& found) const;
     void find_unread(std::vector<Diagnostic>& found) const;
 
     struct Used {
@@ -50,7 +51,9 @@ private:
     std::set<std::string> mentioned_;                ///< exist, with the value 0 if nothing sets them
     std::set<std::string> made_, read_;
     std::vector<Used> used_;
-    std::vector<fish::NameUse> set_; ///< each name where it is set first
+    std::vector<fish::NameUse> set_;            ///< each name where it is set first
+    std::map<std::string, Place> first_places_; ///< where each function stands, and each name is set first
+    std::vector<fish::NameUse> early_;          ///< uses in commands of names that nothing before them makes
     bool open_ = false;
 };
 

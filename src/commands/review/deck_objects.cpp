@@ -82,13 +82,15 @@ const lang::Multiplier* multiplier_of(const std::any& command) {
 }
 
 /// Commands that act on blocks which are there.
-using OnBlocks =
-    lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, lang::CutGround, lang::Densify, lang::Join,
-                      lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation, lang::Fix, lang::Free,
-                      lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu, lang::Excavate, lang::Hide,
-                      lang::Delete, lang::Mark, lang::CycleCommand, lang::Solve, lang::LimitEquilibrium>;
-/// What may follow in another deck: histories that record nothing here are not in vain.
-using HandsOver = lang::CommandList<lang::Save, lang::LuaFile>;
+using OnBlocks = lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, lang::CutGround, lang::Densify,
+                                   lang::Join, lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation,
+                                   lang::Fix, lang::Free, lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu,
+                                   lang::Excavate, lang::Hide, lang::Delete, lang::Mark, lang::CycleCommand,
+                                   lang::Solve, lang::LimitEquilibrium, lang::VtkWrite, lang::Export>;
+/// What may follow in another deck: histories and loads after the last cycle are not in vain.
+using HandsOver = lang::CommandList<lang::Save, lang::LuaFile, lang::LimitEquilibrium>;
+/// What acts in cycles only.
+using ActInCycles = lang::CommandList<lang::Gravity, lang::Apply, lang::Boundary>;
 
 constexpr std::array nouns{"group", "named range", "table"};
 constexpr std::array makers{"`group block NAME range ...` makes one", "`range name NAME ...` makes one",
@@ -108,7 +110,7 @@ void DeckObjects::check_script(std::string_view text) {
     open_[2] = open_[2] || holds_any(folded, {"table", "command"});
     histories_open_ = histories_open_ || holds_any(folded, {"hist", "command"});
     blocks_ = blocks_ || holds_any(folded, {"poly", "block", "import", "command", "create"});
-    if (holds_any(folded, {"cycle", "solve", "step", "command"})) idle_histories_.clear();
+    if (holds_any(folded, {"cycle", "solve", "step", "command"})) idle_.clear();
 }
 
 void DeckObjects::check(const lang::BoundCommand& command, bool inside) {
@@ -119,17 +121,20 @@ void DeckObjects::check(const lang::BoundCommand& command, bool inside) {
     if (const auto* function = std::any_cast<lang::FishDefinition>(&any)) return check_script(function->text);
     if (const auto* chunk = std::any_cast<lang::LuaChunk>(&any)) return check_script(chunk->text);
     if (is<lang::LuaFile>(any)) return anything_may_be_made();
-    if (is<lang::FishCall>(any)) idle_histories_.clear(); // it may cycle
+    if (is<lang::FishCall>(any)) idle_.clear(); // it may cycle
     if (is<lang::New>(any)) forget();
     if (!inside) check_names(command);
     make(command);
     make_history(command);
+    if (cycled_ && !inside && is_one_of(any, ActInCycles{}))
+        idle_.push_back({"this load moves nothing", command.place});
     if (inside && is<lang::HistoryAdd>(any)) histories_open_ = true;
 }
 
 void DeckObjects::forget() {
     histories_.clear();
-    idle_histories_.clear();
+    history_names_.clear();
+    idle_.clear();
     blocks_ = cycled_ = histories_open_ = false;
 }
 
@@ -154,22 +159,30 @@ void DeckObjects::make(const lang::BoundCommand& command) {
     if (const auto* limit = std::any_cast<lang::LimitEquilibrium>(&any); limit != nullptr && limit->table)
         made_here(Kind::table, std::to_string(*limit->table));
     if (is_one_of(any, lang::ShapeCommands{}) || is<lang::Import>(any)) blocks_ = true;
-    if (is_one_of(any, CyclingCommands{})) cycled_ = true, idle_histories_.clear();
-    if (is_one_of(any, HandsOver{})) idle_histories_.clear();
+    if (is_one_of(any, CyclingCommands{})) cycled_ = true, idle_.clear();
+    if (is_one_of(any, HandsOver{})) idle_.clear();
 }
 
 void DeckObjects::make_history(const lang::BoundCommand& command) {
     if (const auto* added = std::any_cast<lang::HistoryAdd>(&command.command)) {
         for (std::size_t i = 0; i < added->items.size(); ++i)
             histories_.insert(histories_.empty() ? 1 : *histories_.rbegin() + 1);
-        if (cycled_ && !added->items.empty()) idle_histories_.push_back(command.place);
+        for (const auto& item : added->items)
+            if (!item.name.empty() && !item.name.starts_with('@') && !history_names_.insert(item.name).second)
+                found_.push_back(finding(fmt::format("there is a history named '{}' already", item.name),
+                                         "the name means the first one: give this one another", "implausible",
+                                         Severity::warning)
+                                     .at(command.place));
+        if (cycled_ && !added->items.empty()) idle_.push_back({"this history records nothing", command.place});
     } else if (const auto* removed = std::any_cast<lang::HistoryDelete>(&command.command)) {
         if (removed->numbers.empty()) histories_.clear();
+        history_names_.clear();
         for (const auto number : removed->numbers) histories_.erase(number);
     } else if (const auto* reset = std::any_cast<lang::Reset>(&command.command)) {
         if (std::ranges::find(reset->what, lang::Reset::What::histories) == reset->what.end()) return;
         histories_.clear();
-        idle_histories_.clear();
+        history_names_.clear();
+        idle_.clear();
     }
 }
 
@@ -287,9 +300,9 @@ std::vector<Diagnostic> DeckObjects::findings() const {
                               std::move(hint), "no-object", Severity::error)
                           .at(place));
     }
-    for (const Place& place : idle_histories_)
-        all.push_back(finding("no cycle follows: this history records nothing", "write it before the cycles",
-                              "implausible", Severity::warning)
+    for (const auto& [what, place] : idle_)
+        all.push_back(finding(fmt::format("no cycle follows: {}", what), "write it before the cycles", "implausible",
+                              Severity::warning)
                           .at(place));
     return all;
 }

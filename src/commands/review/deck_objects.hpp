@@ -49,7 +49,12 @@ private:
     std::array<bool, 3> open_{}; ///< by Kind: something unknown may make more
     std::vector<Use> missing_;   ///< nothing has made them yet
     std::set<std::int64_t> histories_;
-    std::vector<Place> idle_histories_; ///< since the last cycle
+    std::set<std::string> history_names_;
+    struct Idle {
+        const char* what;
+        Place place;
+    };
+    std::vector<Idle> idle_; ///< histories and loads since the last cycle
     bool histories_open_ = false, blocks_ = false, cycled_ = false, ended_ = false;
     std::vector<Diagnostic> found_;
 };

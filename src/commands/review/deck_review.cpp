@@ -5,6 +5,7 @@
 #include "commands/review/save_name.hpp"
 #include "lang/modern/language.hpp"
 #include "lang/interp/named_word.hpp"
+#include "base/odd_letters.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 #include "lang/interp/script_files.hpp"
@@ -46,6 +47,10 @@ std::string file_written_by(const lang::BoundCommand& command) {
     const auto* plot = std::any_cast<Plot>(&command.command);
     if (plot != nullptr && std::ranges::none_of(plot->words, &Plot::Item::script))
         written.name = read_plot_line(plot->words, plot->range, PlotView()).file;
+    if (const auto* movie = std::any_cast<lang::Movie>(&command.command);
+        movie != nullptr && std::ranges::none_of(movie->words, &Plot::Item::script))
+        for (std::size_t i = 0; i + 1 < movie->words.size(); ++i)
+            if (movie->words[i].folded == "file") written.name = movie->words[i + 1].text;
     return written.name;
 }
 
@@ -107,6 +112,7 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
         find_file(command);
         find_folder(command);
         doubt_comment(command);
+        doubt_letters(command);
     }
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
@@ -211,6 +217,18 @@ void DeckReview::doubt_comment(const lang::BoundCommand& command) {
     }
 }
 
+/// `group block ‘cap’`: the quotes of a word processor become letters of the name.
+void DeckReview::doubt_letters(const lang::BoundCommand& command) {
+    if (command.spec->raw || !command.spec->body_end.empty()) return;
+    lang::Lexer lexer(command.place.source, command.place.line);
+    lang::Statement statement;
+    if (!lexer.next(statement)) return;
+    for (const auto& word : statement.words) {
+        const std::string hint = word.kind == lang::WordKind::word ? odd_letter_hint(word.text) : std::string();
+        if (!hint.empty()) other_.push_back(doubt(fmt::format("'{}' is taken as a name", word.text), hint, word.place));
+    }
+}
+
 bool DeckReview::reads_as_command(const std::string& text) const {
     lang::Lexer lexer(lang::source_from_text("", text));
     lang::Statement statement;
@@ -236,6 +254,13 @@ void DeckReview::find_folder(const lang::BoundCommand& command) {
     const std::string file = command.late ? std::string() : file_written_by(command);
     const fs::path folder = fs::path(file).parent_path();
     std::error_code failed;
+    if (!file.empty() && fs::is_directory(file, failed)) {
+        Diagnostic d(fmt::format("'{}' is a folder", file), "give the name of a file");
+        d.code = "no-file";
+        lang::place_problem(d, lang::language(), command.place);
+        other_.push_back(std::move(d));
+        return;
+    }
     if (folder.empty() || folder.is_absolute() || may_have_written_ || fs::exists(folder, failed)) return;
     Diagnostic d(fmt::format("there is no folder '{}' for '{}'", folder.string(), file), "make the folder first");
     d.code = "no-file";

@@ -63,6 +63,7 @@ constexpr std::array<Symbol, 11> symbols{{{"e", "ymodulus, with pratio", ""},
 
 [[noreturn]] void refuse_word(const JointRegistry& models, const lang::Property::Item& item, bool joint_only) {
     std::vector<std::string_view> known = joint_words();
+    known.push_back(joint_only ? "jmat" : "mat");
     if (!joint_only)
         for (const auto& property : lang::block_property_words())
             for (const auto& spelling : property.words) known.push_back(spelling.word);

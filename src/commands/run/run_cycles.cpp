@@ -151,6 +151,7 @@ void make_ready(Session& session) {
     session.cycle->prepare();
     if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
     doubt_joints(session);
+    doubt_loads(session);
     doubt_zone_magnitudes(session);
     doubt_zone_strengths(session);
 }

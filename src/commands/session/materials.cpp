@@ -381,6 +381,7 @@ void check_materials(Session& session) {
     warn_of_rigid_models(session);
     doubt_elasticity(session);
     doubt_densities(session);
+    doubt_weight(session);
     doubt_units(session);
 }
 

@@ -9,6 +9,7 @@
 #include "laws/property_roles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,6 +31,8 @@ bool is_friction_angle(const JointRegistry& joints, const std::string& word) {
         return strength_part(model->properties[*found].role) == StrengthPart::friction;
     });
 }
+
+constexpr double greatest_density = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
 
 Diagnostic doubt(std::string message, std::string hint) {
     Diagnostic d(std::move(message), std::move(hint));
@@ -70,13 +73,63 @@ void doubt_elasticity(Session& session) {
 }
 
 void doubt_densities(Session& session) {
-    constexpr double most = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
     for (const auto& [number, material] : session.model.materials) {
-        if (!(material.density > most)) continue;
+        if (!(material.density > greatest_density)) continue;
         const std::string message = fmt::format("material {} has a density of {}: no material is that heavy", number,
                                                 number_text(material.density));
         if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
     }
+}
+
+void doubt_weight(Session& session) {
+    struct System {
+        double gravity, rock; ///< of the earth, and the density of rock
+        const char* units;
+    };
+    constexpr std::array<System, 7> systems{{{9.81, 2700, "kg, m, Pa"},
+                                             {9.81, 2.7, "t, m, kPa"},
+                                             {9.81, 2.7e-3, "kt, m, MPa"},
+                                             {9810, 2.7e-9, "t, mm, MPa"},
+                                             {981, 2.7, "g, cm"},
+                                             {386.1, 2.5e-4, "lbf, in"},
+                                             {32.17, 5.2, "slug, ft"}}};
+    constexpr double near = 0.02, lightest = 0.03,
+                     heaviest = 9; // parts of the earth's gravity and of the density of rock
+    const double gravity = session.model.settings.gravity.norm();
+    const auto of_earth = [&](const System& system) {
+        return std::abs(gravity - system.gravity) < near * system.gravity;
+    };
+    if (session.units.given() || std::ranges::none_of(systems, of_earth)) return;
+    for (const auto& [number, material] : session.model.materials) {
+        const double density = material.density;
+        const auto fits = [&](const System& system) {
+            return of_earth(system) && density > lightest * system.rock && density < heaviest * system.rock;
+        };
+        if (!(density > 0) || density > greatest_density || std::ranges::any_of(systems, fits)) continue;
+        std::vector<std::string> usual;
+        for (const System& system : systems)
+            if (of_earth(system)) usual.push_back(fmt::format("{:g} ({})", system.rock, system.units));
+        const std::string message = fmt::format("material {} has a density of {} with a gravity of {}", number,
+                                                number_text(density), number_text(gravity));
+        if (session.said_once.insert(message).second)
+            session.warn(doubt(message, fmt::format("rock has {} with this gravity", fmt::join(usual, ", "))));
+    }
+}
+
+void doubt_loads(Session& session) {
+    const Model& model = session.model;
+    const double gravity = model.settings.gravity.norm();
+    if (!(gravity > 0)) return;
+    constexpr double most = 1e7; // times the weight of the model
+    double weight = 0, load = 0;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        weight += model.blocks.mass[b] * gravity;
+        load = std::max(load, model.blocks.load[b].norm());
+    }
+    if (!(weight > 0) || !(load > most * weight)) return;
+    const std::string message = fmt::format("a load of {:.3g} acts on a model that weighs {:.3g}", load, weight);
+    if (session.said_once.insert(message).second)
+        session.warn(doubt(message, "look at its exponent, and at the units of loads and density"));
 }
 
 void doubt_units(Session& session) {
@@ -112,8 +165,6 @@ void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
     session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
 }
 
-namespace {} // namespace
-
 void doubt_joints(Session& session) {
     double density = 0;
     for (const auto& [number, material] : session.model.materials) density = std::max(density, material.density);
@@ -129,19 +180,37 @@ void doubt_joints(Session& session) {
             if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
         };
         const auto value = [&](kaya_jrole role) { return value_of_role(*joint, set.values, role); };
+        const auto shear = value(KAYA_JROLE_STIFFNESS_SHEAR), cohesion = value(KAYA_JROLE_COHESION),
+                   tension = value(KAYA_JROLE_TENSION);
         const auto friction = value(KAYA_JROLE_FRICTION), dilation = value(KAYA_JROLE_DILATION),
                    stiffness = value(KAYA_JROLE_STIFFNESS_NORMAL), walls = value(KAYA_JROLE_WALL_STRENGTH);
         if (friction && dilation && *dilation > *friction)
             say(fmt::format("dilation {} is above friction {}: a joint that slips would give energy",
                             number_text(*dilation), number_text(*friction)),
                 "dilation is at most the friction, and mostly a fraction of it");
+        constexpr double steepest = 89; // rough joints have up to 80 at the lowest stress
+        if (friction && *friction > steepest)
+            say(fmt::format("friction {}: an angle that no joint has", number_text(*friction)),
+                "joints have 15 to 70 degrees; for a joint that never slips write jmodel model elastic");
+        constexpr double beyond = 10; // times where the line of friction ends
+        if (tension && cohesion && friction && *cohesion > 0 && *friction > 0 &&
+            *tension * std::tan(*friction * std::numbers::pi / 180) > beyond * *cohesion)
+            say(fmt::format("tension {} is far above the cohesion {}", number_text(*tension), number_text(*cohesion)),
+                "joints have a tensile strength of at most cohesion / tan(friction): are both in the same unit?");
         // Half of the digits of a place are left for its closure.
         constexpr double least = 1e-12;
-        if (stiffness && weight > 0 && weight / *stiffness < least * size)
+        const bool unresolved = stiffness && weight > 0 && weight / *stiffness < least * size;
+        if (unresolved)
             say(fmt::format(
                     "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
                     number_text(*stiffness), weight / *stiffness),
                 "about ten times the modulus of the rock over the size of a block is stiff enough");
+        constexpr double stiffest = 10, softest = 1e-4; // of shear, to that of normal stiffness
+        if (!unresolved && stiffness && shear && *stiffness > 0 && *shear > 0 &&
+            (*shear > stiffest * *stiffness || *shear < softest * *stiffness))
+            say(fmt::format("shear stiffness {} with a normal stiffness of {}", number_text(*shear),
+                            number_text(*stiffness)),
+                "joints have 0.1 to 1 times the normal stiffness: are both in the same unit?");
         constexpr double soft = 0.1; // MPa/m or GPa/m in a deck of Pa
         if (stiffness && *stiffness > 0 && weight / *stiffness > soft * size)
             say(fmt::format(
@@ -165,6 +234,9 @@ void doubt_dip(Session& session, double dip, double direction, const Place& plac
     const auto warn = [&](std::string message, std::string hint) {
         session.warn(doubt(std::move(message), std::move(hint)).at(place));
     };
+    if (dip < 0)
+        warn(fmt::format("a dip of {} is negative", number_text(dip)),
+             fmt::format("the plane is that of dip {} with dd turned by 180", number_text(-dip)));
     if (dip > 90)
         warn(fmt::format("a dip of {} is more than vertical", number_text(dip)),
              fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)));
@@ -184,6 +256,13 @@ void doubt_tension(Session& session, const lang::InSitu& command) {
     session.warn(doubt("all normal stresses are positive: the ground is pulled in all directions",
                        "compression is negative: insitu stress -1e6 -1e6 -1e6 0 0 0")
                      .at(command.place));
+}
+
+void doubt_ratio(Session& session, double ratio, const Place& place) {
+    if (!(ratio >= 1)) return;
+    session.warn(doubt(fmt::format("a ratio of {} is reached before the first cycle", number_text(ratio)),
+                       "the unbalanced force is a part of the acting forces: 1e-5 is usual")
+                     .at(place));
 }
 
 void doubt_undamped_search(Session& session, const Place& place) {

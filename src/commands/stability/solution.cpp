@@ -122,6 +122,7 @@ void run(Session& session, const lang::Solve& command) {
     }
     doubt_idle_model(session, command.place);
     if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
+    if (limits.ratio) doubt_ratio(session, *limits.ratio, command.place);
     RestMonitor monitor(session.model);
     const RunEnd end = advance_until(session, limits, &monitor);
     session.world.stopped_by = end.why;

@@ -104,7 +104,8 @@ Polyhedron make_tetrahedron(const std::array<Vec3, 4>& corners) {
     const double size = size_of({a, b, c, d});
     if (!std::isfinite(size)) throw Diagnostic("the tetrahedron has a coordinate that is not a finite number");
     if (std::abs((b - a).cross(c - a).dot(d - a)) <= 1e-12 * size * size * size)
-        throw Diagnostic("the four corners of the tetrahedron lie in one plane");
+        throw Diagnostic("the four corners of the tetrahedron lie in one plane",
+                         "move one of them out of the plane of the others");
     return single({{a, b, c}, {a, b, d}, {b, c, d}, {c, a, d}});
 }
 

@@ -266,7 +266,8 @@ void check_faces(Surface& surface) {
                                           .cross(surface.vertices[loop[(i + 1) % loop.size()]] - centre)
                                           .norm());
         if (widest <= 1e-12 * size * size)
-            throw Diagnostic(fmt::format("{} has no area: its corners lie on one line", face.name));
+            throw Diagnostic(fmt::format("{} has no area: its corners lie on one line", face.name),
+                             "give three corners that span a plane");
     }
     if (surface.faces.size() < 4)
         throw Diagnostic(fmt::format("{} faces do not close a polyhedron", surface.faces.size()),

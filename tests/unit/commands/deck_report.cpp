@@ -110,10 +110,11 @@ TEST_F(DeckReportTest, CountersTargetsOfLoopsAndArraysAreSet) {
 
 TEST_F(DeckReportTest, CallsAreCounted) {
     write("a.3dd", "def f(a, b)\n  f = a + b\nend\ndef g\n  g = f(1) + cos(1, 2)\nend\n@f(1)\n@f(1, 2)\n[f(@g, 2)]\n");
-    EXPECT_EQ(report("a.3dd").text("a.3dd"), "a.3dd:5:7: wrong: 'f' takes 2 arguments, here it is given 1\n"
-                                             "a.3dd:5:14: wrong: 'cos' takes 1 argument, here it is given 2\n"
-                                             "a.3dd:7:1: wrong: 'f' takes 2 arguments, here it is given 1\n"
-                                             "a.3dd: 5 statements: 2 run, 3 wrong");
+    EXPECT_EQ(report("a.3dd").text("a.3dd"),
+              "a.3dd:5:7: wrong: 'f' takes 2 arguments, here it is given 1; its arguments stand in its first line\n"
+              "a.3dd:5:14: wrong: 'cos' takes 1 argument, here it is given 2; 'kaya help cos' names them\n"
+              "a.3dd:7:1: wrong: 'f' takes 2 arguments, here it is given 1; its arguments stand in its first line\n"
+              "a.3dd: 5 statements: 2 run, 3 wrong");
 }
 
 TEST_F(DeckReportTest, NamesInsideCommandBlocksAreChecked) {

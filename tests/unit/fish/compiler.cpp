@@ -58,13 +58,17 @@ const Mistake mistakes[] = {
     {"def f\nend f", 2, 5, 1, "'f' is left over after 'end'", "one statement stands on one line"},
     {"def f\n a = (1 + 2\nend", 2, 12, 1, "expected ')' for the parenthesis, found the end of the line", ""},
     {"def f\n a = 1 + 2)\nend", 2, 11, 1, "')' is left over after the assignment", "one statement stands on one line"},
-    {"def f\n a = 1 +\nend", 2, 9, 1, "expected a value, found the end of the line", ""},
-    {"def f\n a =\nend", 2, 5, 1, "expected a value, found the end of the line", ""},
+    {"def f\n a = 1 +\nend", 2, 9, 1, "expected a value, found the end of the line",
+     "a number, a text in quotes, a name or a parenthesis belongs there"},
+    {"def f\n a =\nend", 2, 5, 1, "expected a value, found the end of the line",
+     "a number, a text in quotes, a name or a parenthesis belongs there"},
     {"def f\n a = 1 2\nend", 2, 8, 1, "'2' is left over after the assignment", "one statement stands on one line"},
-    {"def f\n a = * 2\nend", 2, 6, 1, "expected a value, found '*'", ""},
+    {"def f\n a = * 2\nend", 2, 6, 1, "expected a value, found '*'",
+     "a value stands before it; powers are written a ^ b"},
     {"def f\n a = 1 < 2 < 3\nend", 2, 12, 1, "two comparisons in a row",
      "join them with '&', or put one in parentheses"},
-    {"def f\n a = sin(1, )\nend", 2, 13, 1, "expected a value, found ')'", ""},
+    {"def f\n a = sin(1, )\nend", 2, 13, 1, "expected a value, found ')'",
+     "a number, a text in quotes, a name or a parenthesis belongs there"},
     {"def f\n a = sin(1\nend", 2, 11, 1, "expected ')' for the arguments of 'sin', found the end of the line", ""},
     {"def f\n a = 'text\nend", 2, 6, 5, "the text has no closing quote", "put ' after it"},
     {"def f\n a = b ~ c\nend", 2, 8, 1, "'~' has no meaning in FISH", "FISH writes # for unequal"},
@@ -75,14 +79,16 @@ const Mistake mistakes[] = {
     {"def f\n a = 1 &\n", 2, 1, 8, "the last line ends with a continuation mark", "remove the '&' or '...'"},
     {"def f\n if a > 1 then b = 2\n endif\nend", 2, 16, 1, "'b' is left over after the condition",
      "one statement stands on one line"},
-    {"def f\n if then\n endif\nend", 2, 5, 4, "expected a value, found 'then'", ""},
-    {"def f\n if a\nend", 3, 1, 3, "expected 'endif' to close the 'if' of line 2, found 'end'", ""},
+    {"def f\n if then\n endif\nend", 2, 5, 4, "expected a value, found 'then'",
+     "a number, a text in quotes, a name or a parenthesis belongs there"},
+    {"def f\n if a\nend", 3, 1, 3, "expected 'endif' to close the 'if' of line 2, found 'end'",
+     "write a line 'endif' before it"},
     {"def f\n if a\n else\n else\n endif\nend", 4, 2, 4, "a second 'else' in one 'if'", ""},
     {"def f\n endif\nend", 2, 2, 5, "'endif' closes nothing: no block is open here", ""},
     {"def f\n then\nend", 2, 2, 4, "'then' cannot begin a statement", ""},
     {"def f\n loop while a\n endif\nend", 3, 2, 5, "expected 'endloop' to close the 'loop' of line 2, found 'endif'",
-     ""},
-    {"def f\n loop while a\n", 2, 2, 4, "this 'loop' has no 'endloop'", ""},
+     "write a line 'endloop' before it"},
+    {"def f\n loop while a\n", 2, 2, 4, "this 'loop' has no 'endloop'", "write a line 'endloop' after its last line"},
     {"def f\n loop i (1)\n endloop\nend", 2, 7, 1, "a loop needs two limits, and a step if wanted; this one has 1",
      "write: loop i (1, 10) or loop i (10, 1, -1)"},
     {"def f\n loop i 1,2\n endloop\nend", 2, 9, 1, "expected '(' for the limits of the loop, found '1'",
@@ -100,7 +106,7 @@ const Mistake mistakes[] = {
     {"def f\n command\n poly brick [a\n endcommand\nend", 3, 13, 1, "the bracket is not closed",
      "put ] after the expression"},
     {"def f\n command\n poly brick [a + ]\n endcommand\nend", 3, 17, 1, "expected a value, found the end of the line",
-     ""},
+     "a number, a text in quotes, a name or a parenthesis belongs there"},
     {"def f\n def g\n end\nend", 2, 2, 3, "a function begins inside of another one",
      "the function 'f' of line 1 has no 'end' yet"},
     {"def f\n array a\nend", 2, 8, 1, "the array 'a' has no size", "write a(n) or a(n,m)"},
@@ -142,7 +148,7 @@ TEST(FishCompiler, PlacesCountFromTheLineOfTheDeck) {
     } catch (const Diagnostic& d) {
         EXPECT_EQ(render(d), "deck.3ddat:42:7: error: expected a value, found the end of the line\n"
                              "    42 |  a = (\n"
-                             "       |       ^");
+                             "       |       ^ a number, a text in quotes, a name or a parenthesis belongs there");
     }
 }
 

@@ -230,13 +230,14 @@ TEST(ScriptErrors, LuaFields) {
 TEST(ScriptErrors, LuaLanguage) {
     EXPECT_EQ(lua_message("x = = 3"), "unexpected symbol near '='");
     EXPECT_EQ(lua_message("while true do"), "'end' expected near <eof>");
-    EXPECT_EQ(lua_message("local a\nprint(a.b)"), "'a' is nil here: it has no fields");
+    EXPECT_EQ(lua_message("local a\nprint(a.b)"),
+              "'a' is nil here: it has no fields | the call or look-up that gave it found nothing");
     EXPECT_EQ(lua_message("prnt('x')"), "there is no function 'prnt' here | did you mean 'print'?");
     EXPECT_EQ(lua_message("stone = {}\nston.x = 3"), "'ston' is nil here: it has no fields | did you mean 'stone'?");
     EXPECT_EQ(lua_message("local y = 1 + lenght"),
               "'lenght' is nil here: nothing has set it | set it before, or test it: if value ~= nil then ... end");
     EXPECT_EQ(lua_message("local t = {}\nt[3].x = 1"), "this value is nil here: it has no fields | the call or "
-                                                       "look-up before it returned nothing");
+                                                       "look-up that gave it found nothing");
     EXPECT_EQ(lua_message("x = string.formt('%d', 3)"), "there is no function 'formt' here | did you mean 'format'?");
     EXPECT_EQ(lua_message("for c in contacts do print(c) end"),
               "'contacts' takes no values | write: for x in contacts() do ... end");
