@@ -1,4 +1,5 @@
 // initialize and insitu: the initial state.
+#include "commands/review/text_doubts.hpp"
 #include "commands/session/all_or_nothing.hpp"
 #include "commands/session/bodies.hpp"
 #include "commands/session/handlers.hpp"
@@ -35,7 +36,7 @@ void put_stress(Session& session, const lang::InSitu& command) {
                          .at(command.range.place ? command.range.place : command.place));
         return;
     }
-    doubt_tension(session, command);
+    warn_of(session, doubts_of(command));
     forget_cell_motion(model, zones);
     if (command.stress) return set_insitu_stress(model, session.joints, zones, points, stress_field(command));
     try {

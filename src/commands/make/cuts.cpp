@@ -1,4 +1,5 @@
 // jset, tunnel, densify, join: cutting and joining existing blocks.
+#include "commands/review/text_doubts.hpp"
 #include "commands/session/ground.hpp"
 #include "commands/session/handlers.hpp"
 
@@ -122,7 +123,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
-        doubt_dip(session, command.dip[0], command.dip_direction[0], command.place);
+        warn_of(session, doubts_of(command));
         JointSet set;
         set.dip = command.dip[0];
         set.dip_deviation = command.dip[1];

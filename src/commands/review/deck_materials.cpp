@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <any>
+#include <array>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -36,7 +37,9 @@ void DeckMaterials::check(const lang::BoundCommand& command) {
 }
 
 void DeckMaterials::check_script(std::string_view text) {
-    if (text.find("mat") != text.npos || text.find("MAT") != text.npos || text.find("call") != text.npos) open_ = true;
+    constexpr std::array<std::string_view, 6> giving{"material", "_mat", ".mat", "command", "capture", "call"};
+    const std::string folded = lang::fold(text);
+    open_ = open_ || std::ranges::any_of(giving, [&](auto word) { return folded.find(word) != folded.npos; });
 }
 
 std::vector<Diagnostic> DeckMaterials::findings() const {

@@ -73,6 +73,10 @@ void DeckNames::check(const lang::BoundCommand& command, bool inside) {
             if (as_target == given.end()) read_.insert(word);
             else given.erase(as_target);
         });
+    if (const auto* history = std::any_cast<lang::HistoryAdd>(&command.command); history != nullptr && !inside)
+        for (const auto& item : history->items)
+            if (const auto* script = std::get_if<lang::HistoryItem::Script>(&item.what))
+                add({lang::fold(script->symbol), fish::Use::read, 0, item.text, {}}, true);
     const bool call = std::any_cast<lang::FishCall>(&command.command) != nullptr;
     if (!inside && (call || !command.spec->raw)) use_words(command);
 }
@@ -108,8 +112,8 @@ void DeckNames::learn_expression(const lang::Word& word) {
             use.place = word.place;
             add(std::move(use), true);
         }
-    } catch (const Diagnostic&) {
-        // The run reports the error; the names that it means are unknown.
+    } catch (Diagnostic& mistake) {
+        if (word.kind == lang::WordKind::expression) broken_.push_back(mistake.at(word.place));
     }
 }
 
@@ -159,7 +163,7 @@ std::vector<std::string_view> DeckNames::candidates() const {
 }
 
 std::vector<Diagnostic> DeckNames::findings() const {
-    std::vector<Diagnostic> found;
+    std::vector<Diagnostic> found = broken_;
     if (open_) return found;
     find_unknown(found);
     find_early(found);

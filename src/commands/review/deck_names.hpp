@@ -54,6 +54,7 @@ private:
     std::vector<fish::NameUse> set_;            ///< each name where it is set first
     std::map<std::string, Place> first_places_; ///< where each function stands, and each name is set first
     std::vector<fish::NameUse> early_;          ///< uses in commands of names that nothing before them makes
+    std::vector<Diagnostic> broken_;            ///< expressions in brackets that cannot be read
     bool open_ = false;
 };
 

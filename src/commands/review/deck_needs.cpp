@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace kaya {
 
@@ -42,7 +43,8 @@ bool is_density(const std::string& word) {
 } // namespace
 
 void DeckNeeds::check_script(std::string_view text) {
-    constexpr std::array<std::string_view, 5> giving{"prop", "dens", "mat", "command", "call"};
+    constexpr std::array<std::string_view, 8> giving{"prop", "dens",    "material", "_mat",
+                                                     ".mat", "command", "capture",  "call"};
     const std::string folded = lang::fold(text);
     open_ = open_ || std::ranges::any_of(giving, [&](auto word) { return folded.find(word) != folded.npos; });
 }
@@ -57,7 +59,10 @@ void DeckNeeds::check(const lang::BoundCommand& command, bool inside) {
         *this = DeckNeeds();
         found_ = std::move(found);
     }
-    if (open_ || checked_) return;
+    if (open_) return;
+    learn_structures(command);
+    if (is_one_of(any, CyclingCommands{})) check_structures();
+    if (checked_) return;
     if (is_one_of(any, CyclingCommands{})) return check_needs(command.place);
     learn(command);
     learn_materials(command);
@@ -82,12 +87,58 @@ void DeckNeeds::learn(const lang::BoundCommand& command) {
     const auto* zone = std::any_cast<lang::ZoneModelCommand>(&any);
     if (zone != nullptr && zone->density) dense_by_range_ = true;
     const auto* property = std::any_cast<lang::Property>(&any);
+    if (zone != nullptr) learn_moduli(zone->items);
     if (property == nullptr) return;
+    learn_moduli(property->items);
     if (command.late && property->items.empty()) open_ = true;
     for (const auto& item : property->items) {
         if (property->joint || !find_block_property(item.word)) joint_properties_ = true;
         if (!property->joint && is_density(item.word)) dense_.insert(property->number);
     }
+}
+
+void DeckNeeds::learn_moduli(const std::vector<lang::Property::Item>& items) {
+    for (const auto& item : items)
+        if (const auto property = find_block_property(item.word)) moduli_.try_emplace(*property, item.place);
+}
+
+void DeckNeeds::learn_structures(const lang::BoundCommand& command) {
+    const auto& any = command.command;
+    const auto use = [&](const auto* made) {
+        if (made != nullptr && !command.late) structures_.try_emplace(made->property, command.place);
+    };
+    use(std::any_cast<lang::StructureCable>(&any));
+    use(std::any_cast<lang::StructureBeam>(&any));
+    use(std::any_cast<lang::StructureLiner>(&any));
+    const auto* property = std::any_cast<lang::StructureProperty>(&any);
+    if (property == nullptr) return;
+    structure_properties_.insert(property->number);
+    if (command.late) open_ = true;
+}
+
+/// One of two elastic constants.
+void DeckNeeds::check_moduli() {
+    using enum lang::BlockProperty;
+    for (const auto& [one, other, name] :
+         {std::tuple(bulk, shear, "shear"), std::tuple(shear, bulk, "bulk"), std::tuple(young, poisson, "poisson"),
+          std::tuple(poisson, young, "young")}) {
+        const auto given = moduli_.find(one);
+        if (given == moduli_.end() || moduli_.contains(other)) continue;
+        found_.push_back(finding(fmt::format("no line gives {} before the cycles", name),
+                                 "elastic blocks need both: bulk and shear, or young and poisson", missing,
+                                 Severity::warning)
+                             .at(given->second));
+    }
+}
+
+void DeckNeeds::check_structures() {
+    for (const auto& [number, place] : structures_)
+        if (!structure_properties_.contains(number))
+            found_.push_back(finding(fmt::format("no line gives property {} of structures before the cycles", number),
+                                     fmt::format("give it: structure property {} area 5e-4 young 2e11 ...", number),
+                                     missing, Severity::warning)
+                                 .at(place));
+    structures_.clear();
 }
 
 void DeckNeeds::learn_materials(const lang::BoundCommand& command) {
@@ -104,6 +155,7 @@ void DeckNeeds::learn_materials(const lang::BoundCommand& command) {
 void DeckNeeds::check_needs(const Place& cycle) {
     checked_ = true;
     if (!blocks_) return;
+    check_moduli();
     const auto hint = [](std::int64_t number) { return fmt::format("give it before: prop mat {} dens 2600", number); };
     if (!dense_by_range_ && dense_.empty() && !all_held_) {
         const std::int64_t number = used_.empty() ? 1 : used_.begin()->first;

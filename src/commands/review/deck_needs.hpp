@@ -1,6 +1,7 @@
 // What blocks and joints need before the first cycle of a deck, and no line gives them.
 #pragma once
 
+#include "lang/commands/property_words.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/interp/bare_names.hpp"
@@ -25,7 +26,11 @@ public:
 private:
     void learn(const lang::BoundCommand& command);
     void learn_materials(const lang::BoundCommand& command);
+    void learn_moduli(const std::vector<lang::Property::Item>& items);
+    void learn_structures(const lang::BoundCommand& command);
     void check_needs(const Place& cycle);
+    void check_moduli();
+    void check_structures();
 
     std::set<std::int64_t> dense_;       ///< materials with a density
     std::map<std::int64_t, Place> used_; ///< materials of blocks, and the line that gives each first
@@ -34,6 +39,9 @@ private:
     bool some_held_ = false, all_held_ = false; ///< they need no density
     bool dense_by_range_ = false;               ///< blocks have separate densities
     bool joint_properties_ = false, joined_ = false;
+    std::map<lang::BlockProperty, Place> moduli_; ///< properties of blocks, and the place of each first
+    std::map<std::int64_t, Place> structures_;    ///< their properties, and the line that uses each first
+    std::set<std::int64_t> structure_properties_;
     bool checked_ = false, open_ = false;
     std::vector<Diagnostic> found_;
 };

@@ -87,8 +87,10 @@ void DeckProperties::name_model(std::string model, bool zone, bool inside, const
 }
 
 void DeckProperties::check_script(std::string_view text) {
+    const auto holds = [&](std::string_view word) { return text.find(word) != text.npos; };
     constexpr std::array<std::string_view, 5> loading{"model", "call", "restore", "zone", "lua"};
-    if (std::ranges::any_of(loading, [&](auto word) { return text.find(word) != text.npos; })) open_ = true;
+    const bool commands = holds("command") || holds("capture"); // of Lua; those of FISH are statements
+    if (holds("restore") || (commands && std::ranges::any_of(loading, holds))) open_ = true;
 }
 
 void DeckProperties::check_item(const Given& given, const lang::Property::Item& item, JointRegistry& models) {

@@ -6,6 +6,7 @@
 #include "lang/modern/language.hpp"
 #include "lang/interp/named_word.hpp"
 #include "base/odd_letters.hpp"
+#include "commands/review/text_doubts.hpp"
 #include "lang/fish/doubts.hpp"
 #include "lang/fish/inner_commands.hpp"
 #include "lang/interp/script_files.hpp"
@@ -113,6 +114,7 @@ void DeckReview::statement(const lang::BoundCommand& command, bool inside) {
         find_folder(command);
         doubt_comment(command);
         doubt_letters(command);
+        if (!command.late) doubt_text(command);
     }
     if (const auto* set = std::any_cast<lang::Set>(&command.command)) doubt_values(*set, command);
     if (inside && command.spec->flow == lang::Flow::call) anything_may_be_made();
@@ -226,6 +228,15 @@ void DeckReview::doubt_letters(const lang::BoundCommand& command) {
     for (const auto& word : statement.words) {
         const std::string hint = word.kind == lang::WordKind::word ? odd_letter_hint(word.text) : std::string();
         if (!hint.empty()) other_.push_back(doubt(fmt::format("'{}' is taken as a name", word.text), hint, word.place));
+    }
+}
+
+/// The run says it again when it reaches the line.
+void DeckReview::doubt_text(const lang::BoundCommand& command) {
+    for (auto& found : text_doubts(command.command)) {
+        found.severity = Severity::warning;
+        found.code = said_by_the_run;
+        other_.push_back(found.at(command.place));
     }
 }
 

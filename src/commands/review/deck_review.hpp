@@ -56,6 +56,7 @@ private:
     void doubt_values(const lang::Set& set, const lang::BoundCommand& command);
     void find_file(const lang::BoundCommand& command);
     void find_folder(const lang::BoundCommand& command);
+    void doubt_text(const lang::BoundCommand& command);
     void doubt_letters(const lang::BoundCommand& command);
     void doubt_comment(const lang::BoundCommand& command);
     bool reads_as_command(const std::string& text) const;

@@ -52,7 +52,10 @@ private:
     }
     template <class Array> bool take_vector(Array& vector) {
         for (std::size_t k = 0; k < 3; ++k)
-            if (!number_at(at_ + k)) return false;
+            if (!number_at(at_ + k)) {
+                if (k > 0) line_.unknown.push_back(fmt::format("{} with {} of 3 numbers", words_[at_ - 1].text, k));
+                return false;
+            }
         for (int k = 0; k < 3; ++k) vector[static_cast<decltype(vector.size())>(k)] = *number_at(at_++);
         return true;
     }

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "commands/monitors/free_fall.hpp"
+#include "commands/review/text_doubts.hpp"
 #include "commands/session/materials.hpp"
 #include "commands/monitors/rest_monitor.hpp"
 #include "commands/session/session.hpp"
@@ -34,26 +35,15 @@ bool is_friction_angle(const JointRegistry& joints, const std::string& word) {
 
 constexpr double greatest_density = 1e5; // kg/m3, tonnes or megagrams: no rock, steel or lead in any usual unit
 
-Diagnostic doubt(std::string message, std::string hint) {
-    Diagnostic d(std::move(message), std::move(hint));
-    d.code = "implausible";
-    return d;
-}
-
 } // namespace
 
+void warn_of(Session& session, std::vector<Diagnostic> doubts) {
+    for (auto& doubt : doubts) session.warn(std::move(doubt));
+}
+
 void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items) {
-    for (const auto& item : items) {
-        if (!(item.value > 0 && item.value < std::numbers::pi / 2) || !is_friction_angle(session.joints, item.word))
-            continue;
-        const double degrees = item.value * 180 / std::numbers::pi;
-        session.warn(doubt(fmt::format("{} {}: angles are in degrees, and this one is nearly 0", item.word,
-                                       number_text(item.value)),
-                           fmt::format("as radians it would be {} degrees, as a coefficient {}",
-                                       number_text(std::round(degrees * 10) / 10),
-                                       number_text(std::round(std::atan(item.value) * 1800 / std::numbers::pi) / 10)))
-                         .at(item.place));
-    }
+    for (const auto& item : items)
+        if (may_be_radians(item) && is_friction_angle(session.joints, item.word)) session.warn(radian_doubt(item));
 }
 
 void doubt_elasticity(Session& session) {
@@ -68,7 +58,8 @@ void doubt_elasticity(Session& session) {
         const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}",
                                                 number, poisson, number_text(bulk), number_text(shear));
         if (session.said_once.insert(message).second)
-            session.warn(doubt(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
+            session.warn(
+                implausible(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
     }
 }
 
@@ -77,7 +68,7 @@ void doubt_densities(Session& session) {
         if (!(material.density > greatest_density)) continue;
         const std::string message = fmt::format("material {} has a density of {}: no material is that heavy", number,
                                                 number_text(material.density));
-        if (session.said_once.insert(message).second) session.warn(doubt(message, "rock has 2700 kg/m3"));
+        if (session.said_once.insert(message).second) session.warn(implausible(message, "rock has 2700 kg/m3"));
     }
 }
 
@@ -112,7 +103,7 @@ void doubt_weight(Session& session) {
         const std::string message = fmt::format("material {} has a density of {} with a gravity of {}", number,
                                                 number_text(density), number_text(gravity));
         if (session.said_once.insert(message).second)
-            session.warn(doubt(message, fmt::format("rock has {} with this gravity", fmt::join(usual, ", "))));
+            session.warn(implausible(message, fmt::format("rock has {} with this gravity", fmt::join(usual, ", "))));
     }
 }
 
@@ -129,7 +120,7 @@ void doubt_loads(Session& session) {
     if (!(weight > 0) || !(load > most * weight)) return;
     const std::string message = fmt::format("a load of {:.3g} acts on a model that weighs {:.3g}", load, weight);
     if (session.said_once.insert(message).second)
-        session.warn(doubt(message, "look at its exponent, and at the units of loads and density"));
+        session.warn(implausible(message, "look at its exponent, and at the units of loads and density"));
 }
 
 void doubt_units(Session& session) {
@@ -144,8 +135,9 @@ void doubt_units(Session& session) {
         const std::string message =
             fmt::format("{} {} {}{}: are the units {}?", what, number_text(value), unit, meant, units.name());
         if (session.said_once.insert(message).second)
-            session.warn(doubt(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
-                                                    least, most, si, fmt::join(Units::names(), ", "))));
+            session.warn(
+                implausible(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
+                                                 least, most, si, fmt::join(Units::names(), ", "))));
     };
     for (const auto& entry : session.model.materials) {
         const std::int32_t number = entry.first;
@@ -162,7 +154,7 @@ void doubt_units(Session& session) {
 
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
     if (!(gravity.z() > 0 && gravity.x() == 0 && gravity.y() == 0)) return;
-    session.show_note(doubt("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
+    session.show_note(implausible("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
 }
 
 void doubt_joints(Session& session) {
@@ -177,7 +169,7 @@ void doubt_joints(Session& session) {
         const auto say = [&](const std::string& message, const std::string& hint) {
             const std::string where = set.place.empty() ? set.model : fmt::format("{}, {}", set.model, set.place);
             const std::string text = fmt::format("{} ({})", message, where);
-            if (session.said_once.insert(text).second) session.warn(doubt(text, hint));
+            if (session.said_once.insert(text).second) session.warn(implausible(text, hint));
         };
         const auto value = [&](kaya_jrole role) { return value_of_role(*joint, set.values, role); };
         const auto shear = value(KAYA_JROLE_STIFFNESS_SHEAR), cohesion = value(KAYA_JROLE_COHESION),
@@ -227,49 +219,11 @@ void doubt_joints(Session& session) {
     }
 }
 
-void doubt_dip(Session& session, double dip, double direction, const Place& place) {
-    const auto is_radian = [](double angle, double most) {
-        return angle > 0 && angle <= most && angle != std::round(angle);
-    };
-    const auto warn = [&](std::string message, std::string hint) {
-        session.warn(doubt(std::move(message), std::move(hint)).at(place));
-    };
-    if (dip < 0)
-        warn(fmt::format("a dip of {} is negative", number_text(dip)),
-             fmt::format("the plane is that of dip {} with dd turned by 180", number_text(-dip)));
-    if (dip > 90)
-        warn(fmt::format("a dip of {} is more than vertical", number_text(dip)),
-             fmt::format("the plane is that of dip {} with dd turned by 180", number_text(180 - dip)));
-    if (std::abs(direction) > 360)
-        warn(fmt::format("a dip direction of {} is more than a full turn", number_text(direction)),
-             fmt::format("it is taken as {}", number_text(std::fmod(direction, 360))));
-    if (is_radian(dip, std::numbers::pi / 2) && is_radian(direction, 2 * std::numbers::pi))
-        warn(fmt::format("dip {} and dd {} are nearly 0: angles are in degrees", number_text(dip),
-                         number_text(direction)),
-             fmt::format("as radians they would be dip {:.4g} and dd {:.4g}", dip * 180 / std::numbers::pi,
-                         direction * 180 / std::numbers::pi));
-}
-
-void doubt_tension(Session& session, const lang::InSitu& command) {
-    const auto pulls = [](double stress) { return stress > 0; };
-    if (!command.stress || !std::all_of(command.stress->begin(), command.stress->begin() + 3, pulls)) return;
-    session.warn(doubt("all normal stresses are positive: the ground is pulled in all directions",
-                       "compression is negative: insitu stress -1e6 -1e6 -1e6 0 0 0")
-                     .at(command.place));
-}
-
-void doubt_ratio(Session& session, double ratio, const Place& place) {
-    if (!(ratio >= 1)) return;
-    session.warn(doubt(fmt::format("a ratio of {} is reached before the first cycle", number_text(ratio)),
-                       "the unbalanced force is a part of the acting forces: 1e-5 is usual")
-                     .at(place));
-}
-
 void doubt_undamped_search(Session& session, const Place& place) {
     const Settings& s = session.model.settings;
     if (s.damping != Damping::none || s.contact_damping != 0) return;
-    session.warn(doubt("nothing damps the motion: it does not come to rest",
-                       "damp local 0.8 before `solve`; cycle time T runs undamped motion")
+    session.warn(implausible("nothing damps the motion: it does not come to rest",
+                             "damp local 0.8 before `solve`; cycle time T runs undamped motion")
                      .at(place));
 }
 
@@ -281,8 +235,8 @@ void doubt_gone_blocks(Session& session, const Place& place) {
     if (!session.said_once.insert(fmt::format("left:{}", model.blocks.number[first])).second) return;
     std::string text = body_text(model, {first});
     if (gone.size() > 1) text += " and " + counted(gone.size() - 1, "other block");
-    Diagnostic d =
-        doubt(fmt::format("{} left all others: nothing touches it", text), "look at what drives it, or delete it");
+    Diagnostic d = implausible(fmt::format("{} left all others: nothing touches it", text),
+                               "look at what drives it, or delete it");
     if (model.settings.dynamic) session.show_note(d.at(place));
     else session.warn(d.at(place));
 }
@@ -299,24 +253,16 @@ void doubt_idle_model(Session& session, const Place& place) {
     if (std::ranges::any_of(forces, [](double force) { return force != 0; }) || !none(model.gridpoints.velocity) ||
         !none(model.blocks.velocity))
         return;
-    session.warn(doubt("no force acts and nothing moves: there is no equilibrium to look for",
-                       "gravity 0 0 -9.81 gives weight, apply and boundary give loads")
+    session.warn(implausible("no force acts and nothing moves: there is no equilibrium to look for",
+                             "gravity 0 0 -9.81 gives weight, apply and boundary give loads")
                      .at(place));
-}
-
-void doubt_damping(Session& session, const lang::Damp& command) {
-    using enum lang::Damp::Kind;
-    if ((command.kind == local || command.kind == combined) && command.value.value_or(0) >= 1)
-        session.warn(
-            doubt(fmt::format("a damping factor of {} takes all force from moving bodies", number_text(*command.value)),
-                  "0.8 is usual"));
 }
 
 void doubt_empty_model(Session& session, const Place& place) {
     if (session.model.blocks.empty())
-        session.warn(doubt("there are no blocks: nothing moves", session.model.excavated.blocks.size() > 0
-                                                                     ? "all are excavated: fill puts them back"
-                                                                     : "make them first: poly brick ...")
+        session.warn(implausible("there are no blocks: nothing moves", session.model.excavated.blocks.size() > 0
+                                                                           ? "all are excavated: fill puts them back"
+                                                                           : "make them first: poly brick ...")
                          .at(place));
 }
 

@@ -1,5 +1,6 @@
 // cycle, solve, damp, mscale, fraction.
 #include "commands/stability/factor_of_safety.hpp"
+#include "commands/review/text_doubts.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/plausible.hpp"
 #include "commands/monitors/rest_monitor.hpp"
@@ -122,7 +123,7 @@ void run(Session& session, const lang::Solve& command) {
     }
     doubt_idle_model(session, command.place);
     if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
-    if (limits.ratio) doubt_ratio(session, *limits.ratio, command.place);
+    warn_of(session, doubts_of(command));
     RestMonitor monitor(session.model);
     const RunEnd end = advance_until(session, limits, &monitor);
     session.world.stopped_by = end.why;
@@ -132,7 +133,7 @@ void run(Session& session, const lang::Solve& command) {
 }
 
 void run(Session& session, const lang::Damp& command) {
-    doubt_damping(session, command);
+    warn_of(session, doubts_of(command));
     auto& model = session.model;
     auto& settings = model.settings;
     const auto stiff_part = [&] {

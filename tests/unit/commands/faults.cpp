@@ -72,6 +72,60 @@ const Lines zoned{"model new",
                   "history export '1' file 'a.csv'",
                   "model save 'end'"};
 
+/// A stope with bolts, where structures, scripts and an excavation follow each other.
+const Lines stope{"; a stope with bolts",
+                  "config dynamic",
+                  "; geometry",
+                  "set @span = 6",
+                  "set @depth = 400",
+                  "poly brick -10 10 0 2 -10 10",
+                  "jset dip 60 dd 90 spacing 2 number 4 origin 0 1 0 id 1",
+                  "jset dip 10 dd 270 spacing 2.5 number 3 origin 0 1 0 id 2",
+                  "group block hanging range x 0 10",
+                  "group block foot range x -10 0",
+                  "gen edge 1.5",
+                  "prop mat 1 dens 2700 bulk 5e9 shear 3e9",
+                  "zone model mohr-coulomb",
+                  "zone property cohesion 2e6 friction 35 tension 2e5",
+                  "jmodel model barton-bandis",
+                  "jmodel jkn 2e10 jks 1e10 resfric 28 jrco 8 jcso 8e7 sigmac 1e8 lo 0.1 ln 1",
+                  "insitu stress -8e6 -6e6 -1.1e7 0 0 0 zgrad 0 0 27000 0 0 0",
+                  "bound xvel 0 range x -10",
+                  "bound xvel 0 range x 10",
+                  "bound yvel 0 range y 0",
+                  "bound yvel 0 range y 2",
+                  "bound zvel 0 range z -10",
+                  "bound stress 0 0 -1.1e7 0 0 0 range z 10",
+                  "gravity 0 0 -9.81",
+                  "table 5 0 0 1 1 2 0",
+                  "hist ncyc 20 unbal",
+                  "hist zdis 0 1 3",
+                  "solve ratio 1e-5 cycles 500",
+                  "reset disp",
+                  "excavate range x -3 3 z -3 3",
+                  "structure cable 0 1 3 0 1 9 segments 6 prop 4",
+                  "structure property 4 area 5e-4 young 2e11 yield 2.5e5 kbond 1e7 sbond 2e5",
+                  "fish define closure",
+                  "  local top = block.gp.near(0, 1, 3)",
+                  "  closure = block.gp.disp.z(top)",
+                  "end",
+                  "fish history closure",
+                  "cycle 200",
+                  "[io.out('closure ' + string(closure))]",
+                  "solve ratio 1e-4 cycles 500",
+                  "lua",
+                  "local worst = minimum(\"gridpoint\", \"z\")",
+                  "print((\"worst %g\"):format(worst))",
+                  "endlua",
+                  "title",
+                  "A stope with bolts",
+                  "plot block szz cut dip 90 dd 0 origin 0 1 0 file stope.png",
+                  "plot hist 2 3 vs 1 file curve.svg",
+                  "hist write 2 3 file stope.csv",
+                  "list zones range x -3 3 z 3 5",
+                  "vtk write stope",
+                  "save stope"};
+
 /// One line of a deck in place of another; a fault is found on the line `found`, or on the changed one.
 struct Edit {
     int line;
@@ -111,6 +165,28 @@ const Edit zoned_faults[] = {
     {15, "  top = block.gp.dsip.z(block.gp.near(1, 1, 2))"}, {15, "  top = block.gp.disp.z(block.gp.near(1, 1, 2)"},
     {17, "block mechanical damping lcoal 0.8"}, {18, "model cycle many"}, {19, "[io.out(tpo)]"}, {20, "history export '4' file 'a.csv'"},
     {21, "model save 'nosuch/end'"}, {21, "model restore 'nosuch'"}, {21, "program call 'nosuch.dat'"}, {1, "model nwe"},
+};
+
+const Edit stope_faults[] = {
+    {3, "call nosuch.3dd"}, {4, "set span = 6"}, {5, "set @depth = 400 m"}, {6, "poly brick -10 10 0 2 -10 10x"}, {6, "poly brick 10 -10 0 2 -10 10"},
+    {7, "jset dip 60 dd 90 spacing 2 number 4 origin 0 1 id 1"}, {7, "jset dip 60 dd 90 spacing -2 number 4 origin 0 1 0 id 1"},
+    {8, "jset dip 10 dd 270 spacng 2.5 number 3 origin 0 1 0 id 2"}, {9, "group block hanging range xx 0 10"}, {9, "group blok hanging range x 0 10"},
+    {11, "gen edge"}, {11, "gen edge 0"}, {12, "prop mat 1 dens 2700 bulk 5e9 sheer 3e9"}, {12, "prop mat 1 dens 2700 bulk 5e9"},
+    {12, "prop mat 2 dens 2700 bulk 5e9 shear 3e9", 6}, {13, "zone model mohr-columb"}, {14, "zone property cohesion 2e6 friction 35 tensoin 2e5"},
+    {14, "zone property cohesion 2e6 friction 135 tension 2e5"}, {13, "zone model elastic", 14}, {15, "jmodel model barton-bandi"},
+    {16, "jmodel jkn 2e10 jks 1e10 resfric 28 jrco 8 jcso 8e7 sigmac 1e8 lo 0.1 ln"},
+    {16, "jmodel jkn -2e10 jks 1e10 resfric 28 jrco 8 jcso 8e7 sigmac 1e8 lo 0.1 ln 1"}, {17, "insitu stress -8e6 -6e6 -1.1e7 0 0"},
+    {17, "insitu stress 8e6 6e6 1.1e7 0 0 0 zgrad 0 0 27000 0 0 0"}, {18, "bound xvel range x -10"}, {19, "bound xvel 0 range group sidewall"},
+    {23, "bound stress 0 0 -1.1e7 range z 10"}, {24, "gravity 0 0"}, {25, "table 5 0 0 1"}, {26, "hist ncyc 0 unbal"}, {27, "hist zdisp 0 1 three"},
+    {28, "solve ratio 1e-5 cycles 5e2"}, {28, "solve ratio 1e-5 and"}, {29, "reset displ stress hits"}, {30, "excavate range x 3 -3 z -3 3"},
+    {30, "excavate rang group hangin"}, {31, "structure cable 0 1 3 0 1 3 segments 6 prop 4"}, {31, "structure cable 0 1 3 0 1 9 segments 6 prop 3"},
+    {32, "structure property 4 area 5e-4 yung 2e11 yield 2.5e5 kbond 1e7 sbond 2e5"},
+    {32, "structure property 4 area -5e-4 young 2e11 yield 2.5e5 kbond 1e7 sbond 2e5"}, {34, "  local top = block.gp.naer(0, 1, 3)"},
+    {35, "  closure = block.gp.disp.z(tpo)"}, {36, "edn", 33}, {37, "fish history closrue"}, {38, "cycle -200"},
+    {39, "[io.out('closure ' + string(closr))]"}, {39, "[io.out('closure ' + string(closure)]"}, {42, "local worst = minimun(\"gridpoint\", \"z\")"},
+    {43, "print((\"worst %g\"):format(worst)", 44}, {44, "end lua", 41}, {47, "plot block szz cut dip 90 dd 0 origin 0 1 file stope.png"},
+    {47, "plot block szzz cut dip 90 dd 0 origin 0 1 0 file stope.png"}, {48, "plot hist 2 4 vs 1 file curve.svg"},
+    {50, "list zones range x -3 3 z 5 3"}, {50, "list zone stres range x -3 3 z 3 5"}, {51, "vtk wrte stope"}, {52, "save out/stope"},
 };
 
 /// Lines that are as right as those in their place.
@@ -176,14 +252,16 @@ template <std::size_t n> void expect_right(const Lines& deck, const Edit (&chang
 }
 
 TEST(FaultsOfDecks, AreFound) {
-    static_assert(std::size(rigid_faults) + std::size(zoned_faults) >= 60);
+    static_assert(std::size(rigid_faults) + std::size(zoned_faults) + std::size(stope_faults) >= 140);
     expect_found(rigid, rigid_faults);
     expect_found(zoned, zoned_faults);
+    expect_found(stope, stope_faults);
 }
 
 TEST(FaultsOfDecks, AreNotSeenInRightOnes) {
     EXPECT_TRUE(findings_of(report_on(text_of(rigid, nullptr))).empty());
     EXPECT_TRUE(findings_of(report_on(text_of(zoned, nullptr))).empty());
+    EXPECT_TRUE(findings_of(report_on(text_of(stope, nullptr))).empty());
     expect_right(rigid, rigid_changes);
     expect_right(zoned, zoned_changes);
 }
@@ -204,7 +282,7 @@ TEST(FaultsOfDecks, AreNotSeenInExamplesAndTests) {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const fs::path& deck = entry.path();
             if (deck.extension() != ".3dd" || is_more_than_right(deck)) continue;
-            const auto report = check_deck(deck.string(), {deck.parent_path()}, {KAYA_TEST_JOINTS});
+            const auto report = check_deck(deck.string(), {deck.parent_path()}, {KAYA_TEST_JOINTS, KAYA_TEST_PLUGINS});
             const auto found = findings_of(report);
             EXPECT_TRUE(found.empty()) << deck << ":" << found.front().line << ": " << found.front().text;
             ++decks;
