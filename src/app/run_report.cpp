@@ -25,12 +25,14 @@ std::size_t bytes_of(const std::vector<ReportState>& states) {
 
 } // namespace
 
-std::function<std::vector<std::string>(const std::string&)> property_names_of(JointRegistry& joints) {
+std::function<LawNames(const std::string&)> law_names_of(JointRegistry& joints) {
     return [&joints](const std::string& name) {
-        std::vector<std::string> names;
+        LawNames names;
         if (name.find_first_of("/.") != std::string::npos) return names;
         try {
-            for (const auto& property : joints.get(name).properties) names.push_back(property.name);
+            const JointModel& model = joints.get(name);
+            for (const auto& property : model.properties) names.properties.push_back(property.name);
+            names.states = model.states;
         } catch (const Diagnostic&) { // its values are shown without their names
         }
         return names;
@@ -83,7 +85,7 @@ std::string RunReport::page() {
     order.took = seconds < 60 ? fmt::format("{} s", seconds) : fmt::format("{} min {} s", seconds / 60, seconds % 60);
     order.file = std::filesystem::path(session_.deck).filename().string();
     order.version = program_version();
-    order.property_names = property_names_of(session_.joints);
+    order.law_names = law_names_of(session_.joints);
     if (!states_.empty() && states_.back().cycle > model.clock.cycle) states_.clear();
     order.centre = states_.empty() ? report_centre(model) : centre_;
     order.before = states_;

@@ -15,8 +15,8 @@
 
 namespace kaya {
 
-/// Names of the properties of joint models, in their order; none of a model that is given by a path or cannot be loaded.
-std::function<std::vector<std::string>(const std::string& model)> property_names_of(JointRegistry& joints);
+/// Names of joint models; none of a model that is given by a path or cannot be loaded.
+std::function<LawNames(const std::string& model)> law_names_of(JointRegistry& joints);
 
 /// Watches a session and writes its page at the end.
 class RunReport : private Listener {

@@ -73,7 +73,7 @@ std::string write_report(const std::vector<std::string>& saved, const std::strin
     order.version = program_version();
     JointRegistry joints;
     joints.set_path(joint_folders);
-    order.property_names = property_names_of(joints);
+    order.law_names = law_names_of(joints);
     // The last one is the model of the tables; the earlier ones are its history.
     Model model;
     SaveExtras extras;

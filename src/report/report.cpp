@@ -2,6 +2,7 @@
 
 #include "base/markup_text.hpp"
 #include "report/packed.hpp"
+#include "report/mark_data.hpp"
 #include "report/page_parts.hpp"
 #include "report/scene_data.hpp"
 #include "report/tables.hpp"
@@ -73,7 +74,8 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
                                     {"decks", decks(extras)},
                                     {"scene-data", with_units(states_json(model, order), units)},
                                     {"history-data", histories_json(model.histories, units)},
-                                    {"joint-data", with_units(joint_scene_json(model, order.centre), units)},
+                                    {"joint-data", with_units(joint_scene_json(model, order), units)},
+                                    {"mark-data", with_units(marks_json(model, order.centre), units)},
                                     {"course-data", course_json(order.course)},
                                     {"scripts", of_kind("js")}});
 }

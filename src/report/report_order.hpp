@@ -23,12 +23,16 @@ struct ReportCurve {
     std::vector<double> cycles, values;
 };
 
+/// Names of a joint model, in their order; none when it cannot be loaded.
+struct LawNames {
+    std::vector<std::string> properties, states;
+};
+
 struct ReportOrder {
     std::string file;    ///< name of the save or of the run, for the title
     std::string source;  ///< kind of `file`: "saved model"
     std::string version; ///< of this program
-    /// Names of the properties of a joint model, in their order; empty when it cannot be loaded.
-    std::function<std::vector<std::string>(const std::string& model)> property_names;
+    std::function<LawNames(const std::string& model)> law_names;
     std::vector<ReportState> before; ///< states shown before that of the model, in order
     Vec3 centre = Vec3::Zero();      ///< of all states
     std::vector<ReportCurve> course; ///< progress of the run; none for a saved model

@@ -89,25 +89,32 @@ double length_of(const Model& model, const FieldValue& value) {
     return number ? static_cast<double>(*number) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// A field of texts as JSON.
+std::string names_json(std::string_view title, const std::vector<std::string>& texts) {
+    std::vector<float> values;
+    std::vector<std::string> names;
+    for (const std::string& text : texts) {
+        auto found = std::ranges::find(names, text);
+        if (found == names.end()) found = names.insert(found, text);
+        values.push_back(static_cast<float>(found - names.begin()));
+    }
+    std::ranges::transform(names, names.begin(), json_text);
+    return fmt::format(R"({{"name":{},"unit":"-","of":"block","names":[{}],"values":"{}"}})", json_text(title),
+                       fmt::join(names, ","), packed_values(values));
+}
+
 /// A field as JSON: one value for each row; texts by their number in `names`.
 std::string field_json(const Model& model, const Field& field, const char* of, const std::vector<Row>& rows) {
     std::vector<float> values;
-    std::vector<std::string> names;
+    std::vector<std::string> texts;
     for (const Row row : rows) {
         const FieldValue value = field.get(model, row);
-        if (const auto* text = std::get_if<std::string>(&value)) {
-            const std::string name = text->empty() ? "none" : *text;
-            auto found = std::ranges::find(names, name);
-            if (found == names.end()) found = names.insert(found, name);
-            values.push_back(static_cast<float>(found - names.begin()));
-        } else {
-            values.push_back(static_cast<float>(length_of(model, value)));
-        }
+        if (const auto* text = std::get_if<std::string>(&value)) texts.push_back(text->empty() ? "none" : *text);
+        else values.push_back(static_cast<float>(length_of(model, value)));
     }
-    std::vector<std::string> quoted;
-    for (const auto& name : names) quoted.push_back(json_text(name));
-    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[{}],"values":"{}"}})", json_text(field.name),
-                       json_text(field.unit), of, fmt::join(quoted, ","), packed_values(values));
+    if (!texts.empty()) return names_json(field.name, texts);
+    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[],"values":"{}"}})", json_text(field.name),
+                       json_text(field.unit), of, packed_values(values));
 }
 
 /// A corner of a deformable block has the mean of the zones around it, weighted with their volumes.
@@ -201,9 +208,51 @@ std::string largest_json(const Model& model, const char* name, const char* title
                        json_text(field->unit), packed_values(values));
 }
 
+/// What a joint does, in the words of its model: "slips now, failed before"; of all its sub-contacts.
+std::string joint_states_json(const Model& model, const ReportOrder& order, const std::vector<Row>& contacts) {
+    std::map<std::string, std::vector<std::string>> words; // of each model
+    std::vector<std::string> texts;
+    for (const Row contact : contacts) {
+        std::int64_t bits = 0;
+        const Span span = model.contacts.sub_contacts[contact];
+        for (Row row = span.first; row < span.end(); ++row)
+            bits |= static_cast<std::int64_t>(model.sub_contacts.state[row]);
+        const Row set = model.contacts.properties[contact];
+        const std::string name = set == no_row ? "" : model.joint_properties[static_cast<std::size_t>(set)].model;
+        auto found = words.find(name);
+        if (found == words.end())
+            found =
+                words.emplace(name, order.law_names ? order.law_names(name).states : std::vector<std::string>{}).first;
+        std::vector<std::string_view> said;
+        for (std::size_t bit = 0; bit < found->second.size(); ++bit)
+            if ((bits >> bit & 1) != 0) said.push_back(found->second[bit]);
+        texts.push_back(said.empty() ? "elastic" : fmt::format("{}", fmt::join(said, ", ")));
+    }
+    return names_json("state", texts);
+}
+
+/// The largest slip of the joints around each block.
+std::string slip_json(const Model& model, const std::vector<Row>& blocks) {
+    std::vector<double> largest(model.blocks.size());
+    const auto& contacts = model.contacts;
+    for (Row contact = 0; contact < static_cast<Row>(contacts.size()); ++contact) {
+        const Span span = contacts.sub_contacts[contact];
+        for (Row row = span.first; row < span.end(); ++row) {
+            const double slip = Vec3(model.sub_contacts.shear_displacement[row]).norm();
+            for (const Row block : {contacts.block1[contact], contacts.block2[contact]})
+                largest[block] = std::max(largest[block], slip);
+        }
+    }
+    std::vector<float> values;
+    for (const Row block : blocks) values.push_back(static_cast<float>(largest[block]));
+    return fmt::format(R"({{"name":"joint slip","unit":"length","of":"block","names":[],"values":"{}"}})",
+                       packed_values(values));
+}
+
 } // namespace
 
-std::string joint_scene_json(const Model& model, const Vec3& centre) {
+std::string joint_scene_json(const Model& model, const ReportOrder& order) {
+    const Vec3& centre = order.centre;
     const Box box = box_of(model);
     Surface surface;
     std::vector<Row> shown;
@@ -221,7 +270,7 @@ std::string joint_scene_json(const Model& model, const Vec3& centre) {
                                     largest_json(model, "normal_displacement", "opening", shown),
                                     largest_json(model, "normal_stress", "normal stress", shown),
                                     largest_json(model, "shear_stress", "shear stress", shown),
-                                    largest_json(model, "state", "state", shown)};
+                                    joint_states_json(model, order, shown)};
     for (const char* name : {"area", "joint_set", "model", "block1", "block2"})
         if (const Field* field = find_field(ObjectKind::contact, name))
             fields.push_back(field_json(model, *field, "block", shown));
@@ -247,7 +296,8 @@ std::string scene_json(const Model& model, const Vec3& centre) {
         fields.push_back(stress_json(model, surface, "least compression",
                                      [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
     }
-    for (const char* name : {"group", "material", "region", "id", "volume", "type"})
+    fields.push_back(slip_json(model, blocks));
+    for (const char* name : {"group", "material", "region", "id", "volume"})
         if (const Field* field = find_field(ObjectKind::block, name))
             fields.push_back(field_json(model, *field, "block", blocks));
     return surface_json(surface, centre, (box.high - box.low).norm(), fields);

@@ -19,7 +19,7 @@ Vec3 report_centre(const Model& model);
 std::string scene_json(const Model& model, const Vec3& centre);
 
 /// The same for joints: the polygons where faces are in contact, one object for each contact; null when there is none.
-std::string joint_scene_json(const Model& model, const Vec3& centre);
+std::string joint_scene_json(const Model& model, const ReportOrder& order);
 
 /// A curve as JSON, with numbers of one kind along it.
 std::string curve_json(std::string_view title, std::span<const double> along, std::span<const double> values);

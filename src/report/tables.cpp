@@ -178,7 +178,7 @@ std::string joint_table(const Model& model, const ReportOrder& order) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& [row, contacts] : used) {
         const auto& set = model.joint_properties[static_cast<std::size_t>(row)];
-        const auto names = order.property_names ? order.property_names(set.model) : std::vector<std::string>{};
+        const auto names = order.law_names ? order.law_names(set.model).properties : std::vector<std::string>{};
         std::string values;
         for (std::size_t k = 0; k < set.values.size(); ++k)
             values += fmt::format("{}{}{:.6g}", values.empty() ? "" : ", ", k < names.size() ? names[k] + " " : "",

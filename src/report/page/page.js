@@ -1,4 +1,4 @@
-// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=x&cut=500&side=front&state=3&show=joints&pick=300,200
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=plane&dip=60&dd=90&cut=500&side=front&state=3&show=joints&marks=velocity&bands=1&pick=300,200
 async function unpackScene(scene) {
     for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
         ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
@@ -25,7 +25,19 @@ function endsOf(states, field) {
     return ends;
 }
 
-function showLegend(field, ends) {
+// The colours of bands from low to high, each from one place of the bar to another.
+function bandedColours(ends) {
+    const step = bandStep(ends), length = ends[1] - ends[0] || 1, stops = [];
+    const colour = part => {
+        const at = Math.max(0, Math.min(1, part)) * 8, low = Math.min(Math.floor(at), 7);
+        return `rgb(${viridis[low].map((c, k) => Math.round(c + (at - low) * (viridis[low + 1][k] - c))).join(',')})`;
+    };
+    for (let n = Math.floor(ends[0] / step); step > 0 && n * step < ends[1]; ++n)
+        for (const level of [n, n + 1]) stops.push(`${colour(((n + 0.5) * step - ends[0]) / length)} ${100 * Math.max(0, Math.min(1, (level * step - ends[0]) / length))}%`);
+    return stops.length > 0 ? stops : [colour(0.5), colour(0.5)];
+}
+
+function showLegend(field, ends, bands) {
     const legend = document.getElementById('legend'), css = c => `rgb(${c.join(',')})`;
     legend.replaceChildren();
     const title = document.createElement('div');
@@ -43,7 +55,7 @@ function showLegend(field, ends) {
     }
     const bar = document.createElement('span'), numbers = document.createElement('span');
     bar.className = 'bar';
-    bar.style.background = `linear-gradient(to top, ${viridis.map(css).join(',')})`;
+    bar.style.background = `linear-gradient(to top, ${bands ? bandedColours(ends).join(',') : viridis.map(css).join(',')})`;
     numbers.className = 'ends';
     for (const value of [ends[1], (ends[0] + ends[1]) / 2, ends[0]]) {
         const line = document.createElement('span');
@@ -91,7 +103,8 @@ async function connect(states, view) {
     let scene = states.at(-1).scene;
     view.onrender = showAxes;
     const get = id => document.getElementById(id);
-    const axis = get('axis'), cut = get('cut'), factor = get('factor'), field = get('field'), state = get('state');
+    const allMarks = await readMarks(), marks = get('marks'), bands = get('bands');
+    const axis = get('axis'), cut = get('cut'), dip = get('dip'), direction = get('dd'), factor = get('factor'), field = get('field'), state = get('state');
     let joints = null, fields = scene.fields;
     const listFields = () => { field.replaceChildren(...fields.map((f, i) => new Option(f.name, i))); };
     listFields();
@@ -101,7 +114,9 @@ async function connect(states, view) {
         // Names are counted as in the last state: the same colour is the same name.
         if (f.names.length > 0) f = { ...f, names: wanted.names, values: f.values.map(v => wanted.names.indexOf(f.names[v])) };
         view.colour(f, endsOf(joints ? [joints] : states, wanted));
-        showLegend(f, view.ends);
+        const chosen = allMarks[marks.selectedIndex - 1];
+        if (chosen) showLegend({ ...chosen, names: [] }, view.marks.ends, false);
+        else showLegend(f, view.ends, bands.checked && f.names.length === 0);
     };
     // To the hundredfold in equal steps of the eye.
     factor.oninput = () => {
@@ -110,15 +125,20 @@ async function connect(states, view) {
         get('factor-value').textContent = short(Number(times.toPrecision(2)));
         view.draw();
     };
+    // The part in front of a plane is left out: across an axis, or with a dip and its direction.
     const setCut = () => {
-        const k = axis.selectedIndex, plane = [0, 0, 0, 1e30];
+        const normal = axis.value === 'plane' ? normalOf(Number(dip.value), Number(direction.value)) : ['x', 'y', 'z'].map(name => name === axis.value ? 1 : 0);
         let low = Infinity, high = -Infinity;
-        for (let i = k; i < scene.places.length; i += 3) { low = Math.min(low, scene.places[i]); high = Math.max(high, scene.places[i]); }
-        plane[k] = 1;
-        plane[3] = cut.value === cut.max ? 1e30 : low + (high - low) * cut.value / cut.max;
-        view.state.cut = plane;
+        for (let i = 0; i < scene.places.length; i += 3) {
+            const away = normal[0] * scene.places[i] + normal[1] * scene.places[i + 1] + normal[2] * scene.places[i + 2];
+            low = Math.min(low, away); high = Math.max(high, away);
+        }
+        get('tilt').hidden = axis.value !== 'plane';
+        view.state.cut = [...normal, cut.value === cut.max ? 1e30 : low + (high - low) * cut.value / cut.max];
         view.draw();
     };
+    for (const input of [dip, direction]) input.oninput = setCut;
+    bands.onchange = () => { view.state.bands = bands.checked; field.oninput(); };
     axis.oninput = setCut;
     cut.oninput = setCut;
     // A block that was picked stays picked.
@@ -132,16 +152,26 @@ async function connect(states, view) {
         setCut();
         field.oninput();
     };
-    // Joints are those of the last state.
+    // Joints and marks are those of the last state.
     const what = get('what');
+    const keepLast = () => {
+        state.disabled = what.selectedIndex === 1 || marks.selectedIndex > 0;
+        if (state.disabled) state.value = states.length - 1;
+    };
+    marks.replaceChildren(new Option('none'), ...allMarks.map(set => new Option(set.name)));
+    if (allMarks.length === 0) get('markings').style.display = 'none';
+    marks.oninput = () => {
+        keepLast();
+        view.mark(allMarks[marks.selectedIndex - 1] || null);
+        setState();
+    };
     what.oninput = async () => {
         const asked = what.selectedIndex === 1;
         if (asked) {
             if (!jointScene) await unpackScene(jointScene = readJson('joint-data'));
             joints = { scene: jointScene };
         } else joints = null;
-        state.disabled = asked;
-        if (asked) state.value = states.length - 1;
+        keepLast();
         fields = asked ? jointScene.fields : states.at(-1).scene.fields;
         listFields();
         view.state.picked = -1;
@@ -170,11 +200,15 @@ async function connect(states, view) {
     choose();
     if (asked.get('side') in sides) view.from(asked.get('side'));
     if (asked.has('factor')) factor.value = asked.get('factor');
-    if (asked.has('axis')) axis.value = asked.get('axis');
-    if (asked.has('cut')) cut.value = asked.get('cut');
+    for (const [name, input] of Object.entries({ axis, dip, dd: direction, cut })) if (asked.has(name)) input.value = asked.get(name);
+    bands.checked = view.state.bands = asked.has('bands');
     if (asked.has('state')) state.value = asked.get('state');
     factor.oninput();
     setState();
+    if (allMarks.some(set => set.name === asked.get('marks'))) {
+        marks.value = asked.get('marks');
+        marks.oninput();
+    }
     if (asked.get('show') === 'joints') {
         what.selectedIndex = 1;
         await what.oninput();

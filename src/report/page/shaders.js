@@ -16,6 +16,7 @@ void main() {
     number = block;
     gl_Position = camera * vec4(where, 1.0);
     gl_Position.z -= towards;
+    gl_Position.z += 2e-6 * mod(block, 8.0) * gl_Position.w; // of two faces in one place always the same is seen
 }`;
 
 const faceShader = `#version 300 es
@@ -26,6 +27,7 @@ flat in float number;
 uniform vec4 cut;
 uniform vec2 ends;
 uniform int names;
+uniform float band; // 0: colours change without steps
 uniform bool picking, lines;
 uniform float picked;
 uniform vec3 light;
@@ -46,8 +48,13 @@ void main() {
     vec3 normal = normalize(cross(dFdx(where), dFdy(where)));
     float bright = 0.7 + 0.3 * abs(dot(normal, light));
     vec3 base = vec3(0.8);
-    if (amount == amount) base = names > 0 ? colours[int(mod(amount + 0.5, 8.0)) + 1] : sequential((amount - ends.x) / max(ends.y - ends.x, 1e-30));
+    float shown = band > 0.0 ? (floor(amount / band) + 0.5) * band : amount;
+    if (amount == amount) base = names > 0 ? colours[int(mod(amount + 0.5, 8.0)) + 1] : sequential((shown - ends.x) / max(ends.y - ends.x, 1e-30));
     if (lines) { colour = vec4(vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.2 ? 0.5 : 0.12), 1.0); return; } // seen on dark faces too
+    if (band > 0.0) { // a line where one band ends
+        float level = amount / band;
+        base *= mix(0.4, 1.0, clamp((0.5 - abs(fract(level) - 0.5)) / max(fwidth(level), 1e-6), 0.0, 1.0));
+    }
     if (number == picked) base = vec3(0.95, 0.45, 0.1);
     colour = vec4(bright * base, 1.0);
 }`;

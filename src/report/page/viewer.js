@@ -10,7 +10,8 @@ class BlockView {
         if (!this.gl) throw new Error('this browser has no WebGL 2');
         this.program = this.link();
         this.colours = null;
-        this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1 };
+        this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1, bands: false };
+        this.marks = null;
         this.reset();
         this.show(scene);
         this.listen();
@@ -90,6 +91,32 @@ class BlockView {
         this.ends = ends;
         this.draw();
     }
+    // Marks are drawn between the edges of the blocks; null: none.
+    mark(marks) {
+        const gl = this.gl;
+        if (this.marks) {
+            gl.deleteVertexArray(this.marks.array);
+            for (const old of this.marks.buffers) gl.deleteBuffer(old);
+        }
+        this.marks = null;
+        if (marks) {
+            const solids = markSolids(marks, this.scene.size), array = gl.createVertexArray(), buffers = [];
+            gl.bindVertexArray(array);
+            const made = (target, data) => {
+                buffers.push(gl.createBuffer());
+                gl.bindBuffer(target, buffers.at(-1));
+                gl.bufferData(target, data, gl.STATIC_DRAW);
+            };
+            for (const [index, size, data] of [[0, 3, solids.places], [2, 1, solids.values]]) {
+                made(gl.ARRAY_BUFFER, data);
+                gl.enableVertexAttribArray(index);
+                gl.vertexAttribPointer(index, size, gl.FLOAT, false, 0, 0);
+            }
+            made(gl.ELEMENT_ARRAY_BUFFER, solids.faces);
+            this.marks = { array, buffers, count: solids.faces.length, ends: range(markValues(marks)) };
+        }
+        this.draw();
+    }
     reset() {
         this.fit(Math.PI - 0.5, 0.4); // x to the right, y away
     }
@@ -156,7 +183,9 @@ class BlockView {
         gl.uniform1f(at('factor'), this.state.factor);
         gl.uniform4fv(at('cut'), this.state.cut);
         gl.uniform2fv(at('ends'), this.ends || [0, 1]);
-        gl.uniform1i(at('names'), this.field ? this.field.names.length : 0);
+        const names = this.field ? this.field.names.length : 0;
+        gl.uniform1i(at('names'), names);
+        gl.uniform1f(at('band'), this.state.bands && names === 0 ? bandStep(this.ends || [0, 1]) : 0);
         gl.uniform1f(at('picked'), this.state.picked);
         gl.uniform3fv(at('light'), [0.4, 0.5, 0.77]);
         gl.uniform3fv(at('colours'), (this.field && this.field.names.length > 0 ? named : viridis).flat().map(c => c / 255));
@@ -164,13 +193,26 @@ class BlockView {
         gl.uniform1i(at('lines'), false);
         gl.uniform1f(at('towards'), 0);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.faceBuffer);
-        gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
+        if (picking || !this.marks) gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
         if (!picking && this.onrender) this.onrender(this.axes, coarse);
-        if (picking || !this.state.edges || coarse) return;
+        if (!picking && this.marks) this.renderMarks(at);
+        if (picking || !(this.state.edges || this.marks) || coarse) return;
         gl.uniform1i(at('lines'), true);
         gl.uniform1f(at('towards'), this.towards);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.lineBuffer);
         gl.drawElements(gl.LINES, this.counts.lines, gl.UNSIGNED_INT, 0);
+    }
+    renderMarks(at) {
+        const gl = this.gl;
+        gl.bindVertexArray(this.marks.array);
+        gl.vertexAttrib3f(1, 0, 0, 0); // they do not move with the blocks
+        gl.vertexAttrib1f(3, -2);
+        gl.uniform1i(at('names'), 0);
+        gl.uniform1f(at('band'), 0);
+        gl.uniform2fv(at('ends'), this.marks.ends);
+        gl.uniform3fv(at('colours'), viridis.flat().map(c => c / 255));
+        gl.drawElements(gl.TRIANGLES, this.marks.count, gl.UNSIGNED_INT, 0);
+        gl.bindVertexArray(this.array);
     }
     // The block at a place of the canvas, from 0 on; -1: none.
     pick(x, y) {

@@ -39,7 +39,11 @@ browse(async (page, size) => {
         return count;
     }, { legend, box });
     assert.strictEqual(hidden, 0, `the legend hides ${hidden} pixels on a ${size}`);
-    const click = async () => size === 'phone' ? page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2) : page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    const click = async () => {
+        await blocks.scrollIntoViewIfNeeded();
+        const { x, y, width, height } = await blocks.boundingBox();
+        return size === 'phone' ? page.touchscreen.tap(x + width / 2, y + height / 2) : page.mouse.click(x + width / 2, y + height / 2);
+    };
     await click();
     const picked = () => page.textContent('#picked');
     assert.match(await picked(), /^block \d+\n(.*\n)*displacement: .* length\nvelocity: /);
@@ -50,12 +54,35 @@ browse(async (page, size) => {
     for (const key of ['ArrowLeft', '+']) await page.keyboard.press(key);
     await frame();
     assert.ok(!before.equals(await blocks.screenshot()), 'keys do not turn the model');
+    // Arrows, principal stresses, bands and an oblique cut change the picture.
+    let last = await blocks.screenshot();
+    const changes = async (what, change) => {
+        await change();
+        await frame();
+        const now = await blocks.screenshot();
+        assert.ok(!now.equals(last), `${what} does not change the picture on a ${size}`);
+        last = now;
+    };
+    for (const name of ['displacement', 'velocity', 'contact force', 'principal stress']) {
+        await changes(`arrows of ${name}`, () => page.selectOption('#marks', name));
+        assert.match(await page.textContent('#legend'), new RegExp(`^${name}`));
+    }
+    await changes('no arrows', () => page.selectOption('#marks', 'none'));
+    await changes('bands', () => page.check('#bands'));
+    await changes('a cut', () => page.fill('#cut', '500'));
+    assert.ok(await page.isHidden('#dip'), 'a dip is asked for a cut across an axis');
+    await changes('a plane', () => page.selectOption('#axis', 'plane'));
+    await changes('a dip', () => page.fill('#dip', '35'));
+    await changes('a dip direction', () => page.fill('#dd', '200'));
+    assert.deepStrictEqual(await cutTexts(page), [], size);
+    assert.deepStrictEqual(await barriers(page), [], size);
+    await page.fill('#cut', '1000');
     await page.selectOption('#what', 'joints');
     await page.waitForFunction(() => [...document.querySelectorAll('#field option')].some(option => option.text === 'joint_set'));
     await page.click('#sides button:text-is("isometric")');
     await frame();
     await click();
-    assert.match(await picked(), /^joint \d+\n/);
+    assert.match(await picked(), /^joint \d+\nshear displacement: (.*\n)*normal stress: (.*\n)*state: [a-z]/);
     await page.locator('#course-curves svg').first().hover();
     assert.match(await page.textContent('#course-curves .read >> nth=0'), /^cycle [\d,]+: /);
 }).catch(problem => {
