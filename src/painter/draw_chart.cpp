@@ -28,13 +28,15 @@ namespace kaya {
 
 namespace {
 
-void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>& curves,
-              std::vector<double> Curve::*values, int about, int font) {
+Ticks ticks_of(const std::vector<Curve>& curves, std::vector<double> Curve::*values, int about) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Curve& curve : curves)
         for (const double value : curve.*values)
             if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
-    const Ticks ticks = round_ticks(low, high, about);
+    return round_ticks(low, high, about);
+}
+
+void set_ticks(vtkAxis* axis, const Ticks& ticks) {
     vtkNew<vtkDoubleArray> places;
     vtkNew<vtkStringArray> labels;
     for (const double value : ticks.values()) {
@@ -44,6 +46,10 @@ void set_axis(vtkAxis* axis, const std::string& label, const std::vector<Curve>&
     axis->SetBehavior(vtkAxis::FIXED);
     axis->SetRange(ticks.low, ticks.high);
     axis->SetCustomTickPositions(places, labels);
+}
+
+void set_axis(vtkAxis* axis, const std::string& label, const Ticks& ticks, int font) {
+    set_ticks(axis, ticks);
     axis->SetTitle(label);
     use_font(axis->GetTitleProperties());
     use_font(axis->GetLabelProperties());
@@ -123,6 +129,15 @@ void add_net(vtkChartXY* chart, int font) {
     }
 }
 
+/// To be called when the axes have their places.
+void equalize(vtkChartXY* chart, const std::vector<Curve>& curves) {
+    vtkAxis *across = chart->GetAxis(vtkAxis::BOTTOM), *upward = chart->GetAxis(vtkAxis::LEFT);
+    Ticks x = ticks_of(curves, &Curve::x, 7), y = ticks_of(curves, &Curve::y, 6);
+    make_equal(x, y, across->GetPoint2()[0] - across->GetPoint1()[0], upward->GetPoint2()[1] - upward->GetPoint1()[1]);
+    set_ticks(across, x);
+    set_ticks(upward, y);
+}
+
 /// A corner of the chart.
 struct Corner {
     bool right, top;
@@ -175,11 +190,12 @@ std::string png_of(const Chart& given) {
     vtkNew<vtkChartXY> chart;
     view->GetScene()->AddItem(chart);
     chart->SetAutoSize(false); // a margin on all sides
-    // A net is as wide as high.
+    // A net is as wide as high, and leaves more room on its right for the legend.
+    const auto net_side = static_cast<float>(std::min(width - 8 * font, height - 8 * font)),
+               net_left = 0.3F * (static_cast<float>(width) - net_side);
     if (given.net) {
-        const auto side = static_cast<float>(std::min(width - 8 * font, height - 8 * font));
         chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-        chart->SetSize(vtkRectf((static_cast<float>(width) - side) / 2, static_cast<float>(3.5 * font), side, side));
+        chart->SetSize(vtkRectf(net_left, static_cast<float>(3.5 * font), net_side, net_side));
     } else
         chart->SetSize(vtkRectf(static_cast<float>(font), static_cast<float>(font),
                                 static_cast<float>(width - 3 * font), static_cast<float>(height - 2 * font)));
@@ -189,18 +205,30 @@ std::string png_of(const Chart& given) {
     if (given.net) add_net(chart, font);
     else {
         // The empty line separates the name from the numbers.
-        set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, given.curves, &Curve::x, 7, font);
-        set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label + "\n", given.curves, &Curve::y, 6, font);
+        set_axis(chart->GetAxis(vtkAxis::BOTTOM), "\n" + given.x_label, ticks_of(given.curves, &Curve::x, 7), font);
+        set_axis(chart->GetAxis(vtkAxis::LEFT), given.y_label + "\n", ticks_of(given.curves, &Curve::y, 6), font);
     }
     for (std::size_t i = 0; i < given.curves.size(); ++i)
         add_curve(chart, given.curves[i], i, static_cast<float>(font / 6.0));
     chart->SetShowLegend(given.curves.size() > 1 || given.net);
     use_font(chart->GetLegend()->GetLabelProperties());
     chart->GetLegend()->SetLabelSize(font);
-    const Corner corner = given.net ? Corner{true, true} : free_corner(given);
-    chart->GetLegend()->SetHorizontalAlignment(corner.right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
-    chart->GetLegend()->SetVerticalAlignment(corner.top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
+    chart->GetLegend()->SetSymbolWidth(2 * font);
+    chart->GetLegend()->SetPadding(font / 2);
+    if (given.net) { // beside the circle
+        chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::CUSTOM);
+        chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::CUSTOM);
+        chart->GetLegend()->SetPoint(net_left + net_side + static_cast<float>(font), static_cast<float>(height) / 2);
+    } else {
+        const Corner corner = free_corner(given);
+        chart->GetLegend()->SetHorizontalAlignment(corner.right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
+        chart->GetLegend()->SetVerticalAlignment(corner.top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
+    }
     view->GetRenderWindow()->Render(); // the chart takes its place by the first one
+    if (given.equal && !given.net) {
+        equalize(chart, given.curves);
+        view->GetRenderWindow()->Render();
+    }
     return png_of(image_of(view->GetRenderWindow(), given.paper, finer), given.paper);
 }
 

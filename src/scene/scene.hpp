@@ -91,10 +91,11 @@ struct Chart {
     std::vector<Curve> curves;
     bool net =
         false; ///< of directions, seen from above: a circle of radius 1 around the origin with the four cardinal directions, and no axes
+    bool equal = false; ///< a length is as long across as upward
     Paper paper{};
     template <class Visit> void parts(Visit&& visit) {
         visit(title), visit(x_label), visit(y_label), visit(width), visit(height), visit(curves), visit(net),
-            visit(paper);
+            visit(equal), visit(paper);
     }
 };
 

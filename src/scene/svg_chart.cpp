@@ -122,14 +122,15 @@ std::string svg_of(const Chart& chart) {
     }
     const double font = std::max(10.0, chart.width / 70.0);
     const bool legend = chart.curves.size() > 1 || chart.net;
-    const Frame f = chart.net ? net_frame(chart, font)
-                              : Frame{round_ticks(x.low, x.high, 7),
-                                      round_ticks(y.low, y.high, 6),
-                                      7 * font,
-                                      chart.width - 2 * font,
-                                      4 * font,
-                                      chart.height - (legend ? 6.0 : 4.5) * font,
-                                      font};
+    Frame f = chart.net ? net_frame(chart, font)
+                        : Frame{round_ticks(x.low, x.high, 7),
+                                round_ticks(y.low, y.high, 6),
+                                7 * font,
+                                chart.width - 2 * font,
+                                4 * font,
+                                chart.height - (legend ? 6.0 : 4.5) * font,
+                                font};
+    if (chart.equal && !chart.net) make_equal(f.x, f.y, f.right - f.left, f.bottom - f.top);
     std::string svg =
         fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                     "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",

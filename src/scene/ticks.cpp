@@ -41,9 +41,20 @@ Ticks round_ticks(double low, double high, int about) {
 
 std::vector<double> Ticks::values() const {
     std::vector<double> all;
-    const auto count = std::llround((high - low) / step);
-    for (long long k = 0; k <= count; ++k) all.push_back(low + static_cast<double>(k) * step);
+    const double first = std::ceil(low / step - 1e-9) * step, last = std::floor(high / step + 1e-9) * step;
+    const auto count = std::llround((last - first) / step);
+    for (long long k = 0; k <= count; ++k) all.push_back(first + static_cast<double>(k) * step);
     return all;
+}
+
+void make_equal(Ticks& x, Ticks& y, double width, double height) {
+    const double across = (x.high - x.low) / width, upward = (y.high - y.low) / height;
+    Ticks& narrow = across < upward ? x : y;
+    const double middle = (narrow.low + narrow.high) / 2,
+                 half = std::max(across, upward) * (across < upward ? width : height) / 2;
+    constexpr int about = 7;
+    narrow = {middle - half, middle + half,
+              std::max(narrow.step, round_ticks(middle - half, middle + half, about).step)};
 }
 
 std::string Ticks::label(double value) const {

@@ -7,13 +7,15 @@
 
 namespace kaya {
 
-/// Multiples of 1, 2 or 5 times a power of ten that enclose a range, about five of them.
+/// Multiples of 1, 2 or 5 times a power of ten that enclose a range, about five of them; or a wider range around them.
 struct Ticks {
     double low = 0, high = 1, step = 1;
     std::vector<double> values() const;
     std::string label(double value) const;
 };
 Ticks round_ticks(double low, double high, int about = 5);
+/// Widens one of two ranges around its middle, so that a unit is as long across as upward on an area of this size.
+void make_equal(Ticks& x, Ticks& y, double width, double height);
 /// The round length, 1, 2 or 5 times a power of ten, that is nearest below `most`, above 0.
 double round_length(double most);
 /// A value with four digits, as short as it can be written: 0.006413, -1.25e6.

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -110,7 +112,8 @@ Scene scene_of(Session& session, const PlotView& view) {
     Scene scene = view.settings;
     if (scene.title.empty())
         scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
-    scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
+    if (session.model.clock.cycle > 0)
+        scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
     const auto has = [&](PlotItem::Kind kind) {
         return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end();
     };
@@ -173,6 +176,30 @@ Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
     return chart;
 }
 
+/// "m" of "height [m]".
+std::string_view unit_in(const std::string& label) {
+    const auto open = label.rfind('[');
+    if (open == label.npos) return {};
+    return std::string_view(label).substr(open + 1, label.find_first_of(",]", open) - open - 1);
+}
+
+/// Whether both axes have lengths in one unit, and neither is five times as long as the other.
+bool compares_lengths(const Chart& chart) {
+    constexpr std::array<std::string_view, 7> lengths{"length", "m", "cm", "mm", "km", "ft", "in"};
+    const std::string_view unit = unit_in(chart.x_label);
+    if (unit != unit_in(chart.y_label) || std::ranges::find(lengths, unit) == lengths.end()) return false;
+    const auto size = [&](std::vector<double> Curve::*values) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Curve& curve : chart.curves)
+            for (const double value : curve.*values)
+                if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+        return high - low;
+    };
+    constexpr double most = 5;
+    const double across = size(&Curve::x), upward = size(&Curve::y);
+    return across < most * upward && upward < most * across;
+}
+
 Chart chart_of(Session& session, const PlotView& view) {
     if (const auto net = std::ranges::find(view.items, PlotItem::Kind::net, &PlotItem::kind); net != view.items.end()) {
         if (view.items.size() > 1)
@@ -184,6 +211,7 @@ Chart chart_of(Session& session, const PlotView& view) {
     chart.height = view.settings.height;
     chart.title = !view.settings.title.empty() ? view.settings.title : session.title;
     for (const PlotItem& item : view.items) {
+        const std::size_t before = chart.curves.size();
         if (item.kind == PlotItem::Kind::histories) add_histories(session.model.histories, item, chart);
         else
             for (const std::int64_t number : item.numbers) {
@@ -195,6 +223,7 @@ Chart chart_of(Session& session, const PlotView& view) {
                     chart.curves.emplace_back(Curve{given.empty() ? fmt::format("table {}", number) : given, {}, {}});
                 for (const auto& [x, y] : found->second.points) curve.x.push_back(x), curve.y.push_back(y);
             }
+        for (std::size_t i = before; i < chart.curves.size(); ++i) chart.curves[i].marks = item.marks;
         if (!item.x_label.empty()) chart.x_label = item.x_label;
         if (!item.y_label.empty()) chart.y_label = item.y_label;
     }
@@ -206,6 +235,8 @@ Chart chart_of(Session& session, const PlotView& view) {
     if (session.units.given() && chart.x_label == "time") chart.x_label = "time [time]";
     for (std::string* text : {&chart.x_label, &chart.y_label}) *text = session.units.in_brackets(*text);
     for (Curve& curve : chart.curves) curve.name = session.units.in_brackets(curve.name);
+    chart.equal = compares_lengths(chart);
+    for (const PlotItem& item : view.items) chart.equal = item.equal.value_or(chart.equal);
     return chart;
 }
 

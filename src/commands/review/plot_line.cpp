@@ -267,6 +267,11 @@ private:
             if (take_number(value)) item().versus = std::llround(value);
             return true;
         }
+        if (item().kind >= PlotItem::Kind::histories && take({"marks", "points"})) return item().marks = true;
+        if (item().kind >= PlotItem::Kind::histories && take({"equal"})) {
+            take({"axes", "axis"});
+            return item().equal = !take({"off"}), take({"on"}), true;
+        }
         if (take({"xaxis", "x-axis"})) return take({"label"}), item().x_label = take_text(), true;
         if (take({"yaxis", "y-axis"})) return take({"label"}), item().y_label = take_text(), true;
         return false;

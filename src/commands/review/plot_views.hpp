@@ -38,7 +38,9 @@ struct PlotItem {
     std::vector<std::int64_t> numbers; ///< of histories and tables; below 0: upside down
     std::optional<std::int64_t> versus;
     std::string x_label, y_label;
-    std::string range; ///< a range phrase, "" for all that is visible
+    bool marks = false;        ///< a curve is a row of small circles
+    std::optional<bool> equal; ///< axes of a chart; none: where both are lengths of one size
+    std::string range;         ///< a range phrase, "" for all that is visible
 };
 
 struct PlotView {

@@ -258,8 +258,8 @@ private:
     Chart picture(const SlopeColumns& columns) const {
         Chart chart;
         chart.title = fmt::format("{}: {:.3f}", name_of(best_method_), best_->answer.factor);
-        chart.x_label = "distance";
-        chart.y_label = "height";
+        chart.x_label = session_.units.in_brackets("distance [length]");
+        chart.y_label = session_.units.in_brackets("height [length]");
         Curve blocks{"blocks", {}, {}}, joints{"joints", {}, {}}, water{"water", {}, {}},
             surface{"slip surface", {}, {}};
         const auto draw = [](Curve& curve, const SectionPoint& point) {
@@ -287,7 +287,8 @@ private:
         for (Curve* curve : {&blocks, &joints, &water, &surface}) // the surface on top
             if (std::ranges::any_of(curve->x, [](double x) { return std::isfinite(x); }))
                 chart.curves.push_back(std::move(*curve));
-        // Equal scales, approximately: axes and titles take the rest.
+        // The height of equal scales: axes and titles take the rest.
+        chart.equal = true;
         const SectionPoint size = high - low;
         chart.height = static_cast<std::int32_t>(std::clamp(1000 * size.y() / size.x() + 190, 400.0, 1600.0));
         return chart;

@@ -145,6 +145,22 @@ TEST(Numbers, AreShortAndLengthsRound) {
         EXPECT_NEAR(round_length(most), round, 1e-12) << most;
 }
 
+TEST(Ticks, OfEqualAxesCoverTheDataWithOneScale) {
+    for (const auto& [wide, high] : {std::pair{12.0, 6.0}, {1.0, 500.0}, {500.0, 1.0}, {1e-6, 3e-6}}) {
+        Ticks x = round_ticks(-wide, wide), y = round_ticks(0, high);
+        const Ticks before_x = x, before_y = y;
+        make_equal(x, y, 1000, 600);
+        EXPECT_NEAR((x.high - x.low) / 1000, (y.high - y.low) / 600, 1e-12 * (x.high - x.low));
+        EXPECT_LE(x.low, before_x.low + 1e-9 * wide);
+        EXPECT_GE(y.high, before_y.high - 1e-9 * high);
+        for (const Ticks& ticks : {x, y}) {
+            EXPECT_THAT(ticks.values().size(), testing::AllOf(testing::Ge(2u), testing::Le(14u)));
+            EXPECT_GE(ticks.values().front(), ticks.low - 1e-9 * ticks.step);
+            EXPECT_LE(ticks.values().back(), ticks.high + 1e-9 * ticks.step);
+        }
+    }
+}
+
 TEST(Ticks, AreRoundAndEncloseTheRange) {
     EXPECT_THAT(round_ticks(0, 0.0103).values().size(), testing::AllOf(testing::Ge(3u), testing::Le(8u)));
     EXPECT_DOUBLE_EQ(round_ticks(-0.3, 9.7).low, -2);
