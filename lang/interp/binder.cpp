@@ -169,7 +169,17 @@ bool begins_alike(const CommandSpec& spec, const CommandSpec& other) {
     // Suggested when near, not listed: the list of keywords is long enough.
     if (spec.range_without_word) add_words(candidates, *spec.range_elements, asked);
     const std::string name = spec.name();
-    reader.unknown(fmt::format("a keyword of {}", name), candidates, ShortList(listed, name, reader.peek()).words());
+    try {
+        reader.unknown(fmt::format("a keyword of {}", name), candidates,
+                       ShortList(listed, name, reader.peek()).words());
+    } catch (Diagnostic& mistake) {
+        // `print` is used for variables, too.
+        const bool is_word = reader.peek()->kind == WordKind::word;
+        if (name == "list" && is_word && words.front().folded.starts_with("pr") &&
+            mistake.hint.starts_with("expected: "))
+            mistake.message += fmt::format(": a FISH variable is @{}", reader.peek()->text);
+        throw;
+    }
 }
 
 /// True when the next word opens the range phrase.

@@ -12,7 +12,7 @@ namespace kaya {
 
 namespace {
 
-/// Of a larger model every second, third ... mark is shown: more could not be told apart.
+/// Of a larger model every second, third ... mark is shown: more would cover each other.
 constexpr std::size_t most_marks = 15000;
 
 /// Marks at places: one vector each, or three at right angles with their signed lengths.

@@ -5,6 +5,8 @@
 #include "commands/plot/pictures.hpp"
 #include "lang/commands/language.hpp"
 #include "lang/interp/deck.hpp"
+#include "lang/interp/named_word.hpp"
+#include "lang/modern/language.hpp"
 #include "model/fields/sampling.hpp"
 #include "pictures/picture_page.hpp"
 #include "scene/svg_chart.hpp"
@@ -388,10 +390,13 @@ void run(Session& session, const lang::Plot& command) {
     auto& plots = session.plots;
     const bool named_first = choose_plot(session, words);
     PlotLine line = read_plot_line(words, command.range, plots.views[plots.current]);
-    if (!line.unknown.empty())
-        session.warn_once(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
-                          line.meant.empty() ? "docs/commands/plot.md lists what it draws"
-                                             : fmt::format("did you mean '{}'?", line.meant));
+    if (!line.unknown.empty()) {
+        Diagnostic ignored(fmt::format("plot ignores '{}'", fmt::join(line.unknown, " ")),
+                           line.meant.empty() ? "docs/commands/plot.md lists what it draws"
+                                              : fmt::format("did you mean '{}'?", line.meant));
+        lang::place_problem(ignored, lang::language(), command.place);
+        if (session.said_once.insert(ignored.message).second) session.warn(std::move(ignored));
+    }
     switch (line.task) {
     case PlotLine::Task::draw: {
         PlotView once = std::move(line.view);
