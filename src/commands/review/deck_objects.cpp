@@ -270,6 +270,12 @@ void DeckObjects::check_plot(const lang::Plot& plot, const lang::BoundCommand& c
         if (item.versus && *item.versus > 0) use_history(*item.versus, command, Severity::warning);
     }
     for (std::size_t k = before; k < found_.size(); ++k) found_[k].code = said_by_the_run;
+    const bool draws = line.task == PlotLine::Task::draw && line.unknown.empty();
+    if (draws && line.items.empty() && made_plots_ == 0)
+        found_.push_back(finding("no picture: the line names nothing to draw",
+                                 "write for example: plot block disp file a.png", "implausible", Severity::warning)
+                             .at(command.place));
+    if (line.task != PlotLine::Task::draw) ++made_plots_;
 }
 
 /// What acts on blocks before the first of them.

@@ -56,6 +56,7 @@ private:
     };
     std::vector<Idle> idle_; ///< histories and loads since the last cycle
     bool histories_open_ = false, blocks_ = false, cycled_ = false, ended_ = false;
+    int made_plots_ = 0; ///< lines that describe a picture for a later line
     std::vector<Diagnostic> found_;
 };
 

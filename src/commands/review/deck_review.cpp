@@ -92,6 +92,8 @@ Diagnostic doubt(std::string message, std::string hint, const Place& place) {
 void DeckReview::file(const lang::BoundFile& file) {
     if (!seen_.insert(&file).second) return;
     if (on_file) on_file(file);
+    if (file.steps.empty() && seen_.size() == 1)
+        other_.push_back(doubt("this deck has no command", "is it the right file?", {file.source, 1, 1, 1}));
     for (const auto& step : file.steps) {
         statement(step.command, false);
         if (step.called) this->file(*step.called);

@@ -77,6 +77,14 @@ std::vector<Diagnostic> doubts_of(const lang::Damp& command) {
         "0.8 is usual")};
 }
 
+std::vector<Diagnostic> doubts_of(const lang::HistoryWrite& command) {
+    for (const std::string_view other : {".xls", ".xlsx", ".mat", ".ods"})
+        if (command.file.ends_with(other))
+            return {implausible(fmt::format("'{}' gets text: histories are written with commas", command.file),
+                                "a name with .csv opens as a table")};
+    return {};
+}
+
 std::vector<Diagnostic> doubts_of(const lang::Solve& command) {
     if (command.ratio.value_or(0) < 1) return {};
     return {implausible(fmt::format("a ratio of {} is reached before the first cycle", number_text(*command.ratio)),
@@ -102,6 +110,7 @@ std::vector<Diagnostic> text_doubts(const std::any& command) {
     add_doubts<lang::InSitu>(command, all);
     add_doubts<lang::Damp>(command, all);
     add_doubts<lang::Solve>(command, all);
+    add_doubts<lang::HistoryWrite>(command, all);
     if (const auto* property = std::any_cast<lang::Property>(&command)) add_angles(property->items, all);
     if (const auto* joint = std::any_cast<lang::JointModelCommand>(&command)) add_angles(joint->items, all);
     return all;

@@ -20,6 +20,8 @@ std::vector<Diagnostic> doubts_of(const lang::InSitu& command);
 std::vector<Diagnostic> doubts_of(const lang::Damp& command);
 /// A limit that is met before the first cycle.
 std::vector<Diagnostic> doubts_of(const lang::Solve& command);
+/// A history for a spreadsheet's own format.
+std::vector<Diagnostic> doubts_of(const lang::HistoryWrite& command);
 /// An angle of friction that looks like radians.
 Diagnostic radian_doubt(const lang::Property::Item& item);
 bool may_be_radians(const lang::Property::Item& item);

@@ -2,6 +2,8 @@
 #include "commands/run/files.hpp"
 
 #include "base/lower_case.hpp"
+#include "commands/review/text_doubts.hpp"
+#include "commands/session/plausible.hpp"
 #include "commands/session/autosave.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/joint_files.hpp"
@@ -181,6 +183,7 @@ std::int64_t history_number(const Histories& histories, const std::string& name)
 } // namespace
 
 void run(Session& session, const lang::HistoryWrite& command) {
+    warn_of(session, doubts_of(command));
     const auto& histories = session.model.histories;
     try {
         if (histories.all.empty()) throw Diagnostic("there are no histories to write", "hist records one: hist unbal");

@@ -197,9 +197,10 @@ void doubt_joints(Session& session) {
                     "normal stiffness {}: the weight of the model closes the joint by {:.1e}, less than places resolve",
                     number_text(*stiffness), weight / *stiffness),
                 "about ten times the modulus of the rock over the size of a block is stiff enough");
-        constexpr double stiffest = 10, softest = 1e-4; // of shear, to that of normal stiffness
+        constexpr double stiffest = 10,
+                         softest = 1e-4; // of shear, to that of normal stiffness; 0 and no friction: a smooth joint
         if (!unresolved && stiffness && shear && *stiffness > 0 && *shear > 0 &&
-            (*shear > stiffest * *stiffness || *shear < softest * *stiffness))
+            (*shear > stiffest * *stiffness || (friction.value_or(0) > 0 && *shear < softest * *stiffness)))
             say(fmt::format("shear stiffness {} with a normal stiffness of {}", number_text(*shear),
                             number_text(*stiffness)),
                 "joints have 0.1 to 1 times the normal stiffness: are both in the same unit?");
