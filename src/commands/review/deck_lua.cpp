@@ -1,6 +1,8 @@
 #include "commands/review/deck_lua.hpp"
 
 #include "commands/review/deck_finding.hpp"
+#include "lang/interp/command_words.hpp"
+#include "lang/modern/language.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +15,8 @@ namespace {
 constexpr std::array<std::string_view, 22> keywords{
     "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+
+bool is_command(const std::string& name) { return !lang::commands_called(lang::language(), name).empty(); }
 
 bool starts_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool continues_name(char c) { return starts_name(c) || (c >= '0' && c <= '9'); }
@@ -97,8 +101,10 @@ std::vector<Diagnostic> DeckLua::findings(const std::vector<std::string>& names)
         if (mentioned_.contains(name) || std::ranges::find(names, name) != names.end()) continue;
         const auto near = did_you_mean(name, known);
         found.push_back(finding(fmt::format("Lua has no function '{}'", name),
-                                near.empty() ? "define it before: function name(...) ... end"
-                                             : fmt::format("did you mean '{}'?", near),
+                                !near.empty() ? fmt::format("did you mean '{}'?", near)
+                                : is_command(name)
+                                    ? fmt::format("a command is given as a text: command('{} ...')", name)
+                                    : "define it before: function name(...) ... end",
                                 "unknown-word", Severity::warning)
                             .at(place));
     }

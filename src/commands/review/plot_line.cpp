@@ -66,6 +66,7 @@ private:
         const auto& word = words_[at_];
         if (!word.quoted && !number_at(at_)) {
             if (line_.unknown.empty()) line_.meant = did_you_mean(word.folded, possible_words());
+            if (line_.meant == word.folded) line_.meant.clear(); // of another item
             line_.unknown.push_back(word.text);
         }
         ++at_;
