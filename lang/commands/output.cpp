@@ -232,7 +232,7 @@ CommandSpec list() {
     entry.wrong("list time 5", "expected a keyword of list, found '5'");
     entry.wrong("list blocks 1.5", "blocks takes a whole number, not 1.5");
     entry.wrong("list blocks z", "a number is missing after 'z'");
-    entry.wrong("print x", "'x' is not a keyword of list");
+    entry.wrong("print x", "'x' is not a keyword of list: a FISH variable is @x");
     entry.wrong("print hist one", "'one' does not follow 'list hist'");
     entry.wrong("list time zonse", "'zonse' is not a keyword of list");
     entry.wrong("list 5", "expected a keyword of list, found '5'");
