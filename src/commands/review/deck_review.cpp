@@ -267,7 +267,12 @@ void DeckReview::find_folder(const lang::BoundCommand& command) {
     const std::string file = command.late ? std::string() : file_written_by(command);
     const fs::path folder = fs::path(file).parent_path();
     std::error_code failed;
-    if (!file.empty() && fs::is_directory(file, failed)) {
+    // A name without a suffix gets one, beside a folder of that name.
+    const bool is_save = command.command.type() == typeid(lang::Save);
+    const fs::path written = is_save ? fs::path(save_name(file)) : fs::path(file);
+    const bool names_a_folder =
+        written.filename().empty() || fs::path(file).filename() == "." || fs::path(file).filename() == "..";
+    if (!file.empty() && (names_a_folder || (written.has_extension() && fs::is_directory(written, failed)))) {
         Diagnostic d(fmt::format("'{}' is a folder", file), "give the name of a file");
         d.code = "no-file";
         lang::place_problem(d, lang::language(), command.place);
