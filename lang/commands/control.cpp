@@ -54,7 +54,7 @@ CommandSpec set() {
             // The units one by one: m kg s Pa.
             for (int i = 0; i < 3 && Units::begins_with(*set.units); ++i) *set.units += "-" + reader.text(units.spec);
         },
-        "names the units of pictures, histories and reports and checks values against them; converts nothing");
+        "names the units of lists, pictures, histories and reports and checks values against them; converts nothing");
     const auto seed = integer("n").at_least(0).optional();
     entry.special(
         {Spelling{"random", 3}}, {seed.spec},

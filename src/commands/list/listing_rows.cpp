@@ -49,9 +49,9 @@ std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectK
 }
 
 /// A line for each row, up to the longest table; the rest is counted.
-std::string rows_text(const Model& model, const std::vector<Row>& rows, ObjectKind kind,
+std::string rows_text(const Model& model, const Units& units, const std::vector<Row>& rows, ObjectKind kind,
                       const std::vector<ListColumn>& columns) {
-    RowTable table(model, kind, columns);
+    RowTable table(model, units, kind, columns);
     for (const Row row : rows) {
         if (table.size() == longest_table) break;
         table.add(row);
@@ -72,10 +72,11 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
                       const std::vector<ListColumn>& columns) {
     const std::vector<Row> rows = shown_rows(session, command, kind);
     if (rows.empty()) return none_text(command, kind);
-    return rows_text(session.model, rows, kind, subject_columns(command, columns));
+    return rows_text(session.model, session.units, rows, kind, subject_columns(command, columns));
 }
 
-std::string blocks_text(const Model& model, const std::vector<Row>& rows, const lang::List& command) {
+std::string blocks_text(const Model& model, const Units& units, const std::vector<Row>& rows,
+                        const lang::List& command) {
     const auto& blocks = model.blocks;
     if (rows.empty()) return none_text(command, ObjectKind::block);
     const auto fixed = [&](Row row) -> std::string {
@@ -97,7 +98,7 @@ std::string blocks_text(const Model& model, const std::vector<Row>& rows, const 
     const std::vector<ListColumn> others = {
         {"least", [&](Row row) { return value_text(model, block_box(model, row).low); }},
         {"greatest", [&](Row row) { return value_text(model, block_box(model, row).high); }}};
-    return rows_text(model, rows, ObjectKind::block, subject_columns(command, usual, others));
+    return rows_text(model, units, rows, ObjectKind::block, subject_columns(command, usual, others));
 }
 
 const JointProperties* properties_of(const Model& model, Row contact) {
@@ -119,14 +120,14 @@ std::string state_text(const Session& session, Row contact, std::uint32_t state)
 } // namespace
 
 std::string list_blocks(Session& session, const lang::List& command) {
-    return blocks_text(session.model, shown_rows(session, command, ObjectKind::block), command);
+    return blocks_text(session.model, session.units, shown_rows(session, command, ObjectKind::block), command);
 }
 
 std::string list_excavated(Session& session, const lang::List& command) {
     const Model kept = excavated_model(session.model);
     if (kept.blocks.empty()) return "no excavated blocks";
     const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, session.range_extras(true));
-    return blocks_text(kept, select(kept, ObjectKind::block, test), command);
+    return blocks_text(kept, session.units, select(kept, ObjectKind::block, test), command);
 }
 
 std::string list_gridpoints(Session& session, const lang::List& command) {
@@ -147,7 +148,7 @@ std::string list_boundary(Session& session, const lang::List& command) {
                   [&](Row row) { return held_at(row) == 0 && points.roller[row] == 0 && points.load[row].isZero(); });
     if (rows.empty()) return "no boundary conditions";
     const auto held = [&](Row row) { return fixity_text(session.model, held_at(row), points.roller[row]); };
-    return rows_text(session.model, rows, ObjectKind::gridpoint,
+    return rows_text(session.model, session.units, rows, ObjectKind::gridpoint,
                      {{"gridpoint", "id"}, "block", "position", {"held", held}, "velocity", "load"});
 }
 

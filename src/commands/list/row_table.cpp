@@ -8,9 +8,19 @@ namespace kaya {
 
 namespace {
 
-std::vector<std::string> headings_of(const std::vector<ListColumn>& columns) {
+/// Of a number with a unit; null for other columns.
+const Field* measured(ObjectKind kind, const ListColumn& column) {
+    const Field* field = column.text ? nullptr : find_field(kind, column.field);
+    return field == nullptr || field->unit.empty() || field->unit == "-" ? nullptr : field;
+}
+
+std::vector<std::string> headings_of(const Units& units, ObjectKind kind, const std::vector<ListColumn>& columns) {
     std::vector<std::string> headings;
-    for (const auto& column : columns) headings.emplace_back(column.heading);
+    for (const auto& column : columns) {
+        const Field* field = units.given() ? measured(kind, column) : nullptr;
+        headings.push_back(field == nullptr ? std::string(column.heading)
+                                            : fmt::format("{} [{}]", column.heading, units.label(field->unit)));
+    }
     return headings;
 }
 
@@ -33,8 +43,8 @@ std::string value_text(const Model& model, const FieldValue& value) {
     return number ? std::to_string(*number) : "-";
 }
 
-RowTable::RowTable(const Model& model, ObjectKind kind, const std::vector<ListColumn>& columns)
-    : table_(headings_of(columns)) {
+RowTable::RowTable(const Model& model, const Units& units, ObjectKind kind, const std::vector<ListColumn>& columns)
+    : table_(headings_of(units, kind, columns)) {
     for (const auto& column : columns) columns_.push_back(text_of(model, kind, column));
 }
 

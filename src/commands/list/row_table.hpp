@@ -1,6 +1,7 @@
 // A table with a line for each row of a kind of object.
 #pragma once
 
+#include "base/units.hpp"
 #include "commands/program/text_table.hpp"
 #include "model/fields/field.hpp"
 
@@ -30,8 +31,8 @@ std::string value_text(const Model& model, const FieldValue& value);
 
 class RowTable {
 public:
-    /// The model must outlive it.
-    RowTable(const Model& model, ObjectKind kind, const std::vector<ListColumn>& columns);
+    /// The model must outlive it. Headings of fields name their units, if the session has any: "volume [m^3]".
+    RowTable(const Model& model, const Units& units, ObjectKind kind, const std::vector<ListColumn>& columns);
 
     void add(Row row);
     std::size_t size() const { return table_.size(); }

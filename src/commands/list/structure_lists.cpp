@@ -39,7 +39,7 @@ std::string properties_text(const Structures& structures) {
     return table.text();
 }
 
-std::string cable_text(const Model& model, Row cable) {
+std::string cable_text(const Model& model, const Units& units, Row cable) {
     const auto& nodes = model.structures.cable_nodes;
     const Span span = model.structures.cables.nodes[cable];
     const auto grout_state = [&](Row node) {
@@ -49,7 +49,7 @@ std::string cable_text(const Model& model, Row cable) {
     const auto bar_state = [&](Row node) {
         return has_bar(nodes, node) ? state_text(nodes.bar_state[node], "yields", "yielded") : "-";
     };
-    RowTable table(model, ObjectKind::cable_node,
+    RowTable table(model, units, ObjectKind::cable_node,
                    {{"node", [&](Row node) { return std::to_string(node - span.first + 1); }},
                     "block",
                     "x",
@@ -155,7 +155,7 @@ std::string members_text(const Model& model) {
     return text;
 }
 
-std::string elements_text(const Model& model, Row member) {
+std::string elements_text(const Model& model, const Units& units, Row member) {
     const auto& members = model.structures.members;
     const bool beam = members.kind[member] == beam_kind;
     const Span span = beam ? members.beams[member] : members.liners[member];
@@ -186,7 +186,8 @@ std::string elements_text(const Model& model, Row member) {
                                            {"moment xy", "moment_xy"},
                                            {"greatest stress", "greatest_stress"},
                                            {"least stress", "least_stress"}};
-    RowTable table(model, beam ? ObjectKind::beam_element : ObjectKind::liner_element, beam ? of_beam : of_liner);
+    RowTable table(model, units, beam ? ObjectKind::beam_element : ObjectKind::liner_element,
+                   beam ? of_beam : of_liner);
     for (Row row = span.first; row < span.end() && table.size() < longest_table; ++row) table.add(row);
     std::string text = table.text();
     if (static_cast<std::size_t>(span.count) > longest_table)
@@ -202,9 +203,11 @@ std::string list_structures(Session& session, const lang::List& command) {
     if (!model.structures.any()) return "no structures";
     if (command.number) {
         const auto number = static_cast<std::int32_t>(*command.number);
-        if (const Row member = member_of_number(model, number); member != no_row) return elements_text(model, member);
+        if (const Row member = member_of_number(model, number); member != no_row)
+            return elements_text(model, session.units, member);
         const auto found = std::ranges::find(cables.number, number);
-        if (found != cables.number.end()) return cable_text(model, static_cast<Row>(found - cables.number.begin()));
+        if (found != cables.number.end())
+            return cable_text(model, session.units, static_cast<Row>(found - cables.number.begin()));
         return fmt::format("no structure {}", number);
     }
     std::string text;
