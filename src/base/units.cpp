@@ -48,7 +48,7 @@ std::string symbol(const System& system, std::string_view word) {
     if (word == "velocity") return fmt::format("{}/{}", system.length, system.time);
     if (word == "acceleration") return fmt::format("{}/{}^2", system.length, system.time);
     if (word == "density") return fmt::format("{}/{}^3", system.mass, system.length);
-    if (word == "angle") return "rad"; // where an angle is in degrees, its unit is degrees
+    if (word == "radians") return "rad";
     return {};
 }
 

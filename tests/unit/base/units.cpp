@@ -15,7 +15,7 @@ TEST(Units, LabelQuantities) {
     EXPECT_EQ(si.label("mass/length^3"), "kg/m^3");
     EXPECT_EQ(si.label("length^4"), "m^4");
     EXPECT_EQ(si.label("moment/length"), "N*m/m");
-    EXPECT_EQ(si.label("angle in radians/time"), "angle in radians/s");
+    EXPECT_EQ(si.label("angle in radians/time"), "angle in rad/s");
     EXPECT_EQ(si.label("-"), "-");
     EXPECT_EQ(Units("MPa-m").label("density"), "kt/m^3");
     EXPECT_EQ(Units("in lb s psi").label("force/velocity"), "lbf/(in/s)");
