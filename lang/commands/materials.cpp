@@ -11,7 +11,7 @@ namespace kaya::lang {
 
 bool read_property_item(Reader& reader, std::vector<Property::Item>& items) {
     const Word& word = *reader.peek();
-    if (word.kind != WordKind::word) return false;
+    if (word.kind != WordKind::word || word.text == "?") return false;
     const std::size_t index = static_cast<std::size_t>(&word - reader.statement().words.data());
     const auto& words = reader.statement().words;
     const Word* next = index + 1 < words.size() ? &words[index + 1] : nullptr;

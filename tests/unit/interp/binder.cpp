@@ -242,6 +242,7 @@ TEST(Binder, QuestionMarkListsTheChoices) {
     EXPECT_EQ(mistake("new ?").message, "nothing more is allowed here");
     EXPECT_NE(mistake("hide range plane ?").message.find("above"), std::string::npos);
     EXPECT_NE(mistake("hide range ?").message.find("sphere"), std::string::npos);
+    EXPECT_NE(mistake("prop mat 1 ?").message.find("density"), std::string::npos);
 }
 
 TEST(Binder, NamesAreWildcardsUntilTheyHaveValues) {
