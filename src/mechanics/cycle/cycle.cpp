@@ -91,7 +91,7 @@ void Cycle::prepare() {
         take_zone_laws();
         share_masses(model_, s.laws);
         part_cell_motion(model_, s.laws);
-        zone_frequencies(model_, s.elastic, &s.laws);
+        zone_frequencies(model_, s.laws);
         add_tie_frequencies(model_, s.ties);
     }
     if (model_.stale.lists() || model_.stale.properties()) {
@@ -256,7 +256,7 @@ void Cycle::limit_step(const StepSums& sums, ContactChange change, bool may_grow
     times_.timed(Phase::step, [&] {
         if (may_grow) {
             check_crushed_zones(model_);
-            zone_frequencies(model_, s.elastic, &s.laws);
+            zone_frequencies(model_, s.laws);
             add_tie_frequencies(model_, s.ties);
         }
         const auto bodies = may_grow                                               ? TimeStep::Bodies::all_and_grow

@@ -71,7 +71,6 @@ void take_cells_from_history(Model& model, const ZoneLaws& laws) {
     Zones& zones = model.zones;
     constexpr std::size_t least = 2; // columns before them
     for_cells(laws, [&](const ZoneLaw& law, Row first) {
-        if (law.model->flows()) return;
         const std::size_t column = std::max(law.model->history.size(), least);
         const auto move = [&](std::size_t from, Column<double>& to) {
             if (from >= static_cast<std::size_t>(zones.history_columns)) return;

@@ -105,8 +105,7 @@ void add_forces_of_zones(const Model& model, const CellField& place, const SixZo
 }
 
 /// Forces of the zones of these cells.
-CellForces own_forces(const Model& model, const TileRows& rows, CellGroupCorners corners, Row zone, Row cells) {
-    const CellField place = from_first(rows.places(), corners);
+CellForces own_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
     CellForces forces = ruled_forces(model, rows, place, zone, cells);
     SixZones stress;
     for (Row z = 0; z < zones_of_cell; ++z)
@@ -337,43 +336,49 @@ ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, c
     return CellRun(model, tiles, tile, law, scratch, forces).run();
 }
 
+namespace {
+
+/// Forces of cells that flow, and of the bending that they keep from a time when they were elastic.
+CellForces flowing_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
+    const CellForces own = zones_alone(model, place, zone, cells);
+    if (!model.zones.keeps_warps) return own;
+    WarpStress held;
+    load_warps(model.zones.warp, zone, cells, held);
+    if (!resists(held)) return own;
+    return both(own, forces_of(CellShape(place, RuledFaces(rows.ruled(zone))), SixEights{}, held));
+}
+
+/// Forces of cells whose zones strain together.
+CellForces elastic_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
+    const Zones& zones = model.zones;
+    const CellShape shape(place, RuledFaces(rows.ruled(zone)));
+    WarpStress warp;
+    load_warps(zones.warp, zone, cells, warp);
+    SixEights viscous{};
+    if (zones_are_damped(model)) {
+        viscous = load_six(zones.dashpot[zone].data(), to_next_cell, cells);
+        if (zones.keeps_warp_dashpots) { // not before the first step
+            WarpStress more;
+            load_warps(zones.warp_dashpot, zone, cells, more);
+            warp = added(warp, 1, more);
+        }
+    }
+    if (zones.keeps_cell_motion || !are_alike(zones.stress, zone, cells))
+        return both(forces_of(shape, viscous, warp), own_forces(model, rows, place, zone, cells));
+    return forces_of(shape, sum(load_six(zones.stress[zone].data(), to_next_cell, cells), viscous), warp);
+}
+
+} // namespace
+
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  std::vector<PointRow>& forces) {
     const TileRows rows(model, tiles, tile);
     TileForces sums(tile, forces);
-    const bool kept = model.zones.keeps_cell_motion, damped = zones_are_damped(model);
+    const auto of_cells = law.together == Together::flow_in_cells ? flowing_forces : elastic_forces;
     for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
         const Row cells = cells_from(zone, tile.last);
         const CellGroupCorners corners = rows.cells_at(zone);
-        const CellField place = from_first(rows.places(), corners);
-        if (law.together == Together::flow_in_cells) {
-            CellForces own = zones_alone(model, place, zone, cells);
-            WarpStress held{};
-            if (model.zones.keeps_warps) load_warps(model.zones.warp, zone, cells, held);
-            if (resists(held))
-                own = both(own, forces_of(CellShape(place, RuledFaces(rows.ruled(zone))), SixEights{}, held));
-            sums.add(corners, cells, own);
-            continue;
-        }
-        const CellShape shape(place, RuledFaces(rows.ruled(zone)));
-        WarpStress warp;
-        load_warps(model.zones.warp, zone, cells, warp);
-        SixEights viscous{};
-        if (damped) {
-            viscous = load_six(model.zones.dashpot[zone].data(), to_next_cell, cells);
-            if (model.zones.keeps_warp_dashpots) { // not before the first step
-                WarpStress more;
-                load_warps(model.zones.warp_dashpot, zone, cells, more);
-                warp = added(warp, 1, more);
-            }
-        }
-        if (kept || !are_alike(model.zones.stress, zone, cells))
-            sums.add(corners, cells,
-                     both(forces_of(shape, viscous, warp), own_forces(model, rows, corners, zone, cells)));
-        else
-            sums.add(
-                corners, cells,
-                forces_of(shape, sum(load_six(model.zones.stress[zone].data(), to_next_cell, cells), viscous), warp));
+        sums.add(corners, cells, of_cells(model, rows, from_first(rows.places(), corners), zone, cells));
     }
 }
 

@@ -64,7 +64,7 @@ private:
     FlowGroup& group_at(const Place& at) { return groups_[static_cast<std::size_t>(at.first_row / zones_of_group)]; }
 
     double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
-    /// What averaging over the cell changes: nothing with `zone nmd off`.
+    /// The change by averaging over the cell: none with `zone nmd off`.
     Eight averaged(const Eight& change) const { return averages_ ? change : Eight{}; }
 
     /// Strains of the step, and the stresses turned with the material.

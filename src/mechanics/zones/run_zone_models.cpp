@@ -228,8 +228,7 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
 /// Forces of all zones of a tile from their present stresses.
 void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
-    if (law.together == Together::flow_in_cells || law.together == Together::cells)
-        return cell_forces(model, laws.tiles, tile, law, forces);
+    if (by_cells(law.together)) return cell_forces(model, laws.tiles, tile, law, forces);
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
     const bool damped = zones_are_damped(model);
@@ -274,11 +273,11 @@ void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
         if (model.zones.keeps_warps) model.zones.keep_warp_dashpots();
     }
     find_pressure(model, scratch.pressure);
-    if (laws.any_averages_at_points()) average_strain(model, laws, scratch);
+    if (laws.any(Together::at_points)) average_strain(model, laws, scratch);
 }
 
 bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
-    return model.settings.water == Water::none && !laws.any_averages_at_points();
+    return model.settings.water == Water::none && !laws.any(Together::at_points);
 }
 
 ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
@@ -297,7 +296,7 @@ ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratc
         tiles.size(), 1, ZoneSums{},
         [&](std::size_t first, std::size_t) { return run_tile(model, laws, tiles[first], scratch, forces); },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
-    if (laws.any_averages_at_points()) sums.add(average_flow(model, laws, scratch, forces));
+    if (laws.any(Together::at_points)) sums.add(average_flow(model, laws, scratch, forces));
     return sums;
 }
 

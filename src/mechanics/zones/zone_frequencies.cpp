@@ -38,10 +38,13 @@ std::array<Vec3, 4> places(const Model& model, Row z) {
     return x;
 }
 
-double greatest_eigenvalue(const Mat3& squares) {
+/// Of a volume 1 whose gradients have these products with themselves: the largest eigenvalue of its stiffness matrix, equation (7) of
+/// docs/theory/time-step.md.
+double stiffness_of(const Mat3& squares, const ElasticConstants& elastic) {
     Eigen::SelfAdjointEigenSolver<Mat3> solver;
     solver.computeDirect(squares, Eigen::EigenvaluesOnly);
-    return (1 + rounding) * solver.eigenvalues()[2];
+    const double greatest = (1 + rounding) * solver.eigenvalues()[2];
+    return std::max(elastic.lambda, 0.0) * squares.trace() + elastic.two_shear * greatest;
 }
 
 /// Adds cells that strain together.
@@ -70,11 +73,10 @@ double stiffness_of_cell(const std::array<Vec3, 8>& place, const ElasticConstant
     }
     Mat3 squares = Mat3::Zero();
     for (const Vec3& b : gradient) squares += b * b.transpose() / (volume * volume);
-    return with_warps * volume *
-           (std::max(elastic.lambda, 0.0) * squares.trace() + elastic.two_shear * greatest_eigenvalue(squares));
+    return with_warps * volume * stiffness_of(squares, elastic);
 }
 
-void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws) {
+void zone_frequencies(Model& model, const ZoneLaws& laws) {
     auto& g = model.gridpoints;
     std::fill(g.zone_frequency.begin(), g.zone_frequency.end(), 0.0);
     constexpr std::size_t blocks_in_chunk = 4;
@@ -82,18 +84,17 @@ void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic
     for_chunks(model.blocks.size(), blocks_in_chunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b) {
             const Span zones = model.blocks.zones[b];
-            // The largest eigenvalue of a zone's stiffness matrix: equation (7) of docs/theory/time-step.md.
-            const auto& [lambda, two_shear] = elastic[b];
-            if (zones.count > 0 && laws && laws->of_block(static_cast<Row>(b)).together == Together::cells) {
-                add_cells(model, zones, elastic[b]);
+            if (zones.count == 0) continue;
+            const ZoneLaw& law = laws.of_block(static_cast<Row>(b));
+            if (law.together == Together::cells) {
+                add_cells(model, zones, law.elastic);
                 continue;
             }
             for (Row z = zones.first; z < zones.end(); ++z) {
                 const Corners now(places(model, z));
                 Mat3 squares = Mat3::Zero();
                 for (const auto& gradient : now.gradient) squares += gradient * gradient.transpose();
-                const double largest = greatest_eigenvalue(squares);
-                const double stiffness = (std::max(lambda, 0.0) * squares.trace() + two_shear * largest) * now.volume;
+                const double stiffness = stiffness_of(squares, law.elastic) * now.volume;
                 for (const Row row : model.zones.gridpoints[z]) g.zone_frequency[row] += stiffness / g.mass[row];
             }
         }

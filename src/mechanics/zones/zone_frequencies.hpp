@@ -7,7 +7,6 @@
 #include "model/tables/model.hpp"
 
 #include <array>
-#include <vector>
 
 namespace kaya {
 
@@ -16,7 +15,6 @@ class ZoneLaws;
 /// Greatest eigenvalue, or more, of the stiffness of an elastic cell with these corners: equation (7a) of docs/theory/time-step.md.
 double stiffness_of_cell(const std::array<Vec3, 8>& place, const ElasticConstants& elastic);
 
-/// `elastic` has the constants of the blocks.
-void zone_frequencies(Model& model, const std::vector<ElasticConstants>& elastic, const ZoneLaws* laws = nullptr);
+void zone_frequencies(Model& model, const ZoneLaws& laws);
 
 } // namespace kaya

@@ -182,13 +182,8 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
         law_of_[b] = found->second;
     }
     const auto law_of = [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); };
-    tiles = ZoneTiles(model, law_of, [&](std::size_t law) {
-        const Together together = laws[law].together;
-        return together == Together::cells || together == Together::flow_in_cells ? zones_of_cell : 1;
-    });
-    const bool any_cells =
-        std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.together == Together::cells; });
-    if (!any_cells || model.zones.keeps_warps) return;
+    tiles = ZoneTiles(model, law_of, [&](std::size_t law) { return by_cells(laws[law].together) ? zones_of_cell : 1; });
+    if (!any(Together::cells) || model.zones.keeps_warps) return;
     model.zones.keep_warps();
     take_cells_from_history(model, *this);
 }
@@ -220,8 +215,8 @@ bool can_be_reduced(const ZoneModel& model) {
     return std::ranges::any_of(model.properties, [](const auto& p) { return p.reduction != KAYA_ZREDUCE_NONE; });
 }
 
-bool ZoneLaws::any_averages_at_points() const {
-    return std::ranges::any_of(laws, [](const ZoneLaw& law) { return law.together == Together::at_points; });
+bool ZoneLaws::any(Together together) const {
+    return std::ranges::find(laws, together, &ZoneLaw::together) != laws.end();
 }
 
 } // namespace kaya

@@ -19,6 +19,9 @@ enum class Together {
     cells          ///< elastic zones strain cell by cell, and bend and twist as hexahedra do
 };
 
+/// Whether the six zones of a cell stay together.
+inline bool by_cells(Together together) { return together == Together::flow_in_cells || together == Together::cells; }
+
 /// A zone model with values.
 struct ZoneLaw {
     const ZoneModel* model;
@@ -36,7 +39,7 @@ public:
 
     const ZoneLaw& of_block(Row block) const { return laws[static_cast<std::size_t>(law_of_[block])]; }
     std::vector<ElasticConstants> elastic_constants() const; ///< by block, zero for rigid ones
-    bool any_averages_at_points() const;
+    bool any(Together together) const;
 
     std::vector<ZoneLaw> laws;
     ZoneTiles tiles;
