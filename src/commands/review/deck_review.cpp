@@ -38,6 +38,14 @@ bool reads(const lang::BoundCommand& command, std::string Command::*file, const 
     return found != nullptr;
 }
 
+/// A file that a command cannot read or write.
+Diagnostic no_file(std::string message, std::string hint, const Place& command) {
+    Diagnostic d(std::move(message), std::move(hint));
+    d.code = "no-file";
+    lang::place_problem(d, lang::language(), command);
+    return d;
+}
+
 /// A file that a command writes; empty when it writes none.
 std::string file_written_by(const lang::BoundCommand& command) {
     using namespace lang;
@@ -269,21 +277,15 @@ void DeckReview::find_folder(const lang::BoundCommand& command) {
     std::error_code failed;
     // A name without a suffix gets one, beside a folder of that name.
     const bool is_save = command.command.type() == typeid(lang::Save);
-    const fs::path written = is_save ? fs::path(save_name(file)) : fs::path(file);
-    const bool names_a_folder =
-        written.filename().empty() || fs::path(file).filename() == "." || fs::path(file).filename() == "..";
+    const fs::path given(file), written(is_save ? save_name(file) : file);
+    const bool names_a_folder = written.filename().empty() || given.filename() == "." || given.filename() == "..";
     if (!file.empty() && (names_a_folder || (written.has_extension() && fs::is_directory(written, failed)))) {
-        Diagnostic d(fmt::format("'{}' is a folder", file), "give the name of a file");
-        d.code = "no-file";
-        lang::place_problem(d, lang::language(), command.place);
-        other_.push_back(std::move(d));
+        other_.push_back(no_file(fmt::format("'{}' is a folder", file), "give the name of a file", command.place));
         return;
     }
     if (folder.empty() || folder.is_absolute() || may_have_written_ || fs::exists(folder, failed)) return;
-    Diagnostic d(fmt::format("there is no folder '{}' for '{}'", folder.string(), file), "make the folder first");
-    d.code = "no-file";
-    lang::place_problem(d, lang::language(), command.place);
-    other_.push_back(std::move(d));
+    other_.push_back(no_file(fmt::format("there is no folder '{}' for '{}'", folder.string(), file),
+                             "make the folder first", command.place));
 }
 
 /// Functions of the deck are known, and those of FISH write where their names say so.
@@ -328,11 +330,8 @@ void DeckReview::find_file(const lang::BoundCommand& command) {
         may_have_written_ = true;
     }
     if (may_be_written) return;
-    Diagnostic d(fmt::format("there is no {} file '{}'", read.kind, read.name),
-                 "it is searched next to the deck and in the current folder");
-    d.code = "no-file";
-    lang::place_problem(d, lang::language(), read.place);
-    other_.push_back(std::move(d));
+    other_.push_back(no_file(fmt::format("there is no {} file '{}'", read.kind, read.name),
+                             "it is searched next to the deck and in the current folder", read.place));
 }
 
 void DeckReview::check_lua_file(const fs::path& path, const std::string& name, const Place& place) {
