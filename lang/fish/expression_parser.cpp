@@ -290,7 +290,7 @@ void Line::expect_end(std::string_view after) {
 
 namespace {
 
-/// What a value that is missing before a sign was meant to be.
+/// The likely meaning of a sign where a value is missing.
 std::string_view hint_for_missing(const Token& found) {
     if (found.is_sign("*")) return "a value stands before it; powers are written a ^ b";
     if (found.is_sign("/")) return "a comment begins with ;";

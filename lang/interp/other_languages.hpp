@@ -11,7 +11,7 @@ namespace kaya::lang {
 /// What to say of a statement that is none of kaya's and looks like one of another program.
 std::optional<Diagnostic> other_language(const Statement& statement);
 
-/// What to do with a line that begins with no command: a prompt, a comment of another language, a variable. Empty for others.
+/// Advice for a line that begins with no command: a prompt, a comment of another language, a variable. Empty for others.
 std::string_view odd_line_hint(const Statement& statement);
 
 } // namespace kaya::lang

@@ -208,7 +208,7 @@ std::string largest_json(const Model& model, const char* name, const char* title
                        json_text(field->unit), packed_values(values));
 }
 
-/// What a joint does, in the words of its model: "slips now, failed before"; of all its sub-contacts.
+/// The states of a joint in the words of its model, "slips now, failed before"; of all its sub-contacts.
 std::string joint_states_json(const Model& model, const ReportOrder& order, const std::vector<Row>& contacts) {
     std::map<std::string, std::vector<std::string>> words; // of each model
     std::vector<std::string> texts;

@@ -87,9 +87,9 @@ using OnBlocks = lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, l
                                    lang::Fix, lang::Free, lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu,
                                    lang::Excavate, lang::Hide, lang::Delete, lang::Mark, lang::CycleCommand,
                                    lang::Solve, lang::LimitEquilibrium, lang::VtkWrite, lang::Export>;
-/// What may follow in another deck: histories and loads after the last cycle are not in vain.
+/// Whether cycles may follow in another deck: histories and loads after the last cycle are not in vain.
 using HandsOver = lang::CommandList<lang::Save, lang::LuaFile, lang::LimitEquilibrium>;
-/// What acts in cycles only.
+/// Whether a command acts in cycles only.
 using ActInCycles = lang::CommandList<lang::Gravity, lang::Apply, lang::Boundary>;
 
 constexpr std::array nouns{"group", "named range", "table"};

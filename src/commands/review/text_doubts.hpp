@@ -1,4 +1,4 @@
-// What is valid in the text of a command and cannot be meant: the check of a deck and the run say it in the same words.
+// Texts of commands that are valid and cannot be meant: the check of a deck and the run report them in the same words.
 #pragma once
 
 #include "base/diagnostic.hpp"

@@ -10,7 +10,7 @@ namespace kaya {
 
 class Session;
 
-/// What the text of a command tells (review/text_doubts.hpp).
+/// Shows the doubts that the text of a command raises (review/text_doubts.hpp) as warnings.
 void warn_of(Session& session, std::vector<Diagnostic> doubts);
 /// Angles of friction that look like radians.
 void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items);
