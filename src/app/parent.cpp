@@ -48,6 +48,13 @@ void suffer(int signal) {
     ::sigprocmask(SIG_BLOCK, &one, nullptr); // it was stopped and is continued
 }
 
+/// A stop now would take a request to continue away that came after the run was stopped.
+bool is_to_continue() {
+    sigset_t pending;
+    ::sigpending(&pending);
+    return ::sigismember(&pending, SIGCONT) == 1;
+}
+
 bool is_copy_of_run(pid_t process) {
     namespace fs = std::filesystem;
     const std::string folder = fmt::format("/proc/{}", process);
@@ -101,7 +108,7 @@ int wait_for(pid_t run, const sigset_t& all) {
         while (::waitpid(run, &status, WNOHANG | WUNTRACED) == run) {
             if (!WIFSTOPPED(status)) return status;
             tell_stop(WSTOPSIG(status));
-            suffer(WSTOPSIG(status));
+            if (!is_to_continue()) suffer(WSTOPSIG(status));
         }
     }
 }
