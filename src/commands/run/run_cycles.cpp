@@ -19,8 +19,11 @@
 #include "model/kinds/nearest.hpp"
 #include "model/measure/time_step_fraction.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -349,6 +352,8 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     return span;
 }
 
+constexpr auto most_cycles = std::numeric_limits<std::int64_t>::max();
+
 RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monitor) {
     make_ready(session);
     session.autosave->begins();
@@ -357,7 +362,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     if (monitor) note_added_mass(session);
     const Clock start = session.model.clock;
     Target target;
-    if (limits.cycles) target.cycle = start.cycle + *limits.cycles;
+    if (limits.cycles) target.cycle = start.cycle + std::min<std::int64_t>(*limits.cycles, most_cycles - start.cycle);
     if (limits.time) target.time = start.time + *limits.time;
 
     Progress progress(session.output, session.model, target);

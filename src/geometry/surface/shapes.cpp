@@ -1,6 +1,7 @@
 #include "geometry/surface/shapes.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/stop_point.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -201,7 +202,7 @@ std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
     const TunnelGrid grid(tunnel);
     std::vector<Polyhedron> blocks;
     for (int slice = 0; slice < tunnel.axial; ++slice)
-        for (int step = 0; step < grid.steps(); ++step)
+        for (int step = 0; step < grid.steps(); ++step, stop_point())
             for (int ring = 0; ring < tunnel.radial; ++ring) {
                 std::array<std::vector<Vec3>, 2> ends;
                 for (int end = 0; end < 2; ++end)
@@ -216,7 +217,7 @@ std::vector<Polyhedron> make_tunnel(const TunnelBlocks& tunnel) {
 std::vector<Polyhedron> make_tunnel_core(const TunnelBlocks& tunnel) {
     const TunnelGrid grid(tunnel);
     std::vector<Polyhedron> blocks;
-    for (int slice = 0; slice < tunnel.axial; ++slice) {
+    for (int slice = 0; slice < tunnel.axial; ++slice, stop_point()) {
         std::array<std::vector<Vec3>, 2> ends;
         for (int end = 0; end < 2; ++end)
             for (int step = 0; step < grid.steps(); ++step) ends[end].push_back(grid.corner(0, step, slice + end));
