@@ -12,6 +12,7 @@ void warn_of_overlaps(Session& session, Row first, const Place& place) {
     if (session.said_once.contains(once)) return;
     const Model& model = session.model;
     for (Row row = first; row < static_cast<Row>(model.blocks.size()); ++row) {
+        if (session.is_to_stop()) return; // the blocks are made: the run stops after this command
         const Row other = session.occupied.overlapped_by(model, row);
         if (other == no_row) continue;
         session.said_once.insert(once);
