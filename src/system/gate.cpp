@@ -264,8 +264,9 @@ Gate::Route Gate::route_to(const fs::path& file, Use use) {
     if (use == Use::read && is_named(whole)) return from_root(); // a library that was allowed, by another path
     const auto folders = folders_for(use);
     refuse_outside(file, whole, folders);
-    // Installers that save room give equal libraries one file of many names.
-    const bool plain = use != Use::read || is_below(whole, policy_.folders);
+    // Installers that save room give equal libraries one file of many names, also below the working folder.
+    const bool library = is_below(whole, policy_.libraries) && whole.extension() == ".so";
+    const bool plain = use != Use::read || (is_below(whole, policy_.folders) && !library);
     if (plain) refuse_special(file, whole);
     const auto folder = std::ranges::find_if(folders, [&](const fs::path& one) { return lies_below(whole, one); });
     Descriptor& opened = opened_[*folder];
