@@ -31,7 +31,7 @@ std::string given(double value) { return std::isnan(value) ? "-" : number_text(v
 
 /// Largest of a quantity and where it is.
 struct Extreme {
-    std::string_view name;
+    std::string_view name, quantity;
     double value = 0;
     Vec3 place = Vec3::Zero();
 
@@ -41,6 +41,12 @@ struct Extreme {
         place = where;
     }
 };
+
+/// A heading with the unit of its numbers, if the session names units: "value [N*m]".
+std::string measured(const Session& session, std::string_view heading, std::string_view quantity) {
+    return session.units.given() ? fmt::format("{} [{}]", heading, session.units.label(quantity))
+                                 : std::string(heading);
+}
 
 /// One of the two normals of a plane: the one that points up; of a vertical plane the one that points east, or north.
 bool points_up(const Vec3& normal) {
@@ -134,9 +140,10 @@ std::string list_time(Session& session, const lang::List&) {
 
 std::string list_unbalanced(Session& session, const lang::List&) {
     const auto& clock = session.model.clock;
-    return fmt::format("unbalanced force = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
-                       number_text(clock.unbalanced_force), number_text(clock.average_ratio),
-                       number_text(clock.maximum_ratio), number_text(clock.local_ratio), clock.cycle);
+    return fmt::format("{} = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
+                       measured(session, "unbalanced force", "force"), number_text(clock.unbalanced_force),
+                       number_text(clock.average_ratio), number_text(clock.maximum_ratio),
+                       number_text(clock.local_ratio), clock.cycle);
 }
 
 std::string list_information(Session& session, const lang::List&) {
@@ -158,7 +165,7 @@ std::string list_information(Session& session, const lang::List&) {
         {"histories", m.histories.all.size()},
     };
     for (const auto& [name, count] : counts) table.add({name, std::to_string(count)});
-    table.add({"unbalanced force", number_text(m.clock.unbalanced_force)});
+    table.add({measured(session, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
     return table.text();
 }
 
@@ -173,9 +180,10 @@ std::string list_time_step(Session& session, const lang::List&) {
 
 std::string list_extremes(Session& session, const lang::List&) {
     const auto& model = session.model;
-    Extreme displacement{"displacement"}, velocity{"velocity"}, most_compressive{"most compressive stress"},
-        most_tensile{"most tensile stress"}, shear{"joint shear displacement"}, closure{"joint closure"},
-        opening{"joint opening"};
+    Extreme displacement{"displacement", "length"}, velocity{"velocity", "velocity"},
+        most_compressive{"most compressive stress", "stress"}, most_tensile{"most tensile stress", "stress"},
+        shear{"joint shear displacement", "length"}, closure{"joint closure", "length"},
+        opening{"joint opening", "length"};
     for (std::size_t row = 0; row < model.gridpoints.size(); ++row) {
         const auto& points = model.gridpoints;
         displacement.consider(points.displacement[row].norm(), points.position[row]);
@@ -192,16 +200,18 @@ std::string list_extremes(Session& session, const lang::List&) {
         closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
         opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
-    TextTable table({"largest", "value", "x", "y", "z"});
+    const auto along = [&](std::string_view axis) { return measured(session, axis, "length"); };
+    TextTable table({"largest", "value", along("x"), along("y"), along("z")});
     for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({std::string(e->name), number_text(e->value), number_text(e->place[0]), number_text(e->place[1]),
-                   number_text(e->place[2])});
-    return table.text() + fmt::format("\nunbalanced force = {}", number_text(model.clock.unbalanced_force));
+        table.add({measured(session, e->name, e->quantity), number_text(e->value), number_text(e->place[0]),
+                   number_text(e->place[1]), number_text(e->place[2])});
+    return table.text() + fmt::format("\n{} = {}", measured(session, "unbalanced force", "force"),
+                                      number_text(model.clock.unbalanced_force));
 }
 
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
-    TextTable table({"energy", "value"});
+    TextTable table({"energy", measured(session, "value", "energy")});
     std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
                                                      {"kinetic at the start", e.start},
                                                      {"work of gravity", e.gravity},
