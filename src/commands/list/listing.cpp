@@ -1,6 +1,7 @@
 // list, print: quantities of the whole model.
 #include "commands/session/save_session.hpp"
 #include "commands/list/listing.hpp"
+#include "commands/list/row_table.hpp"
 
 #include "base/parallel.hpp"
 #include "commands/session/handlers.hpp"
@@ -41,12 +42,6 @@ struct Extreme {
         place = where;
     }
 };
-
-/// A heading with the unit of its numbers, if the session names units: "value [N*m]".
-std::string measured(const Session& session, std::string_view heading, std::string_view quantity) {
-    return session.units.given() ? fmt::format("{} [{}]", heading, session.units.label(quantity))
-                                 : std::string(heading);
-}
 
 /// One of the two normals of a plane: the one that points up; of a vertical plane the one that points east, or north.
 bool points_up(const Vec3& normal) {
@@ -141,7 +136,7 @@ std::string list_time(Session& session, const lang::List&) {
 std::string list_unbalanced(Session& session, const lang::List&) {
     const auto& clock = session.model.clock;
     return fmt::format("{} = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
-                       measured(session, "unbalanced force", "force"), number_text(clock.unbalanced_force),
+                       heading_of(session.units, "unbalanced force", "force"), number_text(clock.unbalanced_force),
                        number_text(clock.average_ratio), number_text(clock.maximum_ratio),
                        number_text(clock.local_ratio), clock.cycle);
 }
@@ -165,7 +160,7 @@ std::string list_information(Session& session, const lang::List&) {
         {"histories", m.histories.all.size()},
     };
     for (const auto& [name, count] : counts) table.add({name, std::to_string(count)});
-    table.add({measured(session, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
+    table.add({heading_of(session.units, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
     return table.text();
 }
 
@@ -200,18 +195,18 @@ std::string list_extremes(Session& session, const lang::List&) {
         closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
         opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
-    const auto along = [&](std::string_view axis) { return measured(session, axis, "length"); };
+    const auto along = [&](std::string_view axis) { return heading_of(session.units, axis, "length"); };
     TextTable table({"largest", "value", along("x"), along("y"), along("z")});
     for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({measured(session, e->name, e->quantity), number_text(e->value), number_text(e->place[0]),
+        table.add({heading_of(session.units, e->name, e->quantity), number_text(e->value), number_text(e->place[0]),
                    number_text(e->place[1]), number_text(e->place[2])});
-    return table.text() + fmt::format("\n{} = {}", measured(session, "unbalanced force", "force"),
+    return table.text() + fmt::format("\n{} = {}", heading_of(session.units, "unbalanced force", "force"),
                                       number_text(model.clock.unbalanced_force));
 }
 
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.model.energy;
-    TextTable table({"energy", measured(session, "value", "energy")});
+    TextTable table({"energy", heading_of(session.units, "value", "energy")});
     std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
                                                      {"kinetic at the start", e.start},
                                                      {"work of gravity", e.gravity},

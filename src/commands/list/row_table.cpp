@@ -17,9 +17,9 @@ const Field* measured(ObjectKind kind, const ListColumn& column) {
 std::vector<std::string> headings_of(const Units& units, ObjectKind kind, const std::vector<ListColumn>& columns) {
     std::vector<std::string> headings;
     for (const auto& column : columns) {
-        const Field* field = units.given() ? measured(kind, column) : nullptr;
+        const Field* field = measured(kind, column);
         headings.push_back(field == nullptr ? std::string(column.heading)
-                                            : fmt::format("{} [{}]", column.heading, units.label(field->unit)));
+                                            : heading_of(units, column.heading, field->unit));
     }
     return headings;
 }
@@ -32,6 +32,10 @@ ListColumn::Text text_of(const Model& model, ObjectKind kind, const ListColumn& 
 }
 
 } // namespace
+
+std::string heading_of(const Units& units, std::string_view heading, std::string_view quantity) {
+    return units.given() ? fmt::format("{} [{}]", heading, units.label(quantity)) : std::string(heading);
+}
 
 std::string value_text(const Model& model, const FieldValue& value) {
     if (const auto* real = std::get_if<double>(&value)) return number_text(*real);
