@@ -242,7 +242,7 @@ using WarpColumns = std::array<Column<double>, 2>;
         for (std::size_t k = 0; k < 6; ++k) stress[6 * half + k] = six[k];
     }
 }
-inline void store_warps(WarpColumns& columns, Row first, Row cells, const WarpStress& s) {
+[[gnu::always_inline]] inline void store_warps(WarpColumns& columns, Row first, Row cells, const WarpStress& s) {
     store_six(&columns[0][first], 6, cells, {s[0], s[1], s[2], s[3], s[4], s[5]});
     store_six(&columns[1][first], 6, cells, {s[6], s[7], s[8], s[9], s[10], s[11]});
 }
@@ -264,11 +264,10 @@ struct LayerModuli {
 struct LayerStress {
     Eight bb, cc, bc;
 
-    /// `bb`, `cc` and `bc` of the strain along the halves of the mean edges jb and jc.
-    [[gnu::always_inline]] LayerStress(const LayerModuli& moduli, const Eight3& jb, const Eight3& jc, const Eight& bb,
-                                       const Eight& cc, const Eight& bc) {
-        const Eight lambda = eights(moduli.lambda), two_shear = eights(moduli.two_shear);
-        const Eight mb = jb.dot(jb), mc = jc.dot(jc), m = jb.dot(jc), r = 1.0 / (mb * mc - m * m);
+    /// `bb`, `cc` and `bc` of the strain along the halves b and c of the mean edges, whose squares are mb and mc, and their product m.
+    [[gnu::always_inline]] LayerStress(const LayerModuli& moduli, const Eight& mb, const Eight& mc, const Eight& m,
+                                       const Eight& bb, const Eight& cc, const Eight& bc) {
+        const Eight lambda = eights(moduli.lambda), two_shear = eights(moduli.two_shear), r = 1.0 / (mb * mc - m * m);
         const Eight ib = mc * r, ic = mb * r, i = -m * r; // inverse of the metric
         const Eight trace = lambda * (ib * bb + ic * cc + 2.0 * i * bc);
         this->bb = ib * trace + two_shear * (ib * ib * bb + 2.0 * ib * i * bc + i * i * cc);
@@ -282,19 +281,22 @@ struct WarpStep {
     WarpStress strain, change;
     Eight volume;
 
-    WarpStep() = default;
-
     [[gnu::always_inline]] WarpStep(const CellMotion& step, const LayerModuli& moduli) : volume(step.volume) {
         const Warps& g = step.warp;
+        std::array<Eight, 3> square, product; // of the axes: of one with itself, and of the two others
+        for (std::size_t a = 0; a < 3; ++a) {
+            square[a] = step.axis[a].dot(step.axis[a]);
+            product[a] = step.axis[(a + 1) % 3].dot(step.axis[(a + 2) % 3]);
+        }
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
             const Eight3 &jb = step.axis[b], &jc = step.axis[c];
             const Eight bb = jb.dot(g[c]), cc = jc.dot(g[b]), bc = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
-            const LayerStress layer(moduli, jb, jc, bb, cc, bc);
+            const LayerStress layer(moduli, square[b], square[c], product[a], bb, cc, bc);
             const std::size_t k = 3 * a;
             strain[k] = bb, strain[k + 1] = cc, strain[k + 2] = bc;
             change[k] = layer.bb, change[k + 1] = layer.cc, change[k + 2] = layer.bc;
-            strain[9 + a] = step.axis[a].dot(g[3]) / step.axis[a].dot(step.axis[a]);
+            strain[9 + a] = step.axis[a].dot(g[3]) / square[a];
             change[9 + a] = moduli.young * strain[9 + a];
         }
     }

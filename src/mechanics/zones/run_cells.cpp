@@ -134,8 +134,7 @@ struct CellGroup {
     SixEights before; ///< the common stress of the zones, or their mean, turned with the cell
     Eight3 half_spin;
     Eight volume, work, damped; ///< in the middle of the step; work of the step, and of viscous stresses
-    WarpStress warp, viscous_warp;
-    SixEights viscous; ///< of the step before, and then of this one
+    WarpStress warp;            ///< with viscous ones
 };
 
 /// Each cell is a row for the zone model. Its history is that of the first zone, and is then copied to all.
@@ -234,28 +233,36 @@ private:
     }
 
     /// Adds the warps of the step.
-    void warp(CellGroup& g, const CellMotion& motion, Row zone, Row cells) {
+    [[gnu::always_inline]] void warp(CellGroup& g, const CellMotion& motion, Row zone, Row cells) {
         const WarpStep step(motion, moduli_);
         load_warps(model_.zones.warp, zone, cells, g.warp);
         g.work = step.work(added(g.warp, 0.5, step.change));
         g.warp = added(g.warp, 1, step.change);
         store_warps(model_.zones.warp, zone, cells, g.warp);
-        if (!(damping_ > 0)) return;
-        WarpStress last;
-        load_warps(model_.zones.warp_dashpot, zone, cells, last);
-        g.viscous_warp = added(WarpStress{}, damping_, step.change);
-        g.damped = 0.5 * step.work(added(last, 1, g.viscous_warp));
-        store_warps(model_.zones.warp_dashpot, zone, cells, g.viscous_warp);
+        if (damping_ > 0) damp_warps(g, step, zone, cells);
     }
 
-    /// Finds the viscous stress of the cells.
-    void damp(CellGroup& g, Row zone, Row cells, const SixEights& change, const SixEights& strain) {
+    /// Adds the viscous warp stresses of the step to those of the group.
+    [[gnu::noinline]] void damp_warps(CellGroup& g, const WarpStep& step, Row zone, Row cells) {
+        WarpStress last;
+        load_warps(model_.zones.warp_dashpot, zone, cells, last);
+        const WarpStress viscous = added(WarpStress{}, damping_, step.change);
+        g.damped = 0.5 * step.work(added(last, 1, viscous));
+        store_warps(model_.zones.warp_dashpot, zone, cells, viscous);
+        g.warp = added(g.warp, 1, viscous);
+    }
+
+    /// The viscous stress of the cells.
+    [[gnu::noinline]] SixEights damp(CellGroup& g, Row zone, Row cells, const SixEights& change,
+                                     const SixEights& strain) {
         double* const rows = model_.zones.dashpot[zone].data();
         const SixEights last = load_six(rows, to_next_cell, cells);
-        for (std::size_t k = 0; k < 6; ++k) g.viscous[k] = damping_ * change[k];
-        store_six(rows, to_next_cell, cells, g.viscous, zones_of_cell);
-        g.damped += 0.5 * g.volume * product(sum(last, g.viscous), strain);
+        SixEights viscous;
+        for (std::size_t k = 0; k < 6; ++k) viscous[k] = damping_ * change[k];
+        store_six(rows, to_next_cell, cells, viscous, zones_of_cell);
+        g.damped += 0.5 * g.volume * product(sum(last, viscous), strain);
         for (Row l = cells; l < eight; ++l) g.damped[l] = 0;
+        return viscous;
     }
 
     /// Writes stresses to the zones and computes their forces and the work of the step.
@@ -269,25 +276,21 @@ private:
             change[k] = column(batch_.stress[k]) - before;
             strain[k] = column(batch_.strain[k]);
         }
-        const SixEights after = sum(g.before, change);
+        SixEights after = sum(g.before, change);
         g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
-        g.viscous = SixEights{};
-        if (damping_ > 0) {
-            damp(g, zone, cells, change, strain);
-            g.warp = added(g.warp, 1, g.viscous_warp);
-        }
         if (g.apart) {
-            finish_apart(g, zone, cells, change);
+            finish_apart(g, zone, cells, change, damping_ > 0 ? damp(g, zone, cells, change, strain) : SixEights{});
         } else {
             if (kept_.wanted) kept_.keep(tile_.group(zone), after);
             else store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
-            forces_.add(g.corners, cells, forces_of(g.shape, damping_ > 0 ? sum(after, g.viscous) : after, g.warp));
+            if (damping_ > 0) after = sum(after, damp(g, zone, cells, change, strain));
+            forces_.add(g.corners, cells, forces_of(g.shape, after, g.warp));
         }
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
     }
 
     /// The same where each zone has its own stress, and ruled faces the stress of the cell's motion.
-    void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change) {
+    void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change, const SixEights& viscous) {
         SixEights of_motion = sum(g.before, change);
         if (double* const made = cell_motion(model_.zones, zone)) {
             of_motion = load_six(made, zones_of_cell, cells);
@@ -313,7 +316,7 @@ private:
         add_forces(g.shape.gradient, mean, beyond);
         const CellField shift = from_first(rows_.shifts(), g.corners);
         for (std::size_t c = 1; c < 8; ++c) g.work -= beyond[c].dot(shift[c - 1]);
-        forces_.add(g.corners, cells, both(forces_of(g.shape, g.viscous, g.warp), own));
+        forces_.add(g.corners, cells, both(forces_of(g.shape, viscous, g.warp), own));
     }
 
     Model& model_;

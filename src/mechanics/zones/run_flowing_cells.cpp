@@ -68,7 +68,7 @@ private:
     Eight averaged(const Eight& change) const { return averages_ ? change : Eight{}; }
 
     /// Strains of the step, and the stresses turned with the material.
-    void strain(const Place& at) {
+    [[gnu::always_inline]] void strain(const Place& at) {
         FlowGroup& g = group_at(at);
         g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
@@ -196,7 +196,7 @@ private:
 
     /// Forces of warp stresses from a time when the cells were elastic. They remain until the zones flow, and are then reduced as the
     /// squares of their deviators are.
-    CellForces held(const Place& at, const Eight& part, Eight& work) {
+    [[gnu::noinline]] CellForces held(const Place& at, const Eight& part, Eight& work) {
         WarpStress warp;
         load_warps(model_.zones.warp, at.zone, at.cells, warp);
         if (!resists(warp)) return {};
