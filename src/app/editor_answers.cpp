@@ -188,7 +188,7 @@ Json EditorAnswers::uses(const Asked& asked) const {
 }
 
 bool EditorAnswers::is_built_in(const std::string& folded) const {
-    const auto names = session_->scripts->built_in_names();
+    const auto names = session_->engine.scripts->built_in_names();
     return std::ranges::any_of(names, [&](const auto& name) { return name.first == folded; });
 }
 

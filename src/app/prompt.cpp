@@ -137,13 +137,13 @@ bool own_command(Session& session, const std::string& text) {
         if (!lang::completions(lang::language(), asked).empty()) return false; // it lists words with more about them
         const auto words = proposals(session, "", asked).words;
         if (words.empty()) return false;
-        session.output.print(filled(words, screen().columns - 1));
+        session.program.output.print(filled(words, screen().columns - 1));
         return true;
     }
     if (word != "help" && word != "explain") return false;
     const std::string rest = statement.raw(1);
-    if (word == "explain") show_by_pages(session.output, rest.empty() ? code_list() : explanation(rest));
-    else show_by_pages(session.output, help_text(rest));
+    if (word == "explain") show_by_pages(session.program.output, rest.empty() ? code_list() : explanation(rest));
+    else show_by_pages(session.program.output, help_text(rest));
     return true;
 }
 
@@ -159,8 +159,8 @@ lang::Ended run_text(Session& session, const std::string& text) {
     forget_interrupt(session);
     if (own_command(session, text)) return lang::Ended::end_of_deck;
     const InterruptGuard guard(session);
-    const auto ended = session.interpreter.run_text(text, "prompt");
-    session.output.flush();
+    const auto ended = session.deck.interpreter.run_text(text, "prompt");
+    session.program.output.flush();
     return ended;
 }
 
@@ -169,28 +169,28 @@ int show(Session& session) {
     try {
         throw;
     } catch (const lang::DeckErrors& errors) {
-        for (const auto& error : errors.all) session.output.message(error);
+        for (const auto& error : errors.all) session.program.output.message(error);
         return static_cast<int>(errors.fault);
     } catch (Diagnostic& error) {
         // Here the program is there already: its name is not typed.
         constexpr std::string_view to_type = "'kaya help";
         if (const auto at = error.hint.find(to_type); at != std::string::npos)
             error.hint.replace(at, to_type.size(), "'help");
-        session.output.message(error);
+        session.program.output.message(error);
         return static_cast<int>(error.fault);
     } catch (const std::bad_alloc&) {
-        session.output.message(Diagnostic("there is not enough memory for this", {}, Fault::run));
+        session.program.output.message(Diagnostic("there is not enough memory for this", {}, Fault::run));
         return static_cast<int>(Fault::run);
     } catch (const std::exception& error) {
-        session.output.message(Diagnostic(fmt::format("internal error: {}", error.what()),
-                                          "please report this, with the lines that were typed", Fault::own));
+        session.program.output.message(Diagnostic(fmt::format("internal error: {}", error.what()),
+                                                  "please report this, with the lines that were typed", Fault::own));
         return static_cast<int>(Fault::own);
     }
 }
 
 int from_keyboard(Session& session) {
     std::setlocale(LC_CTYPE, ""); // characters beyond ASCII take one column on the screen
-    session.output.say(fmt::format(
+    session.program.output.say(fmt::format(
         "kaya {}: help lists the commands, ? in place of a word what may stand there, quit ends", program_version()));
     session.autosave->find_earlier();
     session.autosave->set_typed();
@@ -241,7 +241,7 @@ std::filesystem::path history_file() {
 }
 
 int run_prompt(Session& session) {
-    session.deck = "prompt";
+    session.deck.file = "prompt";
     return isatty(STDIN_FILENO) == 1 ? from_keyboard(session) : from_pipe(session);
 }
 

@@ -72,7 +72,7 @@ namespace {
 /// The journal of a deck is in the current folder, as all files that it writes.
 std::unique_ptr<Journal> journal_of(Session& session, const RunOrder& order) {
     if (order.no_journal || !order.journal.empty()) return nullptr;
-    if (!order.decks.empty()) session.deck = order.decks.front();
+    if (!order.decks.empty()) session.deck.file = order.decks.front();
     return std::make_unique<Journal>(session, session.run_name() + ".journal");
 }
 
@@ -103,20 +103,20 @@ void take_parameters(Session& session, const RunOrder& order, const DeckWords* w
     for (const auto& given : order.parameters) {
         const std::string line = parameter_line(given);
         if (words) words->require(given.substr(0, given.find('=')), Place{});
-        session.interpreter.run_text(line, "command line");
+        session.deck.interpreter.run_text(line, "command line");
     }
 }
 
 /// Reports values of `--set` that the decks did not use.
 void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
-    for (const auto& name : session.given_properties.unused())
+    for (const auto& name : session.deck.given_properties.unused())
         session.warn(
             Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
     for (const auto& given : order.parameters) {
         const std::string name = given.substr(0, given.find('='));
-        const auto value = session.parameters.find(lang::fold(name));
-        if (!words || value == session.parameters.end() || words->declared().contains(lang::fold(name))) continue;
-        if (session.scripts->value(name) != value->second)
+        const auto value = session.deck.parameters.find(lang::fold(name));
+        if (!words || value == session.deck.parameters.end() || words->declared().contains(lang::fold(name))) continue;
+        if (session.engine.scripts->value(name) != value->second)
             session.warn(Diagnostic(fmt::format("the deck sets '{}' itself: --set was not used", name),
                                     fmt::format("write there param {} = VALUE", name)));
     }
@@ -146,20 +146,21 @@ int run_decks(Session& session, const RunOrder& order) {
     doubt_parameters(session, order, words ? &*words : nullptr);
     if (journal) journal->finish();
     session.autosave->done();
-    const auto& clock = session.model.clock;
+    const auto& clock = session.engine.model.clock;
     if (clock.cycle > 0)
-        session.output.say(fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"),
-                                       time_text(session.model), state_hash(session.model),
-                                       session.warnings == 0 ? "" : ", " + counted(session.warnings, "warning")));
-    session.output.stop_log();
-    session.output.flush();
+        session.program.output.say(
+            fmt::format("done: {}, time {}, hash {:016x}{}", counted(clock.cycle, "cycle"),
+                        time_text(session.engine.model), state_hash(session.engine.model),
+                        session.program.warnings == 0 ? "" : ", " + counted(session.program.warnings, "warning")));
+    session.program.output.stop_log();
+    session.program.output.flush();
     if (order.ended) order.ended(session);
     return status;
 }
 
 /// Reports it, and passes it to the listener.
 int fail(Session& session, const RunOrder& order, const Diagnostic& error) {
-    session.output.message(error);
+    session.program.output.message(error);
     if (order.failed) order.failed(session, error);
     return static_cast<int>(error.fault);
 }
@@ -168,20 +169,21 @@ int run_session(Session& session, const RunOrder& order) {
     try {
         return run_decks(session, order);
     } catch (const lang::DeckErrors& errors) {
-        for (const auto& error : errors.all) session.output.message(error);
+        for (const auto& error : errors.all) session.program.output.message(error);
         if (order.failed) order.failed(session, errors.all.front());
         return static_cast<int>(errors.fault);
     } catch (const Diagnostic& error) {
         if (error.code == broken_pipe) return nobody_reads;
         return fail(session, order, error);
     } catch (const std::bad_alloc&) {
-        return fail(session, order,
-                    Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.last_place));
+        return fail(
+            session, order,
+            Diagnostic(no_memory, "use fewer blocks or longer zone edges", Fault::run).at(session.deck.last_place));
     } catch (const std::exception& error) {
         return fail(
             session, order,
             Diagnostic(fmt::format("internal error: {}", error.what()), "please report this, with the deck", Fault::own)
-                .at(session.last_place));
+                .at(session.deck.last_place));
     }
 }
 
@@ -246,22 +248,22 @@ int run(RunOrder& order, const fs::path& program) {
     const std::vector<std::string> inputs = sandbox_of(order, program).inputs;
     const bool typed = inputs.empty() && isatty(STDIN_FILENO) == 1;
     if (const auto warning = warning_of_wide_folder(inputs); warning && !order.options.trust && !typed)
-        session.output.message(*warning);
+        session.program.output.message(*warning);
     std::optional<RunReport> report;
     try {
         report.emplace(session, order.watch);
     } catch (const Diagnostic& problem) {
-        session.output.message(problem);
-        session.output.flush();
+        session.program.output.message(problem);
+        session.program.output.flush();
         return static_cast<int>(problem.fault);
     }
     int status = run_session(session, order);
     if (status != 0) session.autosave->keep();
     try {
         report->write();
-        if (status == 0) session.output.flush();
+        if (status == 0) session.program.output.flush();
     } catch (const Diagnostic& problem) {
-        session.output.message(problem);
+        session.program.output.message(problem);
         if (status == 0) status = static_cast<int>(problem.fault);
     }
     return status;

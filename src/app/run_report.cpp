@@ -42,18 +42,18 @@ std::function<LawNames(const std::string&)> law_names_of(JointRegistry& joints) 
 RunReport::RunReport(Session& session, std::optional<int> port) : session_(session) {
     if (port) {
         server_ = std::make_unique<PageServer>(*port);
-        session_.output.say(fmt::format("watch: {}", server_->address()));
-        session_.output.flush();
+        session_.program.output.say(fmt::format("watch: {}", server_->address()));
+        session_.program.output.flush();
     }
-    session_.listen(*this);
+    session_.program.listen(*this);
 }
 
-RunReport::~RunReport() { session_.forget(*this); }
+RunReport::~RunReport() { session_.program.forget(*this); }
 
 // By cycles and not by seconds: the same run gives the same page.
 void RunReport::cycled() {
     if (!is_wanted()) return;
-    const Model& model = session_.model;
+    const Model& model = session_.engine.model;
     course_.sample(model);
     if (server_ && std::chrono::steady_clock::now() - shown_ >= pause_ && server_->is_read()) show();
     const std::int64_t cycle = model.clock.cycle;
@@ -75,17 +75,17 @@ void RunReport::show() {
 }
 
 std::string RunReport::page() {
-    Model& model = session_.model;
+    Model& model = session_.engine.model;
     ReportOrder order;
     order.source = "run";
     order.course = course_.curves();
-    order.warnings = session_.warning_texts;
+    order.warnings = session_.program.warning_texts;
     const auto seconds =
         std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - began_).count();
     order.took = seconds < 60 ? fmt::format("{} s", seconds) : fmt::format("{} min {} s", seconds / 60, seconds % 60);
-    order.file = std::filesystem::path(session_.deck).filename().string();
+    order.file = std::filesystem::path(session_.deck.file).filename().string();
     order.version = program_version();
-    order.law_names = law_names_of(session_.joints);
+    order.law_names = law_names_of(session_.engine.joints);
     if (!states_.empty() && states_.back().cycle > model.clock.cycle) states_.clear();
     order.centre = states_.empty() ? report_centre(model) : centre_;
     order.before = states_;
@@ -95,10 +95,10 @@ std::string RunReport::page() {
 }
 
 void RunReport::write() {
-    if (!session_.report) return;
+    if (!session_.program.report) return;
     const std::string name = session_.run_name() + ".html";
-    write_whole_file(session_.output_file(name), page());
-    session_.output.say(fmt::format("report: {}", name));
+    write_whole_file(session_.program.output_file(name), page());
+    session_.program.output.say(fmt::format("report: {}", name));
 }
 
 } // namespace kaya

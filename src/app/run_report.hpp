@@ -33,7 +33,7 @@ public:
 private:
     void cycled() override;
     bool reads_model() const override { return is_wanted(); }
-    bool is_wanted() const { return session_.report || server_; }
+    bool is_wanted() const { return session_.program.report || server_; }
     void show();
     std::string page();
 

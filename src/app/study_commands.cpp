@@ -43,7 +43,7 @@ StudyValue study_value(const script::Value& value, Session& session) {
     return std::visit(
         [&]<class T>(const T& v) -> StudyValue {
             if constexpr (std::is_constructible_v<StudyValue, T> && !std::is_same_v<T, script::Handle>) return v;
-            else return script::to_text(script::Value(v), &session.world);
+            else return script::to_text(script::Value(v), &session.engine.world);
         },
         value);
 }
@@ -54,14 +54,15 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
     for (const auto& one : asked) {
         try {
             if (one.lua)
-                session.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression),
-                                         one.place);
+                session.engine.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression),
+                                                one.place);
             outcome.results.emplace_back(
-                one.name, study_value(session.scripts->value(one.lua ? lua_name : one.expression, one.place), session));
+                one.name,
+                study_value(session.engine.scripts->value(one.lua ? lua_name : one.expression, one.place), session));
         } catch (const Diagnostic& problem) {
             outcome.end = Outcome::End::failed;
             outcome.message = fmt::format("result '{}': {}", one.name, problem.message);
-            session.output.message(problem);
+            session.program.output.message(problem);
             return;
         }
     }
@@ -69,12 +70,12 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
 
 /// Values that the deck did not use: "" when it used all.
 std::string unused_values(Session& session, const Case& one, const std::set<std::string>& declared) {
-    for (const auto& name : session.given_properties.unused())
+    for (const auto& name : session.deck.given_properties.unused())
         return fmt::format("no command of the deck sets '{}'", name);
     for (const auto& [name, value] : one.values) {
         if (is_property(name) || declared.contains(lang::fold(name))) continue;
-        if (study_value(session.scripts->value(name), session) !=
-            study_value(session.parameters[lang::fold(name)], session))
+        if (study_value(session.engine.scripts->value(name), session) !=
+            study_value(session.deck.parameters[lang::fold(name)], session))
             return fmt::format("the deck sets '{0}' itself: write there param {0} = VALUE", name);
     }
     return {};
@@ -91,9 +92,9 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         const auto finish = [&](Session& session) {
             is_known = true;
             outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-            outcome.cycles = session.model.clock.cycle;
-            outcome.warnings = static_cast<std::int64_t>(session.warnings);
-            outcome.hash = fmt::format("{:016x}", state_hash(session.model));
+            outcome.cycles = session.engine.model.clock.cycle;
+            outcome.warnings = static_cast<std::int64_t>(session.program.warnings);
+            outcome.hash = fmt::format("{:016x}", state_hash(session.engine.model));
         };
         order.options.threads = 1; // one run on each core
         order.decks = {fs::absolute(order.started_in / study.deck).string()};
@@ -111,7 +112,7 @@ RunCase run_case(const RunOrder& base, const Study& study, const fs::path& progr
         order.failed = [&](Session& session, const Diagnostic& error) {
             if (InterruptGuard::was_asked()) return; // the run is done again
             finish(session);
-            const bool cycles = study.limits.cycles > 0 && session.model.clock.cycle >= study.limits.cycles;
+            const bool cycles = study.limits.cycles > 0 && session.engine.model.clock.cycle >= study.limits.cycles;
             const bool memory = study.limits.megabytes > 0 && error.message == no_memory;
             outcome.end = cycles || memory ? Outcome::End::limit : Outcome::End::failed;
             outcome.message = cycles   ? fmt::format("took more than {} cycles", study.limits.cycles)
@@ -272,9 +273,9 @@ int rerun(const StudyOrder& wanted, RunOrder order, const fs::path& program) {
     print_result(deck.string());
     order.decks = {deck.string()};
     std::string hash;
-    order.ended = [&](Session& session) { hash = fmt::format("{:016x}", state_hash(session.model)); };
+    order.ended = [&](Session& session) { hash = fmt::format("{:016x}", state_hash(session.engine.model)); };
     order.failed = [&](Session& session, const Diagnostic&) {
-        hash = fmt::format("{:016x}", state_hash(session.model));
+        hash = fmt::format("{:016x}", state_hash(session.engine.model));
     };
     order.into = (folder.path() / "reruns" / fmt::format("{:06}", wanted.number)).string();
     prepare_run(order, CLI::App());

@@ -30,8 +30,8 @@ bool means(const std::string& word, std::string_view whole, std::size_t least) {
 
 /// Built-in names of FISH, and those of the session.
 void add_fish(Names& names, const Session& session) {
-    for (const auto& [name, writable] : session.scripts->built_in_names()) names.insert(name);
-    for (const auto& name : session.scripts->symbols()) names.insert(name);
+    for (const auto& [name, writable] : session.engine.scripts->built_in_names()) names.insert(name);
+    for (const auto& name : session.engine.scripts->symbols()) names.insert(name);
 }
 
 void add_fields(Names& names, const Session& session, bool with_object) {
@@ -39,8 +39,8 @@ void add_fields(Names& names, const Session& session, bool with_object) {
         for (const auto& field : fields)
             names.insert(with_object ? std::string(object) + "." + std::string(field.name) : std::string(field.name));
     };
-    add(session.world.globals(), "model");
-    for (const auto& table : session.world.tables()) add(table.fields, table.name);
+    add(session.engine.world.globals(), "model");
+    for (const auto& table : session.engine.world.tables()) add(table.fields, table.name);
 }
 
 Names lua_names(const Session& session, bool after_point) {
@@ -52,8 +52,8 @@ Names lua_names(const Session& session, bool after_point) {
     Names names = {"model", "vector", "command", "count",  "nearest", "history",  "every", "print",
                    "pairs", "ipairs", "math",    "string", "table",   "function", "local", "return",
                    "end",   "then",   "else",    "elseif", "while",   "for",      "endlua"};
-    for (const auto& table : session.world.tables()) names.insert(std::string(table.name) + "s");
-    for (const auto& name : session.scripts->symbols()) names.insert(name);
+    for (const auto& table : session.engine.world.tables()) names.insert(std::string(table.name) + "s");
+    for (const auto& name : session.engine.scripts->symbols()) names.insert(name);
     return names;
 }
 
@@ -98,8 +98,8 @@ Names files(const std::string& typed) {
 /// Joint models after `jmodel model`, zone models after `zone model`.
 std::vector<std::string> models(const Session& session, const std::vector<std::string>& words) {
     if (words.size() < 2 || !means(words.back(), "model", 3)) return {};
-    if (means(words[words.size() - 2], "jmodel", 2)) return session.joints.available();
-    if (words[words.size() - 2] == "zone") return session.joints.zones.available();
+    if (means(words[words.size() - 2], "jmodel", 2)) return session.engine.joints.available();
+    if (words[words.size() - 2] == "zone") return session.engine.joints.zones.available();
     return {};
 }
 
@@ -108,7 +108,7 @@ void add_properties(Names& names, const Session& session, const std::vector<std:
     const bool property = words.size() >= 3 && means(words.front(), "property", 2);
     const bool joint = words.size() >= 1 && means(words.front(), "jmodel", 2);
     if (!property && !joint) return;
-    for (const auto& model : session.joints.loaded())
+    for (const auto& model : session.engine.joints.loaded())
         for (const auto& p : model->properties) {
             names.insert(p.name);
             names.insert(p.aliases.begin(), p.aliases.end());
@@ -147,7 +147,7 @@ Names all_names(const Session& session, const std::string& before, const std::st
         return names;
     }
     if (typed.starts_with("@")) {
-        for (const auto& name : session.scripts->symbols()) names.insert("@" + name);
+        for (const auto& name : session.engine.scripts->symbols()) names.insert("@" + name);
         return names;
     }
     if (words.size() == 1 && words.front() == "help") return help_words(session);

@@ -55,10 +55,10 @@ std::string about_lua_field(const ModelWorld& world, std::string_view name) {
 /// supported; empty when none of these.
 std::string about_name(std::string_view name) {
     Session session{Options{}};
-    const ModelWorld& world = session.world;
+    const ModelWorld& world = session.engine.world;
     std::string text = about_lua_field(world, name);
     if (text.empty()) text = about_fish(name);
-    for (const auto& [modern, classic] : session.scripts->newer_names())
+    for (const auto& [modern, classic] : session.engine.scripts->newer_names())
         if (text.empty() && modern == name && modern != classic)
             text = fmt::format("{} is the newer name of {}\n{}", modern, classic, about_name(classic));
     if (!text.empty()) return text;
@@ -88,8 +88,8 @@ std::string help_text(const std::string& words) {
         // Proposes the nearest field or function if no command is near.
         if (!problem.hint.starts_with("did you mean")) {
             const Session session{Options{}};
-            auto names = field_names(session.world);
-            for (const auto& [built_in, writable] : session.scripts->built_in_names()) names.push_back(built_in);
+            auto names = field_names(session.engine.world);
+            for (const auto& [built_in, writable] : session.engine.scripts->built_in_names()) names.push_back(built_in);
             const auto near = did_you_mean(name, {names.begin(), names.end()});
             if (!near.empty()) problem.hint = fmt::format("did you mean '{}'?", near);
         }

@@ -23,8 +23,8 @@ const Field& field_named(ObjectKind kind, const std::string& kind_name, const st
 std::size_t rows_of(Session& session, ObjectKind kind) {
     if (kind == ObjectKind::global) return 1;
     const auto& info = info_of(kind);
-    if (info.found_late && !session.inside_cycle) find_contacts(session.model, session.joints);
-    return info.count(session.model);
+    if (info.found_late && !session.engine.inside_cycle) find_contacts(session.engine.model, session.engine.joints);
+    return info.count(session.engine.model);
 }
 
 } // namespace
@@ -37,7 +37,7 @@ kaya_span FieldSpan::read(Session& session, const std::string& kind_name, const 
     kaya_type type = KAYA_FLOAT64;
     std::size_t each = 1;
     for (std::size_t row = 0; row < rows; ++row) {
-        const FieldValue value = field.get(session.model, static_cast<Row>(row));
+        const FieldValue value = field.get(session.engine.model, static_cast<Row>(row));
         if (const auto* number = std::get_if<double>(&value)) {
             numbers_.push_back(*number);
         } else if (const auto* vector = std::get_if<Vec3>(&value)) {
@@ -68,7 +68,7 @@ void set_field(Session& session, const std::string& kind_name, const std::string
     if (row >= rows)
         throw Diagnostic(fmt::format("there is no row {} of {}", row, kind_name),
                          fmt::format("rows are 0 to {} of {}", rows == 0 ? 0 : rows - 1, rows));
-    const FieldValue present = field.get(session.model, static_cast<Row>(row));
+    const FieldValue present = field.get(session.engine.model, static_cast<Row>(row));
     const std::size_t wanted = std::holds_alternative<Vec3>(present) ? 3 : 1;
     if (std::holds_alternative<std::string>(present) || std::holds_alternative<Link>(present))
         throw Diagnostic(fmt::format("the field '{}' is not made of numbers", name), "set it by a command");
@@ -82,7 +82,7 @@ void set_field(Session& session, const std::string& kind_name, const std::string
         if (static_cast<double>(std::get<std::int64_t>(value)) != numbers[0])
             throw Diagnostic(fmt::format("the field '{}' takes a whole number", name));
     }
-    field.set(session.model, static_cast<Row>(row), value);
+    field.set(session.engine.model, static_cast<Row>(row), value);
 }
 
 } // namespace kaya::library

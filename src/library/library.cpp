@@ -62,14 +62,14 @@ struct kaya_model {
     explicit kaya_model(const kaya_options& options, const Options& of_session)
         : output(text_to(options.output, options.user)), messages(text_to(options.messages, options.user)),
           session(of_session, output.get(), messages.get()) {
-        session.deck = "library";
+        session.deck.file = "library";
         session.autosave->set_interval(std::nullopt); // the caller keeps the model
     }
 
     /// Runs `work`; what it throws becomes the mistakes of the call.
     template <class Work> kaya_status attempt(const Work& work) {
         mistakes.clear();
-        const WithTeam loops(session.team());
+        const WithTeam loops(session.program.team());
         try {
             try {
                 work();
@@ -77,7 +77,7 @@ struct kaya_model {
                 for (const auto& one : several.all) mistakes.emplace_back(one);
                 throw;
             }
-            session.output.flush();
+            session.program.output.flush();
             std::fflush(messages.get());
             return KAYA_DONE;
         } catch (const Diagnostic& problem) {
@@ -136,7 +136,8 @@ void kaya_close(kaya_model* model) { delete model; }
 kaya_status kaya_run(kaya_model* model, const char* commands, const char* name) {
     if (model == nullptr) return KAYA_WRONG;
     if (commands == nullptr) return model->refuse("there are no commands");
-    return model->command([=] { model->session.interpreter.run_text(commands, name != nullptr ? name : "commands"); });
+    return model->command(
+        [=] { model->session.deck.interpreter.run_text(commands, name != nullptr ? name : "commands"); });
 }
 
 kaya_status kaya_run_file(kaya_model* model, const char* file) {
@@ -154,7 +155,7 @@ kaya_status kaya_after_cycles(kaya_model* model, int64_t interval, void (*functi
     return model->command([=] {
         if (interval < 1) throw Diagnostic("the interval is at least 1 cycle");
         if (function == nullptr) throw Diagnostic("there is no function to call");
-        auto& callbacks = model->session.callbacks;
+        auto& callbacks = model->session.engine.callbacks;
         const int number = callbacks.empty() ? 1 : callbacks.back().number + 1;
         callbacks.push_back({number, script::Moment::after_cycle, interval, [=] { function(user, model); }});
     });
@@ -182,6 +183,6 @@ kaya_status kaya_set_field(kaya_model* model, const char* kind, const char* fiel
     return model->attempt([=] { library::set_field(model->session, kind, field, row, numbers, count); });
 }
 
-uint64_t kaya_hash(kaya_model* model) { return model != nullptr ? state_hash(model->session.model) : 0; }
+uint64_t kaya_hash(kaya_model* model) { return model != nullptr ? state_hash(model->session.engine.model) : 0; }
 
 } // extern "C"

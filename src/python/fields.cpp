@@ -83,8 +83,8 @@ ObjectKind kind_of(const std::string& name) {
 
 std::size_t count_objects(Session& session, const std::string& kind) {
     const auto& info = info_of(kind_of(kind));
-    if (info.found_late && !session.inside_cycle) find_contacts(session.model, session.joints);
-    return info.count(session.model);
+    if (info.found_late && !session.engine.inside_cycle) find_contacts(session.engine.model, session.engine.joints);
+    return info.count(session.engine.model);
 }
 
 std::vector<std::string> kind_names() {
@@ -106,7 +106,7 @@ py::list field_names(const std::string& name) {
 
 py::object field_values(Session& session, const std::string& kind, const std::string& name) {
     const Field& field = field_of(kind_of(kind), name);
-    return values_of(session.model, field, count_objects(session, kind));
+    return values_of(session.engine.model, field, count_objects(session, kind));
 }
 
 void set_field(Session& session, const std::string& kind, const std::string& name,
@@ -121,12 +121,12 @@ void set_field(Session& session, const std::string& kind, const std::string& nam
     if (each && py::len(values) != static_cast<std::size_t>(rows.size()))
         throw py::value_error(std::to_string(py::len(values)) + " values for " + std::to_string(rows.size()) + " rows");
     for (py::ssize_t k = 0; k < rows.size(); ++k)
-        field.set(session.model, static_cast<Row>(row[k]),
+        field.set(session.engine.model, static_cast<Row>(row[k]),
                   given_value(each ? py::object(values[py::int_(k)]) : values));
 }
 
 py::object global_value(Session& session, const std::string& name) {
-    return as_object(session.model, field_of(ObjectKind::global, name).get(session.model, 0));
+    return as_object(session.engine.model, field_of(ObjectKind::global, name).get(session.engine.model, 0));
 }
 
 } // namespace kaya::python

@@ -92,11 +92,11 @@ PYBIND11_MODULE(_kaya, module) {
         .def(
             "quantity", [](Self& self, const std::string& name) { return global_value(self.session(), name); },
             py::arg("name"))
-        .def("columns", [](Self& self) { return column_names(self.session().model); })
+        .def("columns", [](Self& self) { return column_names(self.session().engine.model); })
         .def(
             "column",
             [](Self& self, const std::string& table, const std::string& column) {
-                return column_array(self.session().model, table, column, self.borrowed());
+                return column_array(self.session().engine.model, table, column, self.borrowed());
             },
             py::arg("table"), py::arg("column"))
         .def("histories", &histories)
@@ -106,7 +106,7 @@ PYBIND11_MODULE(_kaya, module) {
             "value",
             [](Self& self, const std::string& expression) {
                 script::Value value;
-                self.run([&](Session& session) { value = session.scripts->value(expression); });
+                self.run([&](Session& session) { value = session.engine.scripts->value(expression); });
                 return from_script(self.session(), value);
             },
             py::arg("expression"))
@@ -114,15 +114,15 @@ PYBIND11_MODULE(_kaya, module) {
             "set_value",
             [](Self& self, const std::string& name, const py::object& value) {
                 const script::Value given = to_script(value);
-                self.run([&](Session& session) { session.scripts->set(name, given); });
+                self.run([&](Session& session) { session.engine.scripts->set(name, given); });
             },
             py::arg("name"), py::arg("value"))
         .def("call_in_cycles", &Self::call_in_cycles, py::arg("function"), py::arg("moment"), py::arg("interval"))
         .def("leave_out", &Self::leave_out, py::arg("number"))
         .def("interrupt", &Self::interrupt)
-        .def("hash", [](Self& self) { return state_hash(self.session().model); })
-        .def("warnings", [](Self& self) { return self.session().warning_texts; })
-        .def("written", [](Self& self) { return self.session().files_written; });
+        .def("hash", [](Self& self) { return state_hash(self.session().engine.model); })
+        .def("warnings", [](Self& self) { return self.session().program.warning_texts; })
+        .def("written", [](Self& self) { return self.session().program.files_written; });
 }
 
 } // namespace kaya::python

@@ -23,7 +23,7 @@ py::array_t<double> array_of(const std::vector<double>& numbers) {
 } // namespace
 
 py::list histories(PythonSession& self) {
-    const auto& histories = self.session().model.histories;
+    const auto& histories = self.session().engine.model.histories;
     py::list all;
     for (const auto& history : histories.all) {
         const auto first = static_cast<std::ptrdiff_t>(history.first_sample);
@@ -37,8 +37,8 @@ py::list histories(PythonSession& self) {
 
 py::list interfaces(PythonSession& self) {
     Session& session = self.session();
-    Model& model = session.model;
-    if (!session.inside_cycle) find_contacts(model, session.joints);
+    Model& model = session.engine.model;
+    if (!session.engine.inside_cycle) find_contacts(model, session.engine.joints);
     std::vector<Row> all(model.contacts.size());
     for (std::size_t row = 0; row < all.size(); ++row) all[row] = static_cast<Row>(row);
     py::list result;
@@ -64,7 +64,7 @@ py::list interfaces(PythonSession& self) {
         row["point"] = array_of(one.point_of_action());
         row["normal_force"] = one.normal_force();
         row["shear_force"] = one.shear_force();
-        row["utilisation"] = utilisation_of(model, session.joints, one);
+        row["utilisation"] = utilisation_of(model, session.engine.joints, one);
         row["polygons"] = polygons;
         result.append(row);
     }
@@ -72,7 +72,7 @@ py::list interfaces(PythonSession& self) {
 }
 
 py::dict reactions(PythonSession& self) {
-    const Model& model = self.session().model;
+    const Model& model = self.session().engine.model;
     const auto found = reactions_of(model, [](Row) { return true; });
     py::dict groups;
     for (const auto& one : found.groups) {

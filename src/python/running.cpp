@@ -56,12 +56,12 @@ PythonSession::PythonSession(const py::function& out, const py::function& messag
     : out_(stream_to(out)), messages_(stream_to(messages)) {
     const py::gil_scoped_release others;
     session_ = std::make_unique<Session>(options, out_.get(), messages_.get());
-    session_->deck = "python";
+    session_->deck.file = "python";
     session_->autosave->set_interval(std::nullopt); // the caller keeps the model
 }
 
 PythonSession::~PythonSession() {
-    session_->callbacks.clear(); // they hold objects of Python
+    session_->engine.callbacks.clear(); // they hold objects of Python
     const py::gil_scoped_release others;
     session_.reset();
 }
@@ -96,8 +96,8 @@ void PythonSession::run(const std::function<void(Session&)>& work) {
             work(session);
         } catch (...) { failed = std::current_exception(); }
         try {
-            session.output.end_refresh(); // a run that an exception has ended leaves its line
-            session.output.flush();
+            session.program.output.end_refresh(); // a run that an exception has ended leaves its line
+            session.program.output.flush();
         } catch (...) {
             if (!failed) failed = std::current_exception();
         }
@@ -117,13 +117,13 @@ void PythonSession::run(const std::function<void(Session&)>& work) {
 std::string PythonSession::text(const std::string& commands, const std::string& name, bool caught) {
     std::string printed;
     run([&](Session& session) {
-        if (session.inside_cycle) {
-            printed = session.world.command(commands, name, 1, caught);
+        if (session.engine.inside_cycle) {
+            printed = session.engine.world.command(commands, name, 1, caught);
             return;
         }
         std::optional<Output::Caught> catching;
-        if (caught) catching.emplace(session.output);
-        session.interpreter.run_text(commands, name);
+        if (caught) catching.emplace(session.program.output);
+        session.deck.interpreter.run_text(commands, name);
         if (catching) printed = catching->take();
     });
     return printed;
@@ -150,14 +150,14 @@ void PythonSession::call(const py::function& function) {
 
 int PythonSession::call_in_cycles(const py::function& function, const std::string& moment, std::int64_t interval) {
     if (interval < 1) throw py::value_error("the interval is at least 1 cycle");
-    auto& callbacks = session().callbacks;
+    auto& callbacks = session().engine.callbacks;
     const int number = callbacks.empty() ? 1 : callbacks.back().number + 1;
     callbacks.push_back({number, moment_of(moment), interval, [this, called = kept(function)] { call(*called); }});
     return number;
 }
 
 void PythonSession::leave_out(int number) {
-    std::erase_if(session().callbacks, [number](const Engine::Callback& one) { return one.number == number; });
+    std::erase_if(session().engine.callbacks, [number](const Engine::Callback& one) { return one.number == number; });
 }
 
 } // namespace kaya::python

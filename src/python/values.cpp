@@ -10,7 +10,8 @@ namespace py = pybind11;
 
 py::object from_script(Session& session, const script::Value& value) {
     if (std::holds_alternative<std::monostate>(value)) return py::none();
-    if (const auto* handle = std::get_if<script::Handle>(&value)) return py::cast(handle_text(session.world, *handle));
+    if (const auto* handle = std::get_if<script::Handle>(&value))
+        return py::cast(handle_text(session.engine.world, *handle));
     if (const auto* vector = std::get_if<Vec3>(&value)) return py::make_tuple((*vector)[0], (*vector)[1], (*vector)[2]);
     if (const auto* compound = std::get_if<std::shared_ptr<const script::Compound>>(&value)) {
         const auto& all = **compound;

@@ -38,19 +38,19 @@ public:
     }
     /// As by `cycle`.
     void cycles(std::int64_t count) {
-        const kaya::Cycle::Unwatched unwatched(*session_->cycle);
-        for (std::int64_t i = 0; i < count; ++i) session_->cycle->advance();
+        const kaya::Cycle::Unwatched unwatched(*session_->engine.cycle);
+        for (std::int64_t i = 0; i < count; ++i) session_->engine.cycle->advance();
     }
     /// Cycles with a contact search and new geometry of every contact in each cycle.
     void rebuilding_cycles(std::int64_t count) {
         for (std::int64_t i = 0; i < count; ++i) {
-            for (auto& way : session_->model.blocks.travelled) way = std::numeric_limits<double>::infinity();
-            session_->cycle->advance();
+            for (auto& way : session_->engine.model.blocks.travelled) way = std::numeric_limits<double>::infinity();
+            session_->engine.cycle->advance();
         }
     }
-    kaya::Model& model() { return session_->model; }
-    const kaya::Model& model() const { return session_->model; }
-    const std::vector<kaya::PhaseTime>& timing() const { return session_->cycle->timing(); }
+    kaya::Model& model() { return session_->engine.model; }
+    const kaya::Model& model() const { return session_->engine.model; }
+    const std::vector<kaya::PhaseTime>& timing() const { return session_->engine.cycle->timing(); }
 
 private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> silence_;

@@ -40,7 +40,7 @@ struct Good {
 
     Good() {
         scene.run(test::hostile_deck);
-        model = scene.session().model;
+        model = scene.session().engine.model;
         test::Mutation counting;
         Model copy = model;
         visit_state(counting, copy);

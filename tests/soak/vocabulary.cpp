@@ -26,18 +26,18 @@ Vocabulary::Vocabulary() {
     Options options;
     options.threads = 1;
     Session session(options, file.get(), file.get());
-    for (const auto& [name, writable] : session.scripts->built_in_names()) {
-        const fish::Meaning meaning = session.scripts->meaning_of(name);
+    for (const auto& [name, writable] : session.engine.scripts->built_in_names()) {
+        const fish::Meaning meaning = session.engine.scripts->meaning_of(name);
         fish.push_back(
             {name, meaning.least, std::min(std::max(meaning.most, meaning.least), meaning.least + 3), writable});
     }
-    for (const auto& table : session.world.tables()) {
+    for (const auto& table : session.engine.world.tables()) {
         Kind kind{std::string(table.name), std::string(table.classic), {}, {}};
         for (const auto& field : table.fields) kind.fields.emplace_back(field.name);
         kinds.push_back(std::move(kind));
     }
     for (int steps = 0; steps < 3; ++steps)
-        for (const auto& relation : session.world.relations()) {
+        for (const auto& relation : session.engine.world.relations()) {
             if (relation.classic.empty() || relation.to < 0) continue;
             const bool whole = relation.from < 0;
             if (!whole && kinds[static_cast<std::size_t>(relation.from)].objects.empty()) continue;

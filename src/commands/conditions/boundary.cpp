@@ -80,8 +80,8 @@ std::int32_t time_function(Session& session, const std::optional<lang::Multiplie
     if (!multiplier) return constant_in_time;
     try {
         TimeFunction function = std::visit(TimeFunctionOf{session}, multiplier->function);
-        function.place = session.here();
-        return time_function_row(session.model, function);
+        function.place = session.deck.here();
+        return time_function_row(session.engine.model, function);
     } catch (Diagnostic& mistake) {
         mistake.at(multiplier->place);
         throw;
@@ -96,7 +96,7 @@ std::uint8_t bits_of(const std::array<bool, 6>& components) {
 
 /// A load on a component that is held moves nothing.
 void warn_of_held_loads(Session& session, const std::vector<Row>& blocks, const Place& place) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     static constexpr std::array directions{"x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
     const auto say = [&](Row b, int k, const char* what) {
         session.warn(Diagnostic(fmt::format("{} of block {} is loaded where it is held: {}", what,
@@ -132,8 +132,8 @@ void warn_of_no_face(Session& session, const lang::Boundary& command, std::size_
 }
 
 void put_reactions(Session& session, const lang::Boundary& command) {
-    auto& model = session.model;
-    session.cycle->prepare(); // forces and masses of now
+    auto& model = session.engine.model;
+    session.engine.cycle->prepare(); // forces and masses of now
     const Bodies bodies = pick_bodies(session, command.range);
     for (int axis = 0; axis < 3; ++axis) {
         if (!command.reaction[axis]) continue;
@@ -142,7 +142,7 @@ void put_reactions(Session& session, const lang::Boundary& command) {
             std::ranges::none_of(bodies.gridpoints, [&](Row g) { return held(model.gridpoints.fixed[g]); }))
             session.warn(
                 Diagnostic(fmt::format("nothing in range is held in {}", axis_names[axis]),
-                           fmt::format(fmt::runtime(session.in_words(
+                           fmt::format(fmt::runtime(session.deck.in_words(
                                            "{0}reaction has no effect: hold it first, e.g. `bound {0}vel 0`, and cycle",
                                            "reaction-{0} has no effect: hold it first, e.g. `block gridpoint apply "
                                            "velocity-{0} 0`, and cycle")),
@@ -160,15 +160,16 @@ std::uint8_t quiet_bits(const lang::Boundary& command) {
 
 /// Faces that a range picks by their own group, where it picks no gridpoint.
 std::vector<Row> grouped_faces(Session& session, const lang::RangePhrase& range) {
-    if (!has_element(session.ranges, range, lang::RangeElement::Kind::group)) return {};
-    if (!select(session.model, ObjectKind::gridpoint, session.test_of(ObjectKind::gridpoint, range)).empty()) return {};
-    return select(session.model, ObjectKind::face, session.test_of(ObjectKind::face, range));
+    if (!has_element(session.deck.ranges, range, lang::RangeElement::Kind::group)) return {};
+    if (!select(session.engine.model, ObjectKind::gridpoint, session.test_of(ObjectKind::gridpoint, range)).empty())
+        return {};
+    return select(session.engine.model, ObjectKind::face, session.test_of(ObjectKind::face, range));
 }
 
 /// The gridpoints in range, or those of its faces, in order.
 std::vector<Row> points_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& faces) {
     if (faces.empty()) return session.pick(ObjectKind::gridpoint, command.range);
-    const auto& triangles = session.model.triangles;
+    const auto& triangles = session.engine.model.triangles;
     std::vector<Row> points;
     for (std::size_t t = 0; t < triangles.size(); ++t)
         if (std::ranges::binary_search(faces, triangles.face[t]))
@@ -180,40 +181,41 @@ std::vector<Row> points_in_range(Session& session, const lang::Boundary& command
 
 /// The exterior triangles of the faces, or of the gridpoints when there are none.
 std::vector<Row> exterior_of(Session& session, const std::vector<Row>& faces, const std::vector<Row>& points) {
-    find_contacts(session.model, session.joints); // they define the exterior faces
-    return faces.empty() ? exterior_triangles(session.model, points)
-                         : exterior_triangles_of_faces(session.model, faces);
+    find_contacts(session.engine.model, session.engine.joints); // they define the exterior faces
+    return faces.empty() ? exterior_triangles(session.engine.model, points)
+                         : exterior_triangles_of_faces(session.engine.model, faces);
 }
 
 /// The triangles on which nvel and quiet boundaries act. Throws Diagnostic when all are of rigid blocks.
 std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& faces,
                                     const std::vector<Row>& points) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const bool quiet = quiet_bits(command) != 0;
     const auto triangles = exterior_of(session, faces, points);
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
     if (!triangles.empty() && std::ranges::none_of(triangles, soft))
-        throw Diagnostic("all faces in range belong to rigid blocks",
-                         quiet ? session.in_words("a quiet boundary needs zones, in which waves run: give `generate "
-                                                  "edge` before it",
-                                                  "a quiet boundary needs zones, in which waves run: give `block zone "
-                                                  "generate edgelength` before it")
-                               : session.in_words("hold the blocks with `bound xvel` (or y, z), or give `generate "
-                                                  "edge` before it",
-                                                  "hold the blocks with `block gridpoint apply velocity-x` (or y, z), "
-                                                  "or give `block zone generate edgelength` before it"))
+        throw Diagnostic(
+            "all faces in range belong to rigid blocks",
+            quiet ? session.deck.in_words("a quiet boundary needs zones, in which waves run: give `generate "
+                                          "edge` before it",
+                                          "a quiet boundary needs zones, in which waves run: give `block zone "
+                                          "generate edgelength` before it")
+                  : session.deck.in_words("hold the blocks with `bound xvel` (or y, z), or give `generate "
+                                          "edge` before it",
+                                          "hold the blocks with `block gridpoint apply velocity-x` (or y, z), "
+                                          "or give `block zone generate edgelength` before it"))
             .at(command.place);
     return triangles;
 }
 
 /// nvel, and quiet boundaries.
 void put_on_faces(Session& session, const lang::Boundary& command, const std::vector<Row>& triangles) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const std::uint8_t bits = quiet_bits(command);
     double area = 0;
     for (const Row t : triangles) area += triangle_area_vector(model, t).norm();
-    session.output.say(
+    session.program.output.say(
         fmt::format("{} an area of {}", bits != 0 ? "quiet boundary on" : "nvel holds", number_text(area)));
     if (command.normal_velocity) hold_normals(model, triangles, *command.normal_velocity);
     if (bits == 0) return;
@@ -226,7 +228,7 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
                     session.warn(
                         Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
                                                model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
-                                   fmt::format(fmt::runtime(session.in_words(
+                                   fmt::format(fmt::runtime(session.deck.in_words(
                                                    "waves come back from it: let it go with `bound {0}reaction`, which "
                                                    "keeps the force that holds it",
                                                    "waves come back from it: let it go with `block gridpoint apply "
@@ -237,43 +239,45 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
                 }
 }
 
-void reset_time(Session& session) { session.model.clock.time = 0; }
+void reset_time(Session& session) { session.engine.model.clock.time = 0; }
 
-void reset_histories(Session& session) { session.model.histories = Histories{}; }
+void reset_histories(Session& session) { session.engine.model.histories = Histories{}; }
 
 void reset_displacements(Session& session) {
-    links::clear(session.model.gridpoints, {Role::displacement});
-    links::clear(session.model.blocks, {Role::displacement});
-    links::clear(session.model.structures.member_nodes, {Role::displacement});
+    links::clear(session.engine.model.gridpoints, {Role::displacement});
+    links::clear(session.engine.model.blocks, {Role::displacement});
+    links::clear(session.engine.model.structures.member_nodes, {Role::displacement});
 }
 
 void reset_velocities(Session& session) {
     // Prescribed components are left unchanged: a boundary condition is not an initial condition.
-    auto& points = session.model.gridpoints;
+    auto& points = session.engine.model.gridpoints;
     for (std::size_t row = 0; row < points.size(); ++row)
         for (int axis = 0; axis < 3; ++axis)
             if ((points.fixed[row] & (fix_x << axis)) == 0) points.velocity[row][axis] = 0;
-    auto& blocks = session.model.blocks;
+    auto& blocks = session.engine.model.blocks;
     for (std::size_t row = 0; row < blocks.size(); ++row)
         for (int axis = 0; axis < 3; ++axis) {
             if ((blocks.fixed[row] & (fix_x << axis)) == 0) blocks.velocity[row][axis] = 0;
             if ((blocks.fixed[row] & (fix_rx << axis)) == 0) blocks.rotational_velocity[row][axis] = 0;
         }
     std::ranges::fill(blocks.angular_momentum, Vec3::Zero());
-    links::clear(session.model.structures.member_nodes, {Role::motion});
+    links::clear(session.engine.model.structures.member_nodes, {Role::motion});
 }
 
-void reset_joint_displacements(Session& session) { links::clear(session.model.sub_contacts, {Role::displacement}); }
+void reset_joint_displacements(Session& session) {
+    links::clear(session.engine.model.sub_contacts, {Role::displacement});
+}
 
 void reset_energy(Session& session) {
     // The energy account restarts with the present kinetic energy.
-    auto& energy = session.model.energy;
+    auto& energy = session.engine.model.energy;
     const double kinetic = energy.kinetic;
     energy = Energy{};
     energy.kinetic = energy.start = kinetic;
 }
 
-void reset_damping(Session& session) { session.model.clock.global_viscosity = 0; }
+void reset_damping(Session& session) { session.engine.model.clock.global_viscosity = 0; }
 
 void reset(Session& session, lang::Reset::What what) {
     using enum lang::Reset::What;
@@ -295,23 +299,23 @@ void run(Session& session, const lang::Fix& command) {
     std::array<std::optional<double>, components> held;
     for (std::size_t k = 0; k < held.size(); ++k)
         if (command.components[k]) held[k] = 0;
-    check_rotation(session.model, {blocks, {}}, held, session.interpreter.current_place());
-    for (const Vec3& direction : command.directions) hold_direction(session.model, {blocks, {}}, direction, 0);
+    check_rotation(session.engine.model, {blocks, {}}, held, session.deck.interpreter.current_place());
+    for (const Vec3& direction : command.directions) hold_direction(session.engine.model, {blocks, {}}, direction, 0);
     if (any(command.components) || command.directions.empty())
-        fix_blocks(session.model, blocks, bits_of(command.components));
+        fix_blocks(session.engine.model, blocks, bits_of(command.components));
     warn_of_held_loads(session, blocks, command.range.place);
 }
 
 void run(Session& session, const lang::Free& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     const std::uint8_t bits = command.directions && !any(command.components) ? 0 : bits_of(command.components);
-    if (bits != 0) free_blocks(session.model, blocks, bits);
-    if (command.directions || (bits & all_axes) == all_axes) free_directions(session.model, {blocks, {}});
+    if (bits != 0) free_blocks(session.engine.model, blocks, bits);
+    if (command.directions || (bits & all_axes) == all_axes) free_directions(session.engine.model, {blocks, {}});
 }
 
 void run(Session& session, const lang::Gravity& command) {
-    doubt_gravity(session, command.value, session.interpreter.current_place());
-    session.model.settings.gravity = command.value;
+    doubt_gravity(session, command.value, session.deck.interpreter.current_place());
+    session.engine.model.settings.gravity = command.value;
 }
 
 namespace {
@@ -319,7 +323,7 @@ namespace {
 bool on_faces(const lang::Boundary& command) { return any(command.quiet) || command.normal_velocity; }
 
 void bound(Session& session, const lang::Boundary& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const auto function = time_function(session, command.multiplier);
     std::vector<Row> faces, points, triangles;
     const bool loads = any(command.load) || !command.directed_load.empty() || command.stress;
@@ -349,20 +353,21 @@ void bound(Session& session, const lang::Boundary& command) {
         if (!command.load[axis]) continue;
         add_load(model, points, axis, *command.load[axis], function);
         // Repeated loads add up, at every gridpoint: the number shows what the total became.
-        session.output.say(fmt::format("{}load {} added at {}", axis_names[axis], number_text(*command.load[axis]),
-                                       counted(points.size(), "gridpoint")));
+        session.program.output.say(fmt::format("{}load {} added at {}", axis_names[axis],
+                                               number_text(*command.load[axis]), counted(points.size(), "gridpoint")));
     }
     for (const auto& [force, direction] : command.directed_load) {
         const Vec3 vector = force * direction.normalized();
         for (int axis = 0; axis < 3; ++axis)
             if (vector[axis] != 0) add_load(model, points, axis, vector[axis], function);
-        session.output.say(fmt::format("load {} along {} added at {}", number_text(force),
-                                       place_text(direction.normalized()), counted(points.size(), "gridpoint")));
+        session.program.output.say(fmt::format("load {} along {} added at {}", number_text(force),
+                                               place_text(direction.normalized()),
+                                               counted(points.size(), "gridpoint")));
     }
     if (command.stress) {
         const double area = add_stress_on(model, exterior_of(session, faces, points), stress_field(command), function);
         if (area == 0) warn_of_no_face(session, command, points.size(), "the stress");
-        else session.output.say(fmt::format("stress added on an area of {}", number_text(area)));
+        else session.program.output.say(fmt::format("stress added on an area of {}", number_text(area)));
     }
     std::vector<Row> blocks;
     for (const Row g : points)
@@ -401,7 +406,7 @@ Vec6 load_of(const lang::Apply& command) {
 
 /// A single place must lie in or on one block.
 void check_place_of_load(Session& session, const lang::Apply& command, const std::vector<Row>& blocks) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     if (blocks.size() > 1)
         throw Diagnostic(
             fmt::format("{} are in range, and a force acts at a place of one", counted(blocks.size(), "block")),
@@ -420,7 +425,7 @@ void check_place_of_load(Session& session, const lang::Apply& command, const std
 } // namespace
 
 void run(Session& session, const lang::Apply& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const auto function = time_function(session, command.multiplier);
     const auto blocks = session.pick(ObjectKind::block, command.range);
     const Vec6 load = load_of(command);

@@ -37,7 +37,7 @@ std::int32_t number_of(Model& model, const Material& wanted) {
 } // namespace
 
 void give_density(Session& session, const std::vector<Row>& blocks, double density, bool all) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     const std::set<Row> chosen(blocks.begin(), blocks.end());
     std::set<std::int32_t> shared; // with blocks that keep their density
     for (std::size_t b = 0; b < model.blocks.size(); ++b)

@@ -33,8 +33,8 @@ struct SourceOf {
     HistorySource operator()(const lang::HistoryItem::Script& item) {
         source.kind = SourceKind::function;
         source.quantity = item.symbol;
-        if (!session.scripts->knows(source.quantity)) {
-            const auto symbols = session.scripts->symbols();
+        if (!session.engine.scripts->knows(source.quantity)) {
+            const auto symbols = session.engine.scripts->symbols();
             const auto near = did_you_mean(source.quantity, {symbols.begin(), symbols.end()});
             throw Diagnostic(fmt::format("there is no FISH variable or function '{}'", source.quantity),
                              near.empty() ? "define it before it is recorded"
@@ -45,7 +45,7 @@ struct SourceOf {
     HistorySource operator()(const lang::HistoryItem::Own& item) {
         find_joints(session);
         source.kind = SourceKind::sub_contact;
-        source.quantity = recorded_name(session, item.name, source.place);
+        source.quantity = recorded_name(session.engine, item.name, source.place);
         return source;
     }
     HistorySource operator()(const lang::HistoryItem::Quantity& item) {
@@ -65,7 +65,7 @@ HistorySource source_of(Session& session, const lang::HistoryItem& item) {
 }
 
 void warn_of_far_place(Session& session, const History& history, const Place& word) {
-    const auto object = sampled_object(session.model, history.source);
+    const auto object = sampled_object(session.engine.model, history.source);
     if (!object || !object->far) return;
     Diagnostic warning(fmt::format("{} is {} away from {}: history {} records what is at {}", object->name,
                                    number_text(object->distance), place_text(history.source.place), history.number,
@@ -76,7 +76,7 @@ void warn_of_far_place(Session& session, const History& history, const Place& wo
 }
 
 History& history_of(Session& session, std::int64_t number, const Place& place) {
-    auto& all = session.model.histories.all;
+    auto& all = session.engine.model.histories.all;
     const auto found = std::ranges::find(all, number, &History::number);
     if (found != all.end()) return *found;
     throw Diagnostic(fmt::format("there is no history {}", number),
@@ -87,7 +87,7 @@ History& history_of(Session& session, std::int64_t number, const Place& place) {
 } // namespace
 
 void run(Session& session, const lang::HistoryAdd& command) {
-    const auto& all = session.model.histories.all;
+    const auto& all = session.engine.model.histories.all;
     const std::int64_t next = all.empty() ? 1 : all.back().number + 1;
     if (command.number && *command.number != next)
         session.warn(Diagnostic(fmt::format("this becomes history {}, not {}", next, *command.number),
@@ -95,19 +95,19 @@ void run(Session& session, const lang::HistoryAdd& command) {
                          .at(command.place));
     for (const auto& item : command.items) {
         try {
-            const History& history = add_history(session.model, source_of(session, item), label_of(item));
+            const History& history = add_history(session.engine.model, source_of(session, item), label_of(item));
             warn_of_far_place(session, history, item.text);
         } catch (Diagnostic& mistake) {
             mistake.at(item.text);
             throw;
         }
     }
-    if (command.interval) session.model.histories.interval = static_cast<std::int32_t>(*command.interval);
+    if (command.interval) session.engine.model.histories.interval = static_cast<std::int32_t>(*command.interval);
 }
 
 void run(Session& session, const lang::HistoryDelete& command) {
     for (const auto number : command.numbers) history_of(session, number, command.place);
-    auto& histories = session.model.histories;
+    auto& histories = session.engine.model.histories;
     std::erase_if(histories.all, [&](const History& history) {
         return command.numbers.empty() || std::ranges::find(command.numbers, history.number) != command.numbers.end();
     });

@@ -26,8 +26,8 @@ StressField stress_field(const lang::InSitu& command) {
 }
 
 void put_stress(Session& session, const lang::InSitu& command) {
-    auto& model = session.model;
-    find_contacts(model, session.joints);
+    auto& model = session.engine.model;
+    find_contacts(model, session.engine.joints);
     const auto test = [&](ObjectKind kind) { return session.test_of(kind, command.range); };
     const auto zones = select(model, ObjectKind::zone, test(ObjectKind::zone));
     const auto points = select(model, ObjectKind::sub_contact, test(ObjectKind::sub_contact));
@@ -38,9 +38,10 @@ void put_stress(Session& session, const lang::InSitu& command) {
     }
     warn_of(session, doubts_of(command));
     forget_cell_motion(model, zones);
-    if (command.stress) return set_insitu_stress(model, session.joints, zones, points, stress_field(command));
+    if (command.stress) return set_insitu_stress(model, session.engine.joints, zones, points, stress_field(command));
     try {
-        set_topography_stress(model, session.joints, zones, points, command.topography->kx, command.topography->ky);
+        set_topography_stress(model, session.engine.joints, zones, points, command.topography->kx,
+                              command.topography->ky);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -48,12 +49,13 @@ void put_stress(Session& session, const lang::InSitu& command) {
 }
 
 void put_pore_pressure(Session& session, const lang::RangePhrase& range, const lang::LinearNumber& pressure) {
-    set_pore_pressure(session.model, session.pick(ObjectKind::gridpoint, range), pressure.at_origin, pressure.gradient);
+    set_pore_pressure(session.engine.model, session.pick(ObjectKind::gridpoint, range), pressure.at_origin,
+                      pressure.gradient);
 }
 
 /// Throws Diagnostic when the range holds rigid blocks only; warns when it holds nothing.
 void refuse_stress_without_zones(Session& session, const lang::Initialize& command) {
-    if (!select(session.model, ObjectKind::block, session.test_of(ObjectKind::block, command.range)).empty())
+    if (!select(session.engine.model, ObjectKind::block, session.test_of(ObjectKind::block, command.range)).empty())
         throw Diagnostic("all blocks in range are rigid, and rigid blocks have no stress",
                          "give them zones before it (generate edge ...); `insitu stress` loads joints of rigid blocks")
             .at(command.place);
@@ -64,7 +66,7 @@ void refuse_stress_without_zones(Session& session, const lang::Initialize& comma
 } // namespace
 
 void run(Session& session, const lang::Initialize& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     if (any(command.velocity) || any(command.displacement)) {
         const Bodies bodies = pick_bodies(session, command.range);
         check_rotation(model, bodies, command.velocity, command.place);

@@ -11,7 +11,7 @@
 namespace kaya {
 
 void run(Session& session, const lang::FishDefinition& command) {
-    session.scripts->define_fish(command.text, command.place);
+    session.engine.scripts->define_fish(command.text, command.place);
 }
 
 void run(Session& session, const lang::Parameter& command) {
@@ -20,22 +20,22 @@ void run(Session& session, const lang::Parameter& command) {
         const auto* number = std::get_if<double>(&command.value);
         if (whole == nullptr && number == nullptr)
             throw Diagnostic(fmt::format("'{}' takes a number", command.name)).at(command.place);
-        session.given_properties.give(command.name, whole != nullptr ? static_cast<double>(*whole) : *number,
-                                      command.place);
+        session.deck.given_properties.give(command.name, whole != nullptr ? static_cast<double>(*whole) : *number,
+                                           command.place);
         return;
     }
     const auto value = std::visit([](const auto& v) { return script::Value(v); }, command.value);
-    const auto [known, is_new] = session.parameters.try_emplace(lang::fold(command.name), value);
+    const auto [known, is_new] = session.deck.parameters.try_emplace(lang::fold(command.name), value);
     if (!is_new && known->second != value)
-        session.output.say(fmt::format("{} = {}, as given before; {} is not used", command.name,
-                                       script::to_text(known->second, &session.world),
-                                       script::to_text(value, &session.world)));
-    session.scripts->set(command.name, known->second, command.place);
+        session.program.output.say(fmt::format("{} = {}, as given before; {} is not used", command.name,
+                                               script::to_text(known->second, &session.engine.world),
+                                               script::to_text(value, &session.engine.world)));
+    session.engine.scripts->set(command.name, known->second, command.place);
 }
 
 void run(Session& session, const lang::FishCall& command) {
-    session.scripts->call(command.expression, command.place);
-    for (const auto& [expression, place] : command.further) session.scripts->call(expression, place);
+    session.engine.scripts->call(command.expression, command.place);
+    for (const auto& [expression, place] : command.further) session.engine.scripts->call(expression, place);
 }
 
 void run(Session& session, const lang::FishCallback& command) {
@@ -49,24 +49,26 @@ void run(Session& session, const lang::FishCallback& command) {
         return std::ranges::find(moments, when, &std::pair<When, Moment>::first)->second;
     };
     if (!command.remove)
-        return session.scripts->add_fish_hook(command.function, moment_of(command.when.value_or(When::after_forces)),
-                                              command.interval, command.place);
+        return session.engine.scripts->add_fish_hook(
+            command.function, moment_of(command.when.value_or(When::after_forces)), command.interval, command.place);
     const auto moment = command.when ? std::optional(moment_of(*command.when)) : std::nullopt;
-    session.scripts->remove_fish_hook(command.function, moment, command.place);
+    session.engine.scripts->remove_fish_hook(command.function, moment, command.place);
 }
 
 void run(Session& session, const lang::FishSetting& command) {
-    if (command.automatic_create) session.scripts->create_automatically(*command.automatic_create);
+    if (command.automatic_create) session.engine.scripts->create_automatically(*command.automatic_create);
     if (!command.structure.empty())
-        session.scripts->define_structure(command.structure, command.members, command.place);
+        session.engine.scripts->define_structure(command.structure, command.members, command.place);
 }
 
 void run(Session& session, const lang::HistoryAdd& command); // histories.cpp
 
-void run(Session& session, const lang::LuaChunk& command) { session.scripts->run_lua(command.text, command.place); }
+void run(Session& session, const lang::LuaChunk& command) {
+    session.engine.scripts->run_lua(command.text, command.place);
+}
 
 void run(Session& session, const lang::LuaFile& command) {
-    session.scripts->run_lua_file(session.input_file(command.file), command.place);
+    session.engine.scripts->run_lua_file(session.input_file(command.file), command.place);
 }
 
 void add_handlers(HandlerTable& table, lang::ScriptCommands list) { fill(table, list); }

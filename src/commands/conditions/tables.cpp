@@ -126,7 +126,7 @@ std::int64_t table_to_fill(script::Tables& tables, const lang::TableCommand& com
 
 std::int64_t table_number(Session& session, const lang::TableValue& value) {
     if (value.name.empty()) return value.table;
-    auto& tables = session.scripts->tables();
+    auto& tables = session.engine.scripts->tables();
     if (const auto found = find_named(tables, value.name); found != tables.end()) return found->first;
     std::vector<std::string_view> known;
     for (const auto& [number, table] : tables) known.push_back(table.name);
@@ -137,7 +137,7 @@ std::int64_t table_number(Session& session, const lang::TableValue& value) {
 }
 
 void run(Session& session, const lang::TableCommand& command) {
-    auto& tables = session.scripts->tables();
+    auto& tables = session.engine.scripts->tables();
     if (!command.file.empty()) {
         try {
             script::Table table = TableFile(session.input_file(command.file), command.file).read();
@@ -157,7 +157,7 @@ void run(Session& session, const lang::TableCommand& command) {
 }
 
 void check_table(Session& session, std::int64_t number) {
-    const auto& tables = session.scripts->tables();
+    const auto& tables = session.engine.scripts->tables();
     const auto found = tables.find(number);
     if (found == tables.end()) {
         std::vector<std::string> known;
@@ -176,18 +176,18 @@ void check_table(Session& session, std::int64_t number) {
 }
 
 void check_symbol(Session& session, const std::string& name) {
-    if (session.scripts->knows(name)) return;
-    const auto symbols = session.scripts->symbols();
+    if (session.engine.scripts->knows(name)) return;
+    const auto symbols = session.engine.scripts->symbols();
     const auto near = did_you_mean(name, {symbols.begin(), symbols.end()});
     throw Diagnostic(fmt::format("there is no FISH variable or function '{}'", name),
                      near.empty() ? "define it before it is used" : fmt::format("did you mean '@{}'?", near));
 }
 
 void check_time_functions(Session& session) {
-    const std::set<std::int32_t> used(session.model.boundary_histories.function.begin(),
-                                      session.model.boundary_histories.function.end());
+    const std::set<std::int32_t> used(session.engine.model.boundary_histories.function.begin(),
+                                      session.engine.model.boundary_histories.function.end());
     for (const auto row : used) {
-        const TimeFunction& function = session.model.time_functions[static_cast<std::size_t>(row)];
+        const TimeFunction& function = session.engine.model.time_functions[static_cast<std::size_t>(row)];
         try {
             if (function.kind == TimeFunction::Kind::table) check_table(session, function.table);
             if (function.kind == TimeFunction::Kind::script) check_symbol(session, function.script);

@@ -8,11 +8,11 @@ namespace kaya {
 
 void run(Session& session, const lang::WaterCommand& command) {
     using Kind = lang::WaterCommand::Kind;
-    auto& settings = session.model.settings;
-    ModelEdit(session.model, Change::properties);
+    auto& settings = session.engine.model.settings;
+    ModelEdit(session.engine.model, Change::properties);
     if (command.kind == Kind::off) {
         settings.water = Water::none;
-        std::ranges::fill(session.model.sub_contacts.pore_pressure, 0.0);
+        std::ranges::fill(session.engine.model.sub_contacts.pore_pressure, 0.0);
         return;
     }
     if (command.kind == Kind::pressure) {
@@ -27,7 +27,7 @@ void run(Session& session, const lang::WaterCommand& command) {
             throw Diagnostic("below a ground surface water needs gravity along -z",
                              "write for example: gravity 0 0 -9.81")
                 .at(command.place);
-        session.model.water_ground = ground_of(session, command.file, command.origin, command.place);
+        session.engine.model.water_ground = ground_of(session, command.file, command.origin, command.place);
         settings.water = Water::ground;
         settings.water_value = command.density;
         return;

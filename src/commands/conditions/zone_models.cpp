@@ -17,7 +17,7 @@ namespace {
 
 const ZoneModel& model_named(Session& session, const lang::ZoneModelCommand& command) {
     try {
-        return session.joints.zones.get(command.model);
+        return session.engine.joints.zones.get(command.model);
     } catch (Diagnostic& mistake) {
         mistake.at(command.model_place);
         throw;
@@ -30,7 +30,7 @@ void take_out(Session& session, const lang::ZoneModelCommand& command, const std
                          "it means that nothing is there: omit the properties")
             .at(command.items.front().place);
     if (blocks.empty()) return;
-    excavate_blocks(session.model, blocks);
+    excavate_blocks(session.engine.model, blocks);
 }
 
 /// The values of a line by the names of the properties. Throws Diagnostic at the word that is wrong.
@@ -64,7 +64,7 @@ Row row_of(Model& model, const ZoneProperties& wanted) {
 
 void run(Session& session, const lang::ZoneModelCommand& command) {
     using Action = lang::ZoneModelCommand::Action;
-    auto& model = session.model;
+    auto& model = session.engine.model;
     if (command.action == Action::load) {
         model_named(session, command);
         return;
@@ -78,9 +78,9 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
         const auto& before = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
         const bool assign = command.action == Action::assign;
         const ZoneModel& zone_model =
-            assign ? model_named(session, command) : session.joints.zones.get(zone_model_of(model, block));
+            assign ? model_named(session, command) : session.engine.joints.zones.get(zone_model_of(model, block));
         ZoneProperties properties{zone_model.name, assign ? std::map<std::string, double>{} : before.values,
-                                  session.here()};
+                                  session.deck.here()};
         for (const auto& [name, value] : values_of(zone_model, command.items)) properties.values[name] = value;
         wanted.push_back(std::move(properties));
     }
@@ -92,8 +92,8 @@ void run(Session& session, const lang::ZoneModelCommand& command) {
 }
 
 void run(Session& session, const lang::ZoneAveraging& command) {
-    session.model.settings.mixed_discretisation = command.on;
-    ModelEdit(session.model, Change::properties);
+    session.engine.model.settings.mixed_discretisation = command.on;
+    ModelEdit(session.engine.model, Change::properties);
 }
 
 void add_handlers(HandlerTable& table, lang::ZoneModelCommands list) { fill(table, list); }

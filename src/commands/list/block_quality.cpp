@@ -30,7 +30,7 @@ bool invalid(Ailment ailment) {
 } // namespace
 
 std::string list_block_quality(Session& session, const lang::List& command) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
     if (rows.empty()) return "no blocks";
     std::vector<Polyhedron> shapes;

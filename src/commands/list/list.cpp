@@ -69,8 +69,9 @@ static_assert(in_order() && list_rows[std::size(list_rows) - 1].what == What::sy
 
 void run(Session& session, const lang::List& command) {
     for (const auto& symbol : command.symbols)
-        session.output.print(fmt::format("{} = {}", symbol, session.symbol_text(symbol)));
-    if (command.what) session.output.print(list_rows[static_cast<std::size_t>(*command.what)].text(session, command));
+        session.program.output.print(fmt::format("{} = {}", symbol, session.symbol_text(symbol)));
+    if (command.what)
+        session.program.output.print(list_rows[static_cast<std::size_t>(*command.what)].text(session, command));
 }
 
 void add_handlers(HandlerTable& table, lang::ListCommands list) { fill(table, list); }

@@ -19,7 +19,7 @@ namespace kaya {
 namespace {
 
 std::string utilisation_text(const Session& session, const Interface& one) {
-    const auto used = utilisation_of(session.model, session.joints, one);
+    const auto used = utilisation_of(session.engine.model, session.engine.joints, one);
     return used ? number_text(*used) : "-";
 }
 
@@ -42,8 +42,8 @@ std::string corners_text(const Model& model, const Interface& one) {
 } // namespace
 
 std::string list_interfaces(Session& session, const lang::List& command) {
-    find_contacts(session.model, session.joints);
-    const Model& model = session.model;
+    find_contacts(session.engine.model, session.engine.joints);
+    const Model& model = session.engine.model;
     const auto interfaces =
         interfaces_of(model, select(model, ObjectKind::contact, session.test_of(ObjectKind::contact, command.range)));
     if (interfaces.empty()) return fmt::format("no interfaces{}", command.range.place ? " in range" : "");
@@ -66,7 +66,7 @@ std::string list_interfaces(Session& session, const lang::List& command) {
 }
 
 std::string list_reactions(Session& session, const lang::List& command) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const RangeTest test = session.test_of(ObjectKind::block, command.range);
     const Reactions reactions = reactions_of(model, [&](Row b) { return !test || test(model, ObjectKind::block, b); });
     if (reactions.groups.empty()) return fmt::format("no supports{}", command.range.place ? " in range" : "");

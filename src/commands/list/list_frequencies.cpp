@@ -12,10 +12,10 @@ namespace kaya {
 
 std::string list_frequencies(Session& session, const lang::List& command) {
     constexpr int usual = 6;
-    session.cycle->prepare();
+    session.engine.cycle->prepare();
     LongWork work(session, "frequencies");
     const auto modes =
-        eigen_modes(session.model, command.number ? static_cast<int>(*command.number) : usual, std::ref(work));
+        eigen_modes(session.engine.model, command.number ? static_cast<int>(*command.number) : usual, std::ref(work));
     TextTable table({"mode", "frequency", "period", "mass along x, %", "along y, %", "along z, %"});
     for (std::size_t m = 0; m < modes.size(); ++m) {
         const bool free = modes[m].frequency == 0;

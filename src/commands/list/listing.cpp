@@ -72,7 +72,7 @@ std::string list_properties(Session& session, const lang::List& command) {
             headings.emplace_back(word);
     if (of_joints) headings.emplace_back("joint");
     TextTable table(std::move(headings));
-    for (const auto& [number, m] : session.model.materials) {
+    for (const auto& [number, m] : session.engine.model.materials) {
         if (command.number.value_or(number) != number || (!of_blocks && m.joint.empty())) continue;
         std::vector<std::string> row{std::to_string(number)}, joint;
         if (of_blocks)
@@ -88,7 +88,7 @@ std::string list_properties(Session& session, const lang::List& command) {
 
 std::string list_joint_models(Session& session, const lang::List&) {
     std::string text;
-    for (const auto& model : session.joints.loaded()) {
+    for (const auto& model : session.engine.joints.loaded()) {
         text += fmt::format("{} {}: {}\n", model->name, model->version, model->title);
         TextTable table({"  property", "also", "unit", "meaning"});
         for (const auto& p : model->properties)
@@ -96,9 +96,9 @@ std::string list_joint_models(Session& session, const lang::List&) {
                        p.help});
         text += table.text() + "\n";
     }
-    for (const Row row : property_sets_in_use(session.model)) {
-        const auto& set = session.model.joint_properties[row];
-        const JointModel* model = session.joints.find(set.model);
+    for (const Row row : property_sets_in_use(session.engine.model)) {
+        const auto& set = session.engine.model.joint_properties[row];
+        const JointModel* model = session.engine.joints.find(set.model);
         text += fmt::format("in use, jmat {}: {}", set.material, set.model);
         for (std::size_t i = 0; model != nullptr && i < set.values.size(); ++i)
             text += fmt::format(" {} {}", model->properties[i].name, given(set.values[i]));
@@ -108,7 +108,7 @@ std::string list_joint_models(Session& session, const lang::List&) {
 }
 
 std::string list_histories(Session& session, const lang::List& command) {
-    const auto& histories = session.model.histories;
+    const auto& histories = session.engine.model.histories;
     if (histories.all.empty()) return "no histories";
     TextTable table({"hist", "label", "quantity", "of", "at", "distance", "samples", "minimum", "maximum", "last"});
     for (const auto& h : histories.all) {
@@ -117,7 +117,7 @@ std::string list_histories(Session& session, const lang::List& command) {
         const auto range =
             none ? std::pair<double, double>{} : std::pair{std::ranges::min(h.values), std::ranges::max(h.values)};
         const bool function = h.source.kind == HistorySource::Kind::function;
-        const auto object = sampled_object(session.model, h.source);
+        const auto object = sampled_object(session.engine.model, h.source);
         const std::string kind = function ? "@" : h.source.rate ? "rate of " : "";
         table.add({std::to_string(h.number), h.label, kind + h.source.quantity, object ? object->name : "-",
                    object ? place_text(object->place) : "-", object ? number_text(object->distance) : "-",
@@ -130,23 +130,23 @@ std::string list_histories(Session& session, const lang::List& command) {
 }
 
 std::string list_time(Session& session, const lang::List&) {
-    return fmt::format("time = {}\ncycle = {}", time_text(session.model), session.model.clock.cycle);
+    return fmt::format("time = {}\ncycle = {}", time_text(session.engine.model), session.engine.model.clock.cycle);
 }
 
 std::string list_unbalanced(Session& session, const lang::List&) {
-    const auto& clock = session.model.clock;
+    const auto& clock = session.engine.model.clock;
     return fmt::format("{} = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
-                       heading_of(session.units, "unbalanced force", "force"), number_text(clock.unbalanced_force),
+                       heading_of(session.deck.units, "unbalanced force", "force"), number_text(clock.unbalanced_force),
                        number_text(clock.average_ratio), number_text(clock.maximum_ratio),
                        number_text(clock.local_ratio), clock.cycle);
 }
 
 std::string list_information(Session& session, const lang::List&) {
     find_joints(session);
-    const auto& m = session.model;
+    const auto& m = session.engine.model;
     TextTable table({"quantity", "value"});
-    if (!session.title.empty()) table.add({"title", session.title});
-    if (session.units.given()) table.add({"units", session.units.name()});
+    if (!session.deck.title.empty()) table.add({"title", session.deck.title});
+    if (session.deck.units.given()) table.add({"units", session.deck.units.name()});
     table.add({"time", time_text(m)});
     const std::pair<const char*, std::size_t> counts[] = {
         {"cycle", static_cast<std::size_t>(m.clock.cycle)},
@@ -160,21 +160,21 @@ std::string list_information(Session& session, const lang::List&) {
         {"histories", m.histories.all.size()},
     };
     for (const auto& [name, count] : counts) table.add({name, std::to_string(count)});
-    table.add({heading_of(session.units, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
+    table.add({heading_of(session.deck.units, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
     return table.text();
 }
 
 std::string list_time_step(Session& session, const lang::List&) {
-    session.cycle->prepare();
-    const std::string scaling = scaling_text(session.model);
-    std::string text = session.cycle->time_step_report();
-    for (const std::string& part : {scaling, added_mass_table(session.model)})
+    session.engine.cycle->prepare();
+    const std::string scaling = scaling_text(session.engine.model);
+    std::string text = session.engine.cycle->time_step_report();
+    for (const std::string& part : {scaling, added_mass_table(session.engine.model)})
         if (!part.empty()) text += "\n" + part;
     return text;
 }
 
 std::string list_extremes(Session& session, const lang::List&) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     Extreme displacement{"displacement", "length"}, velocity{"velocity", "velocity"},
         most_compressive{"most compressive stress", "stress"}, most_tensile{"most tensile stress", "stress"},
         shear{"joint shear displacement", "length"}, closure{"joint closure", "length"},
@@ -195,18 +195,18 @@ std::string list_extremes(Session& session, const lang::List&) {
         closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
         opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
-    const auto along = [&](std::string_view axis) { return heading_of(session.units, axis, "length"); };
+    const auto along = [&](std::string_view axis) { return heading_of(session.deck.units, axis, "length"); };
     TextTable table({"largest", "value", along("x"), along("y"), along("z")});
     for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({heading_of(session.units, e->name, e->quantity), number_text(e->value), number_text(e->place[0]),
-                   number_text(e->place[1]), number_text(e->place[2])});
-    return table.text() + fmt::format("\n{} = {}", heading_of(session.units, "unbalanced force", "force"),
+        table.add({heading_of(session.deck.units, e->name, e->quantity), number_text(e->value),
+                   number_text(e->place[0]), number_text(e->place[1]), number_text(e->place[2])});
+    return table.text() + fmt::format("\n{} = {}", heading_of(session.deck.units, "unbalanced force", "force"),
                                       number_text(model.clock.unbalanced_force));
 }
 
 std::string list_energy(Session& session, const lang::List&) {
-    const auto& e = session.model.energy;
-    TextTable table({"energy", heading_of(session.units, "value", "energy")});
+    const auto& e = session.engine.model.energy;
+    TextTable table({"energy", heading_of(session.deck.units, "value", "energy")});
     std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
                                                      {"kinetic at the start", e.start},
                                                      {"work of gravity", e.gravity},
@@ -218,31 +218,32 @@ std::string list_energy(Session& session, const lang::List&) {
                                                      {"work on zones", e.zone_work},
                                                      {"time-step changes", e.step_made},
                                                      {"residual", e.error()}};
-    if (session.model.structures.any())
-        rows.insert(rows.end() - 2, {session.model.structures.members.empty() ? "work on cables" : "work on structures",
-                                     e.structure_work});
+    if (session.engine.model.structures.any())
+        rows.insert(rows.end() - 2,
+                    {session.engine.model.structures.members.empty() ? "work on cables" : "work on structures",
+                     e.structure_work});
     for (const auto& [name, value] : rows) table.add({name, number_text(value)});
     return table.text();
 }
 
 std::string list_timing(Session& session, const lang::List&) {
     double total = 0;
-    for (const auto& phase : session.cycle->timing()) total += phase.seconds;
+    for (const auto& phase : session.engine.cycle->timing()) total += phase.seconds;
     TextTable table({"phase", "calls", "seconds", "share %"});
-    for (const auto& phase : session.cycle->timing())
+    for (const auto& phase : session.engine.cycle->timing())
         table.add({phase.phase, std::to_string(phase.calls), fmt::format("{:.3f}", phase.seconds),
                    fmt::format("{:.1f}", total > 0 ? 100 * phase.seconds / total : 0.0)});
     return table.text();
 }
 
 std::string list_hash(Session& session, const lang::List&) {
-    const std::string of_model = fmt::format("hash = {:016x}", state_hash(session.model));
+    const std::string of_model = fmt::format("hash = {:016x}", state_hash(session.engine.model));
     const auto of_scripts = script_hash(session);
     return of_scripts == 0 ? of_model : fmt::format("{}\nhash of scripts and ranges = {:016x}", of_model, of_scripts);
 }
 
 std::string list_tables(Session& session, const lang::List&) {
-    const auto& tables = session.scripts->tables();
+    const auto& tables = session.engine.scripts->tables();
     if (tables.empty()) return "no tables";
     TextTable rows({"table", "pairs", "first x", "last x", "least y", "greatest y"});
     for (const auto& [number, table] : tables) {
@@ -259,19 +260,19 @@ std::string list_tables(Session& session, const lang::List&) {
 }
 
 std::string list_ranges(Session& session, const lang::List&) {
-    if (session.ranges.empty()) return "no named ranges";
+    if (session.deck.ranges.empty()) return "no named ranges";
     TextTable table({"range", "elements"});
-    for (const auto& [name, phrase] : session.ranges) table.add({name, std::to_string(phrase.elements.size())});
+    for (const auto& [name, phrase] : session.deck.ranges) table.add({name, std::to_string(phrase.elements.size())});
     return table.text();
 }
 
 std::string list_symbols(Session& session, const lang::List&) {
-    const auto symbols = session.scripts->symbols();
+    const auto symbols = session.engine.scripts->symbols();
     return symbols.empty() ? "no FISH variables or functions" : fmt::format("{}", fmt::join(symbols, "\n"));
 }
 
 std::string list_groups(Session& session, const lang::List&) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     if (model.group_names.size() < 2) return "no groups";
     TextTable table({"group", "blocks", "faces", "zones", "joints"});
     for (const std::string& group : all_groups(model)) {
@@ -287,7 +288,7 @@ std::string list_groups(Session& session, const lang::List&) {
 
 std::string list_joint_sets(Session& session, const lang::List&) {
     find_joints(session);
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     struct JointSetSums {
         std::size_t faces = 0, contacts = 0;
         double area = 0;            ///< of contacts
@@ -325,7 +326,7 @@ std::string list_memory(Session& session, const lang::List&) {
         if (rows > 0)
             table.add({name, std::to_string(rows), std::to_string(columns), fmt::format("{:.3f}", bytes / megabyte)});
     };
-    session.model.tables([&](const char* name, auto& rows) {
+    session.engine.model.tables([&](const char* name, auto& rows) {
         double bytes = 0;
         std::size_t columns = 0;
         rows.columns([&](std::string_view, const auto& column, Role) {
@@ -361,12 +362,12 @@ void add_damping(TextTable& table, const Settings& s) {
 
 std::string list_damping(Session& session, const lang::List&) {
     TextTable table({"setting", "value"});
-    add_damping(table, session.model.settings);
+    add_damping(table, session.engine.model.settings);
     return table.text();
 }
 
 std::string list_settings(Session& session, const lang::List&) {
-    const auto& s = session.model.settings;
+    const auto& s = session.engine.model.settings;
     const auto yes = [](bool value) { return value ? "on" : "off"; };
     TextTable table({"setting", "value"});
     table.add({"gravity", fmt::format("{} {} {}", number_text(s.gravity[0]), number_text(s.gravity[1]),

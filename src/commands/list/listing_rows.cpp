@@ -38,13 +38,13 @@ std::string fixity_text(const Model& model, std::uint8_t fixed, std::int32_t rol
 /// Visible rows in range. None is an answer, not a mistake.
 std::vector<Row> shown_rows(Session& session, const lang::List& command, ObjectKind kind) {
     if (info_of(kind).found_late) find_joints(session);
-    auto rows = select(session.model, kind, session.test_of(kind, command.range));
-    if (std::ranges::none_of(session.model.blocks.hidden, [](auto hidden) { return hidden != 0; })) return rows;
-    const std::size_t all = select(session.model, kind, session.test_of(kind, command.range), true).size();
+    auto rows = select(session.engine.model, kind, session.test_of(kind, command.range));
+    if (std::ranges::none_of(session.engine.model.blocks.hidden, [](auto hidden) { return hidden != 0; })) return rows;
+    const std::size_t all = select(session.engine.model, kind, session.test_of(kind, command.range), true).size();
     if (const std::size_t hidden = all - rows.size(); hidden > 0)
         session.note_once(
             fmt::format("the list leaves out {} of {} {}: they are hidden", hidden, all, info_of(kind).plural),
-            session.in_words("seek shows them", "block hide off shows them"));
+            session.deck.in_words("seek shows them", "block hide off shows them"));
     return rows;
 }
 
@@ -72,7 +72,7 @@ std::string rows_text(Session& session, const lang::List& command, ObjectKind ki
                       const std::vector<ListColumn>& columns) {
     const std::vector<Row> rows = shown_rows(session, command, kind);
     if (rows.empty()) return none_text(command, kind);
-    return rows_text(session.model, session.units, rows, kind, subject_columns(command, columns));
+    return rows_text(session.engine.model, session.deck.units, rows, kind, subject_columns(command, columns));
 }
 
 std::string blocks_text(const Model& model, const Units& units, const std::vector<Row>& rows,
@@ -108,8 +108,8 @@ const JointProperties* properties_of(const Model& model, Row contact) {
 
 /// The names of the bits that are set.
 std::string state_text(const Session& session, Row contact, std::uint32_t state) {
-    const JointProperties* properties = properties_of(session.model, contact);
-    const JointModel* joint = properties == nullptr ? nullptr : session.joints.find(properties->model);
+    const JointProperties* properties = properties_of(session.engine.model, contact);
+    const JointModel* joint = properties == nullptr ? nullptr : session.engine.joints.find(properties->model);
     if (joint == nullptr || state == 0) return "-";
     std::string text;
     for (std::size_t i = 0; i < joint->states.size(); ++i)
@@ -120,40 +120,45 @@ std::string state_text(const Session& session, Row contact, std::uint32_t state)
 } // namespace
 
 std::string list_blocks(Session& session, const lang::List& command) {
-    return blocks_text(session.model, session.units, shown_rows(session, command, ObjectKind::block), command);
+    return blocks_text(session.engine.model, session.deck.units, shown_rows(session, command, ObjectKind::block),
+                       command);
 }
 
 std::string list_excavated(Session& session, const lang::List& command) {
-    const Model kept = excavated_model(session.model);
+    const Model kept = excavated_model(session.engine.model);
     if (kept.blocks.empty()) return "no excavated blocks";
-    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, session.range_extras(true));
-    return blocks_text(kept, session.units, select(kept, ObjectKind::block, test), command);
+    const auto test =
+        range_test(kept, session.deck.ranges, command.range, ObjectKind::block, session.range_extras(true));
+    return blocks_text(kept, session.deck.units, select(kept, ObjectKind::block, test), command);
 }
 
 std::string list_gridpoints(Session& session, const lang::List& command) {
-    const auto& points = session.model.gridpoints;
-    const auto fixed = [&](Row row) { return fixity_text(session.model, points.fixed[row], points.roller[row]); };
+    const auto& points = session.engine.model.gridpoints;
+    const auto fixed = [&](Row row) {
+        return fixity_text(session.engine.model, points.fixed[row], points.roller[row]);
+    };
     return rows_text(session, command, ObjectKind::gridpoint,
                      {{"gridpoint", "id"}, "block", "position", "displacement", "velocity", "force", {"fixed", fixed}});
 }
 
 std::string list_boundary(Session& session, const lang::List& command) {
-    const auto& points = session.model.gridpoints;
+    const auto& points = session.engine.model.gridpoints;
     const auto held_at = [&](Row row) {
         const Row block = points.block[row];
-        return session.model.blocks.deformable[block] ? points.fixed[row] : session.model.blocks.fixed[block];
+        return session.engine.model.blocks.deformable[block] ? points.fixed[row]
+                                                             : session.engine.model.blocks.fixed[block];
     };
     std::vector<Row> rows = shown_rows(session, command, ObjectKind::gridpoint);
     std::erase_if(rows,
                   [&](Row row) { return held_at(row) == 0 && points.roller[row] == 0 && points.load[row].isZero(); });
     if (rows.empty()) return "no boundary conditions";
-    const auto held = [&](Row row) { return fixity_text(session.model, held_at(row), points.roller[row]); };
-    return rows_text(session.model, session.units, rows, ObjectKind::gridpoint,
+    const auto held = [&](Row row) { return fixity_text(session.engine.model, held_at(row), points.roller[row]); };
+    return rows_text(session.engine.model, session.deck.units, rows, ObjectKind::gridpoint,
                      {{"gridpoint", "id"}, "block", "position", {"held", held}, "velocity", "load"});
 }
 
 std::string list_zones(Session& session, const lang::List& command) {
-    const auto& zones = session.model.zones;
+    const auto& zones = session.engine.model.zones;
     return rows_text(session, command, ObjectKind::zone,
                      {{"zone", "id"},
                       "block",
@@ -173,7 +178,7 @@ std::string list_faces(Session& session, const lang::List& command) {
 }
 
 std::string list_stresses(Session& session, const lang::List& command) {
-    const auto stress_of = [&](Row row) { return principal_stresses(session.model, row); };
+    const auto stress_of = [&](Row row) { return principal_stresses(session.engine.model, row); };
     const auto shear = [&](Row row) {
         const Vec3 s = stress_of(row);
         return number_text(0.5 * (s[2] - s[0]));
@@ -190,7 +195,7 @@ std::string list_stresses(Session& session, const lang::List& command) {
 }
 
 std::string list_contacts(Session& session, const lang::List& command) {
-    const auto& contacts = session.model.contacts;
+    const auto& contacts = session.engine.model.contacts;
     return rows_text(session, command, ObjectKind::contact,
                      {{"contact", "id"},
                       "block1",
@@ -206,22 +211,22 @@ std::string list_contacts(Session& session, const lang::List& command) {
 
 /// Own values of one sub-contact: `list subcontacts 7`.
 std::string history_text(Session& session, std::int64_t number) {
-    const auto& points = session.model.sub_contacts;
+    const auto& points = session.engine.model.sub_contacts;
     const auto found = std::ranges::find(points.number, static_cast<std::int32_t>(number));
     if (found == points.number.end()) return {};
     const auto row = static_cast<std::size_t>(found - points.number.begin());
-    const JointProperties* properties = properties_of(session.model, points.contact[row]);
-    const JointModel* joint = properties == nullptr ? nullptr : session.joints.find(properties->model);
+    const JointProperties* properties = properties_of(session.engine.model, points.contact[row]);
+    const JointModel* joint = properties == nullptr ? nullptr : session.engine.joints.find(properties->model);
     if (joint == nullptr) return {};
     TextTable table({"own value", "value", "unit", "meaning"});
     for (const auto& value : joint_values(*joint))
-        if (const auto own = value.of(session.model, static_cast<Row>(row)))
+        if (const auto own = value.of(session.engine.model, static_cast<Row>(row)))
             table.add({value.name, number_text(*own), value.unit, value.help});
     return table.size() == 0 ? std::string() : fmt::format("\n{}", table.text());
 }
 
 std::string list_sub_contacts(Session& session, const lang::List& command) {
-    const auto& points = session.model.sub_contacts;
+    const auto& points = session.engine.model.sub_contacts;
     const auto state = [&](Row row) { return state_text(session, points.contact[row], points.state[row]); };
     const std::string rows = rows_text(session, command, ObjectKind::sub_contact,
                                        {{"sub-contact", "id"},
@@ -237,7 +242,7 @@ std::string list_sub_contacts(Session& session, const lang::List& command) {
 }
 
 std::string list_states(Session& session, const lang::List& command) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     struct Share {
         std::size_t count = 0;
         double area = 0;

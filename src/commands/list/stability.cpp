@@ -245,7 +245,7 @@ private:
 std::vector<BodyStability> stability_of(Model& model, JointRegistry& laws) { return StandingBodies(model, laws).all(); }
 
 std::string list_stability(Session& session, const lang::List& command) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     const double g = model.settings.gravity.norm();
     const Vec3 up = g > 0 ? Vec3(-model.settings.gravity / g) : Vec3(0, 0, 1);
     const auto rows = select(model, ObjectKind::block, session.test_of(ObjectKind::block, command.range));
@@ -253,7 +253,7 @@ std::string list_stability(Session& session, const lang::List& command) {
     TextTable table({"block", "stage", "mode", "trend/plunge", "factor", "volume", "planes"});
     std::size_t count = 0, free = 0, leaving = 0;
     std::optional<double> least;
-    for (const BodyStability& body : stability_of(model, session.joints)) {
+    for (const BodyStability& body : stability_of(model, session.engine.joints)) {
         const Row first = body.blocks.front();
         if (body.fixed || std::ranges::none_of(body.blocks, shown)) continue;
         ++count;

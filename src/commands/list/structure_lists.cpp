@@ -198,16 +198,16 @@ std::string elements_text(const Model& model, const Units& units, Row member) {
 } // namespace
 
 std::string list_structures(Session& session, const lang::List& command) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const auto& cables = model.structures.cables;
     if (!model.structures.any()) return "no structures";
     if (command.number) {
         const auto number = static_cast<std::int32_t>(*command.number);
         if (const Row member = member_of_number(model, number); member != no_row)
-            return elements_text(model, session.units, member);
+            return elements_text(model, session.deck.units, member);
         const auto found = std::ranges::find(cables.number, number);
         if (found != cables.number.end())
-            return cable_text(model, session.units, static_cast<Row>(found - cables.number.begin()));
+            return cable_text(model, session.deck.units, static_cast<Row>(found - cables.number.begin()));
         return fmt::format("no structure {}", number);
     }
     std::string text;

@@ -41,7 +41,7 @@ template <class Number> std::string counted(Number number, std::string_view one,
 /// The rigid ones among the blocks to be cut; warns about the others.
 std::vector<Row> rigid_blocks(Session& session, std::vector<Row> rows, const Place& place) {
     const std::size_t all = rows.size();
-    std::erase_if(rows, [&](Row row) { return session.model.blocks.deformable[row] != 0; });
+    std::erase_if(rows, [&](Row row) { return session.engine.model.blocks.deformable[row] != 0; });
     if (rows.size() < all)
         session.warn(Diagnostic(counted(all - rows.size(), "block with zones cannot be cut and was left out",
                                         "blocks with zones cannot be cut and were left out"),
@@ -77,17 +77,17 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
     if (cut.corners > 0) line += "; " + too_near(cut, tolerance);
     std::vector<Row> pieces;
     if (!cut.parents.empty()) {
-        Model& model = session.model;
+        Model& model = session.engine.model;
         std::vector<Row> parents;
         for (const int parent : cut.parents) parents.push_back(rows[static_cast<std::size_t>(parent)]);
-        const auto given = given_joints(model, session.joints, parents);
+        const auto given = given_joints(model, session.engine.joints, parents);
         pieces = replace_by_pieces(model, rows, cut);
         std::vector<BlockId> origin(model.blocks.id.begin(), model.blocks.id.end());
         for (std::size_t i = 0; i < pieces.size(); ++i)
             origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(cut.pieces[i].parent)]];
-        give_to_pieces(model, session.joints, given, origin);
+        give_to_pieces(model, session.engine.joints, given, origin);
     }
-    session.output.say(line);
+    session.program.output.say(line);
     return pieces;
 }
 
@@ -135,9 +135,9 @@ void run(Session& session, const lang::JointSetCommand& command) {
         set.origin = command.origin;
         set.persistence = command.persistence;
         set.tolerance = command.tolerance;
-        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session.model);
+        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session.engine.model);
         set.seed = static_cast<std::uint64_t>(command.seed);
-        const double thinnest = thinnest_part * model_size(session.model);
+        const double thinnest = thinnest_part * model_size(session.engine.model);
         if (set.number > 1 && set.spacing < thinnest)
             throw Diagnostic(fmt::format("a spacing of {:g} would make pieces thinner than {:.3g}, a millionth of "
                                          "the model's size",
@@ -145,9 +145,9 @@ void run(Session& session, const lang::JointSetCommand& command) {
                              "give a larger spacing");
         const std::string name = fmt::format("joint set {}", set.id);
         LongWork work(session, name);
-        const CutBlocks cut = cut_blocks(shapes_of(session.model, rows), set, thinnest, std::ref(work));
+        const CutBlocks cut = cut_blocks(shapes_of(session.engine.model, rows), set, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut, thinnest, name, set.tolerance);
-        if (command.join) join_pieces(session.model, cut, pieces);
+        if (command.join) join_pieces(session.engine.model, cut, pieces);
         if (cut.parents.empty())
             session.warn(Diagnostic("no block was cut by this joint set", cut.corners > 0 ? too_near(cut, set.tolerance)
                                                                           : cut.slivers > 0
@@ -165,17 +165,17 @@ void run(Session& session, const lang::TunnelCommand& command) {
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
-        const double thinnest = thinnest_part * model_size(session.model);
-        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session.model)};
+        const double thinnest = thinnest_part * model_size(session.engine.model);
+        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session.engine.model)};
         LongWork work(session, "tunnel");
-        const TunnelCut cut = cut_tunnel(shapes_of(session.model, rows), outline, thinnest, std::ref(work));
+        const TunnelCut cut = cut_tunnel(shapes_of(session.engine.model, rows), outline, thinnest, std::ref(work));
         const std::vector<Row> pieces =
             apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
             session.warn(
                 Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
         if (command.region == 0) return;
-        auto& region = session.model.blocks.region;
+        auto& region = session.engine.model.blocks.region;
         for (std::size_t i = 0; i < pieces.size(); ++i)
             if (cut.inside[i]) region[pieces[i]] = static_cast<std::int32_t>(command.region);
         for (const int block : cut.swallowed)
@@ -191,7 +191,7 @@ void run(Session& session, const lang::CutGround& command) {
     const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
     if (rows.empty()) return;
     try {
-        Model& model = session.model;
+        Model& model = session.engine.model;
         const double thinnest = thinnest_part * model_size(model);
         const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
         LongWork work(session, "cut ground");
@@ -224,11 +224,11 @@ void run(Session& session, const lang::CutGround& command) {
 void run(Session& session, const lang::CutPolygons& command) {
     const char* what = command.fractures ? "network of fractures" : "set of surfaces";
     try {
-        const std::vector<CuttingPolygon> polygons = polygons_of(session.surface_sets, command);
+        const std::vector<CuttingPolygon> polygons = polygons_of(session.deck.surface_sets, command);
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
-        Model& model = session.model;
+        Model& model = session.engine.model;
         const double thinnest = thinnest_part * model_size(model);
         const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
         const std::string name =
@@ -263,9 +263,9 @@ void run(Session& session, const lang::Densify& command) {
             .at(command.place);
     try {
         LongWork work(session, "densify");
-        const CutBlocks cut = densify(shapes_of(session.model, rows), parts, 0, std::ref(work));
+        const CutBlocks cut = densify(shapes_of(session.engine.model, rows), parts, 0, std::ref(work));
         const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
-        if (command.join) join_pieces(session.model, cut, pieces);
+        if (command.join) join_pieces(session.engine.model, cut, pieces);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -277,7 +277,7 @@ namespace {
 /// Joins the pairs and reports the result in one line.
 void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const Place& place) {
     try {
-        join_pairs(session.model, pairs);
+        join_pairs(session.engine.model, pairs);
     } catch (Diagnostic& mistake) {
         mistake.at(place);
         throw;
@@ -288,10 +288,10 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
     std::set<Row> blocks;
     for (const auto& pair : pairs) {
         blocks.insert({pair.first, pair.second});
-        bodies.insert(session.model.blocks.body[pair.first]);
+        bodies.insert(session.engine.model.blocks.body[pair.first]);
     }
-    session.output.say(fmt::format("{} joined to {}", counted(blocks.size(), "block", "blocks"),
-                                   counted(bodies.size(), "body", "bodies")));
+    session.program.output.say(fmt::format("{} joined to {}", counted(blocks.size(), "block", "blocks"),
+                                           counted(bodies.size(), "body", "bodies")));
 }
 
 } // namespace
@@ -299,13 +299,13 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
 void run(Session& session, const lang::Join& command) {
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
-    if (command.on) return join(session, adjacent_pairs(session.model, rows), command.place);
-    unjoin(session.model, rows);
+    if (command.on) return join(session, adjacent_pairs(session.engine.model, rows), command.place);
+    unjoin(session.engine.model, rows);
 }
 
 void run(Session& session, const lang::JoinContact& command) {
     std::vector<std::pair<Row, Row>> pairs;
-    const auto& contacts = session.model.contacts;
+    const auto& contacts = session.engine.model.contacts;
     for (const Row contact : session.pick(ObjectKind::contact, command.range))
         pairs.emplace_back(contacts.block1[contact], contacts.block2[contact]);
     if (!pairs.empty()) join(session, pairs, command.place);

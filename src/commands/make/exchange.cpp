@@ -59,7 +59,7 @@ double volume_of(const IncomingFile& file) {
 } // namespace
 
 void run(Session& session, const lang::Import& command) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     try {
         const std::string path = session.input_file(command.file).string();
         // All blocks are read and checked before the first is made.
@@ -85,9 +85,9 @@ void run(Session& session, const lang::Import& command) {
         if (zoned > 0) put_in_block_order(model);
         const std::string left_out =
             file.refused.empty() ? "" : fmt::format(", {} left out", counted(file.refused.size(), "wrong one"));
-        session.output.say(fmt::format("{}: {} read{}, {}, {} with zones, volume {:g}", command.file,
-                                       counted(file.blocks.size(), "solid"), left_out, counted(parts, "block"), zoned,
-                                       volume_of(file)));
+        session.program.output.say(fmt::format("{}: {} read{}, {}, {} with zones, volume {:g}", command.file,
+                                               counted(file.blocks.size(), "solid"), left_out, counted(parts, "block"),
+                                               zoned, volume_of(file)));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -101,7 +101,7 @@ void run(Session& session, const lang::Export& command) {
             .at(command.place);
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     std::vector<Polyhedron> shapes;
     for (const Row row : rows) shapes.push_back(shape_of(model, row));
     std::vector<GridShape> blocks;
@@ -113,8 +113,8 @@ void run(Session& session, const lang::Export& command) {
         zoned = zoned || model.blocks.deformable[row] != 0;
     }
     if (zoned) session.note_once("blocks with zones are written as rigid ones", "`save` keeps everything");
-    write_whole_file(session.output_file(command.file), write_grid3d(grid_of(blocks)));
-    session.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
+    write_whole_file(session.program.output_file(command.file), write_grid3d(grid_of(blocks)));
+    session.program.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
 }
 
 void add_handlers(HandlerTable& table, lang::ExchangeCommands list) { fill(table, list); }

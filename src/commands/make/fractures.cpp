@@ -21,11 +21,12 @@ namespace {
 Box box_of(const Session& session, const std::optional<std::array<double, 6>>& bounds, const char* word,
            const Place& place) {
     if (!bounds) {
-        if (session.model.gridpoints.position.empty())
+        if (session.engine.model.gridpoints.position.empty())
             throw Diagnostic("there are no blocks whose box could be taken",
                              fmt::format("make blocks before, or write: {} x1 x2 y1 y2 z1 z2", word))
                 .at(place);
-        return box_around({session.model.gridpoints.position.begin(), session.model.gridpoints.position.end()});
+        return box_around(
+            {session.engine.model.gridpoints.position.begin(), session.engine.model.gridpoints.position.end()});
     }
     const auto& b = *bounds;
     const Box box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
@@ -135,18 +136,18 @@ const std::vector<Disc>& network_named(const SurfaceSets& sets, const std::strin
 }
 
 void run(Session& session, const lang::FractureCommand& command) {
-    auto& networks = session.surface_sets.networks;
+    auto& networks = session.deck.surface_sets.networks;
     const std::string name = lower_case(command.network);
     if (!command.remove) {
         networks[name].push_back({command.position, command.dip, command.dip_direction, command.size});
         return;
     }
-    network_named(session.surface_sets, name, command.place);
+    network_named(session.deck.surface_sets, name, command.place);
     networks.erase(name);
 }
 
 void run(Session& session, const lang::FractureTemplate& command) {
-    SurfaceSets& sets = session.surface_sets;
+    SurfaceSets& sets = session.deck.surface_sets;
     const std::string name = lower_case(command.name);
     try {
         if (command.remove) {
@@ -164,7 +165,7 @@ void run(Session& session, const lang::FractureTemplate& command) {
 }
 
 void run(Session& session, const lang::FractureGenerate& command) {
-    SurfaceSets& sets = session.surface_sets;
+    SurfaceSets& sets = session.deck.surface_sets;
     try {
         const FractureLaw law = law_named(sets, command.source, command.place);
         const Growth growth = growth_of(session, command);
@@ -176,8 +177,8 @@ void run(Session& session, const lang::FractureGenerate& command) {
             grow(law, growth, Random(static_cast<std::uint64_t>(command.seed), before), std::ref(work));
         auto& network = sets.networks[lower_case(command.network)];
         network.insert(network.end(), drawn.begin(), drawn.end());
-        session.output.say(fmt::format("fractures: {} made, {}; {:.4g} of area per volume of the box", drawn.size(),
-                                       sizes_text(drawn), p32(drawn, growth.low, growth.high)));
+        session.program.output.say(fmt::format("fractures: {} made, {}; {:.4g} of area per volume of the box",
+                                               drawn.size(), sizes_text(drawn), p32(drawn, growth.low, growth.high)));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -189,9 +190,9 @@ void run(Session& session, const lang::FractureImport& command) {
         const auto text = file_text(session.input_file(command.file));
         if (!text) throw Diagnostic(fmt::format("the file '{}' cannot be read", command.file), "look at its name");
         const std::vector<Disc> discs = read_discs(*text, command.file);
-        auto& network = session.surface_sets.networks[lower_case(command.network)];
+        auto& network = session.deck.surface_sets.networks[lower_case(command.network)];
         network.insert(network.end(), discs.begin(), discs.end());
-        session.output.say(fmt::format("fractures: {} read, {}", discs.size(), sizes_text(discs)));
+        session.program.output.say(fmt::format("fractures: {} read, {}", discs.size(), sizes_text(discs)));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -200,24 +201,24 @@ void run(Session& session, const lang::FractureImport& command) {
 
 void run(Session& session, const lang::FractureMeasure& command) {
     using enum lang::FractureMeasure::What;
-    const std::vector<Disc> discs = discs_of(session.surface_sets, command.network, command.place);
+    const std::vector<Disc> discs = discs_of(session.deck.surface_sets, command.network, command.place);
     if (command.what == list) {
-        session.output.print(table_of(discs));
+        session.program.output.print(table_of(discs));
         return;
     }
     if (command.what == crossings) {
-        session.output.print(fmt::format("p10 = {:.9g}", p10(discs, command.line[0], command.line[1])));
+        session.program.output.print(fmt::format("p10 = {:.9g}", p10(discs, command.line[0], command.line[1])));
         return;
     }
     const Box box = box_of(session, command.box, "box", command.place);
     if (command.what == area) {
-        session.output.print(fmt::format("p32 = {:.9g}", p32(discs, box.low, box.high)));
+        session.program.output.print(fmt::format("p32 = {:.9g}", p32(discs, box.low, box.high)));
         return;
     }
     const auto inside = std::ranges::count_if(discs, [&](const Disc& d) {
         return (d.centre - box.low).minCoeff() >= 0 && (box.high - d.centre).minCoeff() >= 0;
     });
-    session.output.print(
+    session.program.output.print(
         fmt::format("center density = {:.9g}", static_cast<double>(inside) / (box.high - box.low).prod()));
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 /// One warning for all zones adjacent to much larger ones.
 void warn_of_jumps(Session& session, const std::vector<Row>& blocks, const Place& place) {
-    const VolumeJumps jumps = volume_jumps(session.model, blocks);
+    const VolumeJumps jumps = volume_jumps(session.engine.model, blocks);
     if (jumps.count == 0) return;
-    const auto number = [&](std::size_t i) { return session.model.blocks.number[jumps.blocks[i]]; };
+    const auto number = [&](std::size_t i) { return session.engine.model.blocks.number[jumps.blocks[i]]; };
     const std::string where = number(0) == number(1) ? fmt::format("in block {}", number(0))
                                                      : fmt::format("between blocks {} and {}", number(0), number(1));
     session.warn(Diagnostic(fmt::format("the volumes of {} of zones with a common face differ by more than 4 to 1; the "
@@ -51,18 +51,19 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
 } // namespace
 
 void run(Session& session, const lang::Hide& command) {
-    for (const Row block : session.pick(ObjectKind::block, command.range)) session.model.blocks.hidden[block] = 1;
+    for (const Row block : session.pick(ObjectKind::block, command.range))
+        session.engine.model.blocks.hidden[block] = 1;
 }
 
 void run(Session& session, const lang::Seek& command) {
     for (const Row block : session.pick_hidden_too(ObjectKind::block, command.range))
-        session.model.blocks.hidden[block] = 0;
+        session.engine.model.blocks.hidden[block] = 0;
 }
 
 void run(Session& session, const lang::Delete& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
-    delete_blocks(session.model, blocks);
+    delete_blocks(session.engine.model, blocks);
 }
 
 namespace {
@@ -87,8 +88,8 @@ void refuse_too_fine(const Model& model, const std::vector<Row>& picked, double 
 void run(Session& session, const lang::FaceTriangulation& command) {
     using Style = lang::FaceTriangulation::Style;
     const auto picked = session.pick(ObjectKind::block, command.range);
-    if (command.style == Style::edge) refuse_too_fine(session.model, picked, command.edge, command.place);
-    auto& blocks = session.model.blocks;
+    if (command.style == Style::edge) refuse_too_fine(session.engine.model, picked, command.edge, command.place);
+    auto& blocks = session.engine.model.blocks;
     std::size_t rigid = 0;
     for (const Row block : picked) {
         if (blocks.deformable[block]) continue;
@@ -102,7 +103,7 @@ void run(Session& session, const lang::FaceTriangulation& command) {
                                                                           : FaceTriangles::fan;
         if (command.style == Style::fan) blocks.face_edge[block] = 0;
     }
-    if (rigid > 0) ModelEdit(session.model, Change::surfaces);
+    if (rigid > 0) ModelEdit(session.engine.model, Change::surfaces);
     else if (!picked.empty())
         throw Diagnostic(picked.size() == 1 ? std::string("the block that this acts on has zones")
                                             : fmt::format("all {} blocks that this acts on have zones", picked.size()),
@@ -115,7 +116,7 @@ void run(Session& session, const lang::GenerateEdge& command) {
     if (command.center)
         field = EdgeField(field.edge, *command.center, *command.at_center, *command.at_distance, *command.distance);
     give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
-        return generate_zones(session.model, blocks, field, progress);
+        return generate_zones(session.engine.model, blocks, field, progress);
     });
 }
 
@@ -123,7 +124,7 @@ void run(Session& session, const lang::GenerateQuad& command) {
     std::array<int, 3> parts;
     for (std::size_t k = 0; k < 3; ++k) parts[k] = static_cast<int>(command.parts[k]);
     give_zones_to_blocks(session, command, [&](const std::vector<Row>& blocks, const ProgressCallback& progress) {
-        return generate_zones(session.model, blocks, parts, command.ratio, progress);
+        return generate_zones(session.engine.model, blocks, parts, command.ratio, progress);
     });
 }
 

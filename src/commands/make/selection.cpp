@@ -19,26 +19,26 @@ namespace kaya {
 void run(Session& session, const lang::Group& command) {
     const auto rows = session.pick(command.kind, command.range);
     if (rows.empty()) return;
-    auto& column = *own_groups(session.model, command.kind);
+    auto& column = *own_groups(session.engine.model, command.kind);
     std::map<std::int32_t, std::int32_t> renamed; // few numbers, many rows
     for (const Row row : rows) {
         const auto [entry, is_new] = renamed.try_emplace(column[row], 0);
         if (is_new)
-            entry->second = command.remove ? without_group(session.model, column[row], command.name)
-                                           : with_group(session.model, column[row], command.name);
+            entry->second = command.remove ? without_group(session.engine.model, column[row], command.name)
+                                           : with_group(session.engine.model, column[row], command.name);
         column[row] = entry->second;
     }
 }
 
 void run(Session& session, const lang::Mark& command) {
     for (const Row block : session.pick(ObjectKind::block, command.range))
-        session.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
+        session.engine.model.blocks.region[block] = static_cast<std::int32_t>(command.region);
 }
 
 namespace {
 
 void mark_joints(Session& session, const lang::MarkJoint& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     find_joints(session);
     const auto faces = session.pick(ObjectKind::face, command.range);
     for (const Row face : faces) model.faces.joint_set[face] = static_cast<std::int32_t>(command.joint_set);
@@ -59,12 +59,13 @@ void run(Session& session, const lang::MarkJoint& command) {
 void run(Session& session, const lang::Excavate& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
-    excavate_blocks(session.model, blocks);
+    excavate_blocks(session.engine.model, blocks);
 }
 
 void run(Session& session, const lang::Fill& command) {
-    const Model kept = excavated_model(session.model);
-    const auto test = range_test(kept, session.ranges, command.range, ObjectKind::block, session.range_extras(true));
+    const Model kept = excavated_model(session.engine.model);
+    const auto test =
+        range_test(kept, session.deck.ranges, command.range, ObjectKind::block, session.range_extras(true));
     const auto rows = select(kept, ObjectKind::block, test);
     if (rows.empty())
         return session.warn(Diagnostic(kept.blocks.empty()
@@ -72,13 +73,13 @@ void run(Session& session, const lang::Fill& command) {
                                            : fmt::format("0 of {} excavated blocks matched", kept.blocks.size()),
                                        "the command has no effect")
                                 .at(command.range.place));
-    fill_blocks(session.model, rows);
+    fill_blocks(session.engine.model, rows);
 }
 
 void run(Session& session, const lang::Copy& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
-    Model& model = session.model;
+    Model& model = session.engine.model;
     const Vec3 normal =
         command.normal ? Vec3(command.normal->normalized()) : normal_from_dip(command.dip, command.dip_direction);
     std::vector<Placement> placements;
@@ -91,7 +92,8 @@ void run(Session& session, const lang::Copy& command) {
         if (command.region) model.blocks.region[b] = static_cast<std::int32_t>(*command.region);
         if (!command.group.empty()) model.blocks.group[b] = with_group(model, model.blocks.group[b], command.group);
     }
-    session.output.say(fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
+    session.program.output.say(
+        fmt::format("{} of {}", counted(command.number, "copy"), counted(blocks.size(), "block")));
     warn_of_overlaps(session, first, command.place);
 }
 

@@ -26,15 +26,15 @@ template <class Command, class Make> void make(Session& session, const Command& 
     try {
         const NewBlock block = block_of_command(command.options);
         const auto made = shape();
-        const auto first = static_cast<Row>(session.model.blocks.size());
+        const auto first = static_cast<Row>(session.engine.model.blocks.size());
         if constexpr (std::same_as<std::remove_cv_t<decltype(made)>, Solid>) {
-            add_solid(session.model, made.parts, block);
+            add_solid(session.engine.model, made.parts, block);
         } else {
-            for (const Polyhedron& part : made) add_block(session.model, part, block);
+            for (const Polyhedron& part : made) add_block(session.engine.model, part, block);
         }
-        if (const std::int32_t group = with_group(session.model, 0, command.options.group))
-            for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b)
-                session.model.blocks.group[b] = group;
+        if (const std::int32_t group = with_group(session.engine.model, 0, command.options.group))
+            for (Row b = first; b < static_cast<Row>(session.engine.model.blocks.size()); ++b)
+                session.engine.model.blocks.group[b] = group;
         warn_of_overlaps(session, first, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
@@ -135,11 +135,12 @@ void run(Session& session, const lang::PolyTunnel& command) {
     if (!command.core) return;
     lang::PolyTunnel core = command;
     core.options.region = command.core_region.value_or(command.options.region);
-    const auto first = static_cast<Row>(session.model.blocks.size());
+    const auto first = static_cast<Row>(session.engine.model.blocks.size());
     make(session, core, [&] { return make_tunnel_core(tunnel); });
     if (command.core_group.empty()) return;
-    const std::int32_t group = with_group(session.model, 0, command.core_group);
-    for (Row b = first; b < static_cast<Row>(session.model.blocks.size()); ++b) session.model.blocks.group[b] = group;
+    const std::int32_t group = with_group(session.engine.model, 0, command.core_group);
+    for (Row b = first; b < static_cast<Row>(session.engine.model.blocks.size()); ++b)
+        session.engine.model.blocks.group[b] = group;
 }
 
 void add_handlers(HandlerTable& table, lang::ShapeCommands list) { fill(table, list); }

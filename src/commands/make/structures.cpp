@@ -30,7 +30,7 @@ void check_lengths(const Model& model, const NewBeam& wanted, const Place& place
 /// Warns of a beam without a node in the rock; its middle may be free.
 void warn_of_free_beam(Session& session, const NewBeam& wanted, const Span& nodes, std::int32_t number,
                        const Place& place) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const auto& points = model.structures.member_nodes;
     const std::int32_t inside = nodes_in_rock(model, points, nodes);
     for (const auto& [node, grip, end] :
@@ -56,12 +56,12 @@ void run(Session& session, const lang::StructureCable& command) {
                     .tension = command.tension,
                     .anchor_first = command.anchor_first,
                     .anchor_last = command.anchor_last};
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const Row cable = make_cable(model, wanted);
     const std::int32_t number = model.structures.cables.number[cable];
     const std::int32_t all = wanted.segments + 1, inside = nodes_in_rock(model, model.structures.cable_nodes,
                                                                          model.structures.cables.nodes[cable]);
-    session.output.say(
+    session.program.output.say(
         fmt::format("cable {}: {} bars, {:.6g} long", number, wanted.segments, (wanted.last - wanted.first).norm()));
     if (inside < all)
         session.warn(
@@ -81,22 +81,22 @@ void run(Session& session, const lang::StructureBeam& command) {
                    .grip = grip_of(command.all),
                    .first = grip_of(command.first),
                    .last = grip_of(command.last)};
-    auto& model = session.model;
+    auto& model = session.engine.model;
     check_lengths(model, wanted, command.place);
     const Row member = make_beam(model, wanted);
     const Span nodes = model.structures.members.nodes[member];
     const std::int32_t number = model.structures.members.number[member];
     double length = 0;
     for (std::size_t k = 1; k < wanted.places.size(); ++k) length += (wanted.places[k] - wanted.places[k - 1]).norm();
-    session.output.say(fmt::format("beam {}: {} elements, {:.6g} long, {} of its {} nodes on the rock", number,
-                                   nodes.count - 1, length, nodes_in_rock(model, model.structures.member_nodes, nodes),
-                                   nodes.count));
+    session.program.output.say(fmt::format("beam {}: {} elements, {:.6g} long, {} of its {} nodes on the rock", number,
+                                           nodes.count - 1, length,
+                                           nodes_in_rock(model, model.structures.member_nodes, nodes), nodes.count));
     warn_of_free_beam(session, wanted, nodes, number, command.place);
 }
 
 void run(Session& session, const lang::StructureLiner& command) {
     constexpr double most = 2e6;
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const std::vector<Row> faces = session.pick(ObjectKind::face, command.range);
     const double expected = expected_triangles(model, faces, command.edge);
     if (expected > most)
@@ -115,8 +115,8 @@ void run(Session& session, const lang::StructureLiner& command) {
     wanted.mesh = std::move(lining.mesh);
     const Row member = make_liner(model, wanted);
     const std::int32_t number = model.structures.members.number[member];
-    session.output.say(fmt::format("liner {}: {} elements, {} nodes, area {:.6g}", number, wanted.mesh.triangles.size(),
-                                   wanted.mesh.points.size(), lining.area));
+    session.program.output.say(fmt::format("liner {}: {} elements, {} nodes, area {:.6g}", number,
+                                           wanted.mesh.triangles.size(), wanted.mesh.points.size(), lining.area));
     if (lining.partly > 0)
         session.warn(
             Diagnostic(
@@ -128,7 +128,7 @@ void run(Session& session, const lang::StructureLiner& command) {
 }
 
 void run(Session& session, const lang::StructureProperty& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     auto& properties = model.structures.properties[static_cast<std::int32_t>(command.number)];
     const StructureProperties before = properties;
     for (const auto& item : command.items) {
@@ -147,7 +147,7 @@ void run(Session& session, const lang::StructureProperty& command) {
 }
 
 void run(Session& session, const lang::StructureDelete& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     const auto& structures = model.structures;
     std::vector<Row> cables, members;
     if (command.number) {
@@ -175,7 +175,7 @@ void run(Session& session, const lang::StructureDelete& command) {
     if (!cables.empty()) delete_cables(model, cables);
     if (!members.empty()) delete_members(model, members);
     for (const auto& [count, noun] : {std::pair(cables.size(), "cable"), {beams, "beam"}, {liners, "liner"}})
-        if (count > 0) session.output.say(fmt::format("{} {}{} taken out", count, noun, count == 1 ? "" : "s"));
+        if (count > 0) session.program.output.say(fmt::format("{} {}{} taken out", count, noun, count == 1 ? "" : "s"));
 }
 
 void add_handlers(HandlerTable& table, lang::StructureCommands list) { fill(table, list); }

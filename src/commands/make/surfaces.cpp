@@ -14,7 +14,7 @@ namespace {
 /// The set that a line means.
 std::string set_of(const Session& session, const lang::GeometryCommand& command) {
     if (!command.set.empty()) return lower_case(command.set);
-    if (!session.surface_sets.current.empty()) return session.surface_sets.current;
+    if (!session.deck.surface_sets.current.empty()) return session.deck.surface_sets.current;
     throw Diagnostic("there is no set of surfaces yet", "write before: geometry set 'name'").at(command.place);
 }
 
@@ -49,7 +49,7 @@ PolygonSet polygons_of(const lang::GeometryCommand& command) {
 
 void run(Session& session, const lang::GeometryCommand& command) {
     using enum lang::GeometryCommand::Action;
-    auto& sets = session.surface_sets;
+    auto& sets = session.deck.surface_sets;
     switch (command.action) {
     case choose:
         sets.current = lower_case(command.set);
@@ -62,7 +62,7 @@ void run(Session& session, const lang::GeometryCommand& command) {
         auto& set = sets.surfaces[name];
         set.insert(set.end(), faces.begin(), faces.end());
         sets.current = name;
-        session.output.say(fmt::format("set {}: {} polygons", name, set.size()));
+        session.program.output.say(fmt::format("set {}: {} polygons", name, set.size()));
         return;
     }
     case polygon: {

@@ -47,7 +47,7 @@ MovieLine read_movie_line(const std::vector<lang::Plot::Item>& words) {
 } // namespace
 
 void shoot_movies(Session& session) {
-    const std::int64_t cycle = session.model.clock.cycle;
+    const std::int64_t cycle = session.engine.model.clock.cycle;
     auto& movies = session.plots.movies;
     for (std::size_t i = 0; i < movies.size(); ++i) {
         Movie& movie = movies[i];
@@ -60,7 +60,7 @@ void shoot_movies(Session& session) {
             continue;
         }
         if (movie.pictures == 1)
-            session.output.say(fmt::format(
+            session.program.output.say(fmt::format(
                 "movie: {} and so on, one each {} cycles; a clip: ffmpeg -framerate 20 -i {}-%04d.png {}.mp4", file,
                 movie.interval, movie.stem, movie.stem));
     }
@@ -78,11 +78,11 @@ void run(Session& session, const lang::Movie& command) {
         Movie movie;
         movie.view = plots.views[plots.current];
         if (movie.view.items.empty()) movie.view.items.emplace_back().field = "disp";
-        const std::string stem = fs::path(session.deck).stem().string();
+        const std::string stem = fs::path(session.deck.file).stem().string();
         movie.stem = line.file.empty() ? fmt::format("{}-movie", stem.empty() ? "kaya" : stem)
                                        : fs::path(line.file).replace_extension().string();
         movie.interval = line.interval;
-        movie.last = session.model.clock.cycle;
+        movie.last = session.engine.model.clock.cycle;
         plots.movies.push_back(std::move(movie));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);

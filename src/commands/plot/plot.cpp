@@ -34,7 +34,8 @@ lang::RangePhrase phrase_of(const std::string& text) {
 
 Shown shown_by(Session& session, const PlotItem& item) {
     Shown shown;
-    shown.blocks = select(session.model, ObjectKind::block, session.test_of(ObjectKind::block, phrase_of(item.range)));
+    shown.blocks =
+        select(session.engine.model, ObjectKind::block, session.test_of(ObjectKind::block, phrase_of(item.range)));
     shown.deformation = item.deformed - 1;
     shown.cut = item.cut;
     return shown;
@@ -44,8 +45,9 @@ Shown shown_by(Session& session, const PlotItem& item) {
 std::string state_words(const Session& session, const Model& model, Row row) {
     const Row properties = model.contacts.properties[model.sub_contacts.contact[row]];
     const JointModel* joint =
-        properties == no_row ? nullptr
-                             : session.joints.find(model.joint_properties[static_cast<std::size_t>(properties)].model);
+        properties == no_row
+            ? nullptr
+            : session.engine.joints.find(model.joint_properties[static_cast<std::size_t>(properties)].model);
     std::vector<std::string> words;
     if (joint != nullptr)
         for (std::size_t i = 0; i < joint->states.size(); ++i)
@@ -69,7 +71,7 @@ ColourField joint_field(const Session& session, const std::string& word) {
 
 /// Blocks would hide objects between and inside them: only their edges are drawn then.
 void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_only) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const Shown shown = shown_by(session, item);
     if (shown.blocks.empty())
         throw Diagnostic("there are no blocks to draw", "make blocks, show them with 'seek', or use another range");
@@ -113,9 +115,10 @@ void add_item(Session& session, Scene& scene, const PlotItem& item, bool edges_o
 Scene scene_of(Session& session, const PlotView& view) {
     Scene scene = view.settings;
     if (scene.title.empty())
-        scene.title = !session.title.empty() ? session.title : fs::path(session.deck).stem().string();
-    if (session.model.clock.cycle > 0)
-        scene.note = fmt::format("cycle {}, time {:.4g}", session.model.clock.cycle, session.model.clock.time);
+        scene.title = !session.deck.title.empty() ? session.deck.title : fs::path(session.deck.file).stem().string();
+    if (session.engine.model.clock.cycle > 0)
+        scene.note =
+            fmt::format("cycle {}, time {:.4g}", session.engine.model.clock.cycle, session.engine.model.clock.time);
     const auto has = [&](PlotItem::Kind kind) {
         return std::ranges::find(view.items, kind, &PlotItem::kind) != view.items.end();
     };
@@ -126,8 +129,8 @@ Scene scene_of(Session& session, const PlotView& view) {
         if (item.deformed != 1) scene.note += fmt::format(", displacements {:g} times as large", item.deformed);
         add_item(session, scene, item, inside && outside);
     }
-    for (ColourBar& bar : scene.bars) bar.title = session.units.in_brackets(bar.title);
-    if (session.units.given()) scene.length_unit = session.units.label("length");
+    for (ColourBar& bar : scene.bars) bar.title = session.deck.units.in_brackets(bar.title);
+    if (session.deck.units.given()) scene.length_unit = session.deck.units.label("length");
     return scene;
 }
 
@@ -169,7 +172,7 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
 }
 
 Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
-    Chart chart = joint_net(session.model, shown_by(session, item), item.field == "slip");
+    Chart chart = joint_net(session.engine.model, shown_by(session, item), item.field == "slip");
     if (chart.curves.empty())
         throw Diagnostic(item.field == "slip" ? "no joint has slipped" : "there are no joints to draw yet",
                          item.field == "slip" ? "" : "contacts are found by 'cycle 0'");
@@ -211,13 +214,13 @@ Chart chart_of(Session& session, const PlotView& view) {
     Chart chart;
     chart.width = view.settings.width;
     chart.height = view.settings.height;
-    chart.title = !view.settings.title.empty() ? view.settings.title : session.title;
+    chart.title = !view.settings.title.empty() ? view.settings.title : session.deck.title;
     for (const PlotItem& item : view.items) {
         const std::size_t before = chart.curves.size();
-        if (item.kind == PlotItem::Kind::histories) add_histories(session.model.histories, item, chart);
+        if (item.kind == PlotItem::Kind::histories) add_histories(session.engine.model.histories, item, chart);
         else
             for (const std::int64_t number : item.numbers) {
-                const auto& tables = session.scripts->tables();
+                const auto& tables = session.engine.scripts->tables();
                 const auto found = tables.find(number);
                 if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number));
                 const std::string& given = found->second.name;
@@ -234,9 +237,9 @@ Chart chart_of(Session& session, const PlotView& view) {
         throw Diagnostic("there are no samples to draw", "name histories or tables that hold values: plot hist 1 vs 2");
     if (chart.y_label.empty() && chart.curves.size() == 1) chart.y_label = chart.curves.front().name;
     if (chart.title.empty()) chart.title = chart.curves.front().name;
-    if (session.units.given() && chart.x_label == "time") chart.x_label = "time [time]";
-    for (std::string* text : {&chart.x_label, &chart.y_label}) *text = session.units.in_brackets(*text);
-    for (Curve& curve : chart.curves) curve.name = session.units.in_brackets(curve.name);
+    if (session.deck.units.given() && chart.x_label == "time") chart.x_label = "time [time]";
+    for (std::string* text : {&chart.x_label, &chart.y_label}) *text = session.deck.units.in_brackets(*text);
+    for (Curve& curve : chart.curves) curve.name = session.deck.units.in_brackets(curve.name);
     chart.equal = compares_lengths(chart);
     for (const PlotItem& item : view.items) chart.equal = item.equal.value_or(chart.equal);
     return chart;
@@ -288,7 +291,7 @@ std::string picture_of(Session& session, const PlotView& view, const std::string
 std::string picture_name(Session& session, const std::string& given) {
     fs::path path(given);
     if (given.empty()) {
-        const std::string stem = fs::path(session.deck).stem().string();
+        const std::string stem = fs::path(session.deck.file).stem().string();
         path = fmt::format("{}-plot-{}.png", stem.empty() ? "kaya" : stem, ++session.plots.pictures);
     }
     const std::string suffix = lower_case(path.extension().string());
@@ -318,11 +321,11 @@ void write_picture(Session& session, const PlotView& view, const PlotLine& line)
     }
     const std::string file = picture_name(session, line.file);
     if (line.interval == 0) {
-        if (write_view(session, view, file)) session.output.say(fmt::format("picture: {}", file));
+        if (write_view(session, view, file)) session.program.output.say(fmt::format("picture: {}", file));
         return;
     }
     session.plots.movies.push_back(
-        {view, fs::path(file).replace_extension().string(), line.interval, session.model.clock.cycle, 0});
+        {view, fs::path(file).replace_extension().string(), line.interval, session.engine.model.clock.cycle, 0});
 }
 
 /// Writes the result of `bytes`. A missing picture does not end a run: false, with a note.
@@ -337,7 +340,7 @@ bool write_bytes(Session& session, const std::string& file, const std::function<
         else session.warn_once(text, problem.hint);
         return false;
     }
-    write_whole_file(session.output_file(file), content);
+    write_whole_file(session.program.output_file(file), content);
     return true;
 }
 
@@ -352,7 +355,7 @@ void write_chart(Session& session, const Chart& chart, const std::string& given)
     const std::string file = picture_name(session, given);
     const std::string suffix = lower_case(fs::path(file).extension().string());
     if (write_bytes(session, file, [&] { return drawn_chart(session, chart, suffix); }))
-        session.output.say(fmt::format("picture: {}", file));
+        session.program.output.say(fmt::format("picture: {}", file));
 }
 
 std::vector<lang::Plot::Item> with_script_values(Session& session, std::vector<lang::Plot::Item> words) {
@@ -395,7 +398,7 @@ void run(Session& session, const lang::Plot& command) {
                            line.meant.empty() ? "docs/commands/plot.md lists what it draws"
                                               : fmt::format("did you mean '{}'?", line.meant));
         lang::place_problem(ignored, lang::language(), command.place);
-        if (session.said_once.insert(ignored.message).second) session.warn(std::move(ignored));
+        if (session.program.said_once.insert(ignored.message).second) session.warn(std::move(ignored));
     }
     switch (line.task) {
     case PlotLine::Task::draw: {

@@ -1,14 +1,12 @@
-// The program around a run: options of the command line, output, listeners, and requests to stop.
+// The program around a run: options of the command line, output, files and listeners.
 #pragma once
 
 #include "commands/program/host.hpp"
 #include "commands/program/output.hpp"
-#include "commands/program/run_name.hpp"
 #include "system/door.hpp"
 
 #include "lang/interp/binder.hpp"
 
-#include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -66,6 +64,7 @@ public:
     /// Adds a listener; it is called until it is removed.
     void listen(Listener& listener) { listeners_.push_back(&listener); }
     void forget(Listener& listener) { std::erase(listeners_, &listener); }
+    void tell_executed(const lang::BoundCommand& command, const Completion& completion) const;
     void tell_cycled() const;
     bool any_listener_reads() const;
 
@@ -83,29 +82,16 @@ public:
     /// Null: loops use the threads of the process.
     const ThreadTeam* team() const { return team_.get(); }
 
-    /// A stop was requested and has not happened yet.
-    bool is_to_stop() const noexcept { return interrupted_; }
-
     Options options;
     std::shared_ptr<Gate> gate = door::gate(); ///< of the process; an open one when there is none
     Output output;
     std::string log_file = "kaya.log";      ///< of the next `set log on`
     bool report = false;                    ///< the run ends with a page: set report on
-    std::optional<std::int64_t> stop_after; ///< a cycle: a replay stops there as the user did
     std::size_t warnings = 0;               ///< shown so far
     std::vector<std::string> warning_texts; ///< the first hundred of them
     std::set<std::string> said_once;        ///< notes that are not repeated
     std::vector<std::string> files_written; ///< names of files that commands have written, in their order
     std::set<std::string> files_read;       ///< names of files that commands have read, decks not among them
-
-protected:
-    void tell_executed(const lang::BoundCommand& command, const Completion& completion) const;
-
-    RunNames names_;
-    std::atomic<bool> interrupted_ = false;
-    bool stopped_inside_ = false; ///< the running command was stopped at a point that a replay cannot repeat
-    std::optional<std::int64_t> stopped_after_; ///< cycle of a stop that is being handled
-    int commands_of_scripts_ = 0;               ///< nested scripts that are giving commands
 
 private:
     std::vector<Listener*> listeners_;

@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 /// The file as named, else with the ending that `save` adds; beside the deck or in the current folder.
 std::string saved_file(const Session& session, const std::string& name) {
     std::error_code ignored;
-    for (const auto& candidate : {fs::path(name), fs::path(save_name(name)), session.next_to_deck(save_name(name))})
+    for (const auto& candidate :
+         {fs::path(name), fs::path(save_name(name)), session.deck.next_to_deck(save_name(name))})
         if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     return save_name(name);
 }
@@ -62,7 +63,7 @@ void wake_objects(Session& session, Model& model) {
     if (!model.sub_contacts.keeps_objects) return;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
         const auto& set = model.joint_properties[model.contacts.properties[c]];
-        const JointModel& joint = session.joints.get(set.model);
+        const JointModel& joint = session.engine.joints.get(set.model);
         const Span span = model.contacts.sub_contacts[c];
         for (Row s = span.first; s < span.end(); ++s)
             if (JointObject& object = model.sub_contacts.object[s]; object.is_asleep())
@@ -96,7 +97,7 @@ void load_joint_models(Session& session, Model& model, const std::vector<JointFi
 void refuse_missing_functions(Session& session, const Model& model, const std::string& file) {
     const auto find = [&](const std::string& expression, const std::string& who) {
         const std::string name = expression.substr(0, expression.find_first_of("( "));
-        if (session.scripts->knows(name)) return;
+        if (session.engine.scripts->knows(name)) return;
         throw Diagnostic(
             fmt::format("{} of '{}' asks for @{}, which is not defined here", who, file, name),
             "a script that restores a model continues with its own functions: define it before, or restore on a line of the deck",
@@ -111,13 +112,13 @@ void refuse_missing_functions(Session& session, const Model& model, const std::s
 
 /// Restores the scripts of a file with its model; the previous model is restored when that fails.
 void restore_scripts(Session& session, Model& model, const script::ScriptState& scripts) {
-    const script::ScriptState scripts_before = session.scripts->state();
-    std::swap(session.model, model);
+    const script::ScriptState scripts_before = session.engine.scripts->state();
+    std::swap(session.engine.model, model);
     try {
-        session.scripts->restore(scripts);
+        session.engine.scripts->restore(scripts);
     } catch (...) {
-        std::swap(session.model, model);
-        session.scripts->restore(scripts_before);
+        std::swap(session.engine.model, model);
+        session.engine.scripts->restore(scripts_before);
         throw;
     }
 }
@@ -134,11 +135,11 @@ void run(Session& session, const lang::Save& command) { save_as(session, command
 
 void run(Session& session, const lang::Restore& command) {
     // Everything that can fail comes first; until then the session is unchanged.
-    const bool by_script = session.scripts->running(); // the script continues with the other model
-    if (by_script) session.scripts->refuse_while_awaited("restore");
+    const bool by_script = session.engine.scripts->running(); // the script continues with the other model
+    if (by_script) session.engine.scripts->refuse_while_awaited("restore");
     Model model;
     const std::string file = saved_file(session, command.file);
-    session.gate->may_read(file);
+    session.program.gate->may_read(file);
     const SaveExtras extras = restore_state(model, file);
     load_joint_models(session, model, saved_joint_files(extras), file);
     NamedRanges ranges = ranges_from_text(part(extras, part_ranges));
@@ -147,21 +148,21 @@ void run(Session& session, const lang::Restore& command) {
 
     if (by_script) {
         refuse_missing_functions(session, model, file);
-        session.scripts->change_model(&scripts);
-        std::swap(session.model, model);
+        session.engine.scripts->change_model(&scripts);
+        std::swap(session.engine.model, model);
     } else {
         restore_scripts(session, model, scripts);
     }
-    session.ranges = std::move(ranges);
-    session.surface_sets = std::move(surfaces);
-    session.title = extras.title;
-    session.units = units_of(extras);
+    session.deck.ranges = std::move(ranges);
+    session.deck.surface_sets = std::move(surfaces);
+    session.deck.title = extras.title;
+    session.deck.units = units_of(extras);
     if (!extras.missing.empty())
         session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
                                       extras.program_version, fmt::join(extras.missing, ", ")),
                           "they have the values of a new model");
-    session.property_places.clear();
-    session.make_cycle();
+    session.deck.property_places.clear();
+    session.engine.make_cycle();
     session.autosave->saved();
 }
 
@@ -184,15 +185,16 @@ std::int64_t history_number(const Histories& histories, const std::string& name)
 
 void run(Session& session, const lang::HistoryWrite& command) {
     warn_of(session, doubts_of(command));
-    const auto& histories = session.model.histories;
+    const auto& histories = session.engine.model.histories;
     try {
         if (histories.all.empty()) throw Diagnostic("there are no histories to write", "hist records one: hist unbal");
         std::vector<std::int64_t> numbers = command.numbers;
         for (const auto& name : command.names) numbers.push_back(history_number(histories, name));
         std::optional<std::int64_t> versus = command.versus;
         if (!command.versus_name.empty()) versus = history_number(histories, command.versus_name);
-        const std::string file = command.file.empty() ? fs::path(session.deck).stem().string() + ".csv" : command.file;
-        write_history_csv(histories, session.output_file(file), numbers, versus, session.units);
+        const std::string file =
+            command.file.empty() ? fs::path(session.deck.file).stem().string() + ".csv" : command.file;
+        write_history_csv(histories, session.program.output_file(file), numbers, versus, session.deck.units);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -201,12 +203,12 @@ void run(Session& session, const lang::HistoryWrite& command) {
 
 void run(Session& session, const lang::VtkWrite& command) {
     OwnValues values;
-    for (const auto& joint : session.joints.loaded())
+    for (const auto& joint : session.engine.joints.loaded())
         for (auto& value : joint_values(*joint))
             values[joint->name][value.name] = [of = std::move(value.of)](const Model& model, Row row) {
                 return of(model, row).value_or(std::nan(""));
             };
-    session.vtk.write(session.model, command.file, values);
+    session.vtk.write(session.engine.model, command.file, values);
 }
 
 void run(Session& session, const lang::Ignored& command) {

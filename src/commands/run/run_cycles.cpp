@@ -33,9 +33,9 @@ namespace kaya {
 namespace {
 
 void run_deferred(Session& session) {
-    while (!session.deferred.empty()) {
-        auto changes = std::move(session.deferred);
-        session.deferred.clear();
+    while (!session.engine.deferred.empty()) {
+        auto changes = std::move(session.engine.deferred);
+        session.engine.deferred.clear();
         for (auto& [place, change] : changes) {
             try {
                 change();
@@ -60,24 +60,24 @@ void advance(Session& session, bool fenced) {
         explicit Inside(bool& f) : flag(f) { flag = true; }
         ~Inside() { flag = false; }
     };
-    const auto& clock = session.model.clock;
+    const auto& clock = session.engine.model.clock;
     const std::int64_t number = clock.cycle + 1;
     try {
         {
-            const Inside inside(session.inside_cycle);
-            fence_laws(session.joints, fenced || session.options.strict);
-            session.cycle->advance();
+            const Inside inside(session.engine.inside_cycle);
+            fence_laws(session.engine.joints, fenced || session.program.options.strict);
+            session.engine.cycle->advance();
         }
         follow_material_table(session);
         review_conduct_in_cycle(session, number);
         run_deferred(session);
         shoot_movies(session);
-        session.tell_cycled();
+        session.program.tell_cycled();
     } catch (Diagnostic& failure) {
         session.autosave->step_failed(number, failure.message);
-        session.deferred.clear();
-        const std::string here = session.here();
-        failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.model),
+        session.engine.deferred.clear();
+        const std::string here = session.deck.here();
+        failure.add(fmt::format("in cycle {}, at time {}{}", number, time_text(session.engine.model),
                                 here.empty() ? "" : ", run by the command at " + here));
         if (failure.fault == Fault::deck) failure.fault = Fault::run;
         throw;
@@ -88,8 +88,8 @@ void advance(Session& session, bool fenced) {
 class CycleRun {
 public:
     explicit CycleRun(Session& session) {
-        if (!session.scripts_act_in_cycles() && session.plots.movies.empty() && !session.any_listener_reads())
-            unwatched_.emplace(*session.cycle);
+        if (!session.scripts_act_in_cycles() && session.plots.movies.empty() && !session.program.any_listener_reads())
+            unwatched_.emplace(*session.engine.cycle);
     }
 
 private:
@@ -99,7 +99,7 @@ private:
 /// A run to a time that less than two steps would cover, as on very soft joints, has shorter ones until its end.
 class StepsOfTime {
 public:
-    StepsOfTime(Session& session, const Limits& limits) : model_(session.model) {
+    StepsOfTime(Session& session, const Limits& limits) : model_(session.engine.model) {
         constexpr double few = 2, enough = 10;
         auto& settings = model_.settings;
         const double step = model_.clock.time_step;
@@ -108,7 +108,7 @@ public:
         before_ = settings.time_step_fraction;
         settings.time_step_fraction = time_step_fraction(settings) * *limits.time / (enough * step);
         ModelEdit(model_, Change::properties);
-        session.cycle->prepare();
+        session.engine.cycle->prepare();
         if (model_.clock.time_step == step) return; // nothing touches, and gravity alone sets the step
         session.note_once(fmt::format("the time step is {} in a run of {}", number_text(model_.clock.time_step),
                                       number_text(*limits.time)),
@@ -129,7 +129,7 @@ private:
 
 /// Joined blocks are all zoned or all rigid; during construction they may be zoned in turn.
 void refuse_half_zoned(const Session& session) {
-    const auto& blocks = session.model.blocks;
+    const auto& blocks = session.engine.model.blocks;
     std::map<std::int32_t, Row> bodies;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks.body[b] == 0) continue;
@@ -137,11 +137,12 @@ void refuse_half_zoned(const Session& session) {
         if (blocks.deformable[first] == blocks.deformable[b]) continue;
         const auto [zoned, rigid] =
             blocks.deformable[b] ? std::pair(static_cast<Row>(b), first) : std::pair(first, static_cast<Row>(b));
-        throw Diagnostic(fmt::format("block {} has zones, and block {}, to which it is joined, has none",
-                                     blocks.number[zoned], blocks.number[rigid]),
-                         session.in_words("give zones to both (gen edge ...), or `join off` first",
-                                          "give zones to both (block zone generate edgelength ...), or `block join "
-                                          "off` first"));
+        throw Diagnostic(
+            fmt::format("block {} has zones, and block {}, to which it is joined, has none", blocks.number[zoned],
+                        blocks.number[rigid]),
+            session.deck.in_words("give zones to both (gen edge ...), or `join off` first",
+                                  "give zones to both (block zone generate edgelength ...), or `block join "
+                                  "off` first"));
     }
 }
 
@@ -149,10 +150,10 @@ void make_ready(Session& session) {
     refuse_half_zoned(session);
     check_materials(session);
     check_time_functions(session);
-    session.joints.tables().refresh();
-    if (!session.model.joint_rules.empty()) find_joints(session);
-    session.cycle->prepare();
-    if (settle_forces(session)) session.cycle->prepare(); // forces are gathered again
+    session.engine.joints.tables().refresh();
+    if (!session.engine.model.joint_rules.empty()) find_joints(session);
+    session.engine.cycle->prepare();
+    if (settle_forces(session)) session.engine.cycle->prepare(); // forces are gathered again
     doubt_joints(session);
     doubt_loads(session);
     doubt_zone_magnitudes(session);
@@ -312,12 +313,12 @@ RunEnd end_by_fall(const Limits& limits, const Clock& start, const Model& model)
 } // namespace
 
 bool settle_forces(Session& session) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     if (model.forces_set.empty() && model.taken_over.empty()) return false;
     if (!model.forces_set.empty()) ModelEdit(model, Change::properties);
     model.taken_over.insert(model.taken_over.end(), model.forces_set.begin(), model.forces_set.end());
-    tell_of_forces(model, session.joints);
-    for (auto& warning : take_over_forces(model, session.joints)) session.warn(std::move(warning));
+    tell_of_forces(model, session.engine.joints);
+    for (auto& warning : take_over_forces(model, session.engine.joints)) session.warn(std::move(warning));
     return model.stale.properties();
 }
 
@@ -327,7 +328,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
     session.autosave->begins();
     const CycleRun run(session);
     RestSpan span;
-    const Clock& now = session.model.clock;
+    const Clock& now = session.engine.model.clock;
     double sum = 0;
     Confirmation confirmation;
     bool at_ratio = false;
@@ -342,7 +343,7 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
             span.fails = true;
             break;
         }
-        const auto answer = confirmation.check(session.model, cycles, at_ratio);
+        const auto answer = confirmation.check(session.engine.model, cycles, at_ratio);
         span.at_rest = answer == Confirmation::Answer::rest;
         if (answer == Confirmation::Answer::wait) continue;
         if (!span.at_rest) span.moving = confirmation.moving();
@@ -360,33 +361,34 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     warn_of_long_step(session);
     const StepsOfTime steps(session, limits);
     if (monitor) note_added_mass(session);
-    const Clock start = session.model.clock;
+    const Clock start = session.engine.model.clock;
     Target target;
     if (limits.cycles) target.cycle = start.cycle + std::min<std::int64_t>(*limits.cycles, most_cycles - start.cycle);
     if (limits.time) target.time = start.time + *limits.time;
 
-    Progress progress(session.output, session.model, target);
+    Progress progress(session.program.output, session.engine.model, target);
     Confirmation confirmation;
     const auto stops = [&](double seconds) -> RunEnd {
-        std::string at_rest = equilibrium(limits, start, session.model.clock);
+        std::string at_rest = equilibrium(limits, start, session.engine.model.clock);
         if (limits.still) {
-            const auto answer =
-                confirmation.check(session.model, session.model.clock.cycle - start.cycle, !at_rest.empty(), monitor);
+            const auto answer = confirmation.check(session.engine.model, session.engine.model.clock.cycle - start.cycle,
+                                                   !at_rest.empty(), monitor);
             if (answer == Confirmation::Answer::wait) at_rest.clear();
             if (answer == Confirmation::Answer::rest) at_rest += ", and nothing moves";
             if (answer == Confirmation::Answer::motion)
-                at_rest += ", but " + body_text(session.model, *confirmation.moving()) + " does not come to rest";
+                at_rest +=
+                    ", but " + body_text(session.engine.model, *confirmation.moving()) + " does not come to rest";
         }
         if (at_rest.empty())
-            if (RunEnd fall = end_by_fall(limits, start, session.model); !fall.why.empty()) return fall;
-        return run_end(limits, std::move(at_rest), reached(limits, start, session.model, seconds));
+            if (RunEnd fall = end_by_fall(limits, start, session.engine.model); !fall.why.empty()) return fall;
+        return run_end(limits, std::move(at_rest), reached(limits, start, session.engine.model, seconds));
     };
     const CycleRun run(session);
     RunEnd end = stops(0);
     while (end.why.empty()) {
         try {
-            refuse_standing_still(limits, start, session.model.clock);
-            advance(session, is_last(limits, start, session.model.clock));
+            refuse_standing_still(limits, start, session.engine.model.clock);
+            advance(session, is_last(limits, start, session.engine.model.clock));
             session.stop_after_cycle();
         } catch (...) {
             progress.finish();
@@ -402,11 +404,11 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
 
 ElasticJoints::ElasticJoints(Session& session) : session_(session) {
     session.autosave->hold(true);
-    for (const auto& set : session.model.joint_properties) true_values_.push_back(set.values);
+    for (const auto& set : session.engine.model.joint_properties) true_values_.push_back(set.values);
     constexpr double strong = 1e30;
-    for (const Row row : property_sets_in_use(session.model)) {
-        auto& set = session.model.joint_properties[row];
-        const JointModel& model = session.joints.get(set.model);
+    for (const Row row : property_sets_in_use(session.engine.model)) {
+        auto& set = session.engine.model.joint_properties[row];
+        const JointModel& model = session.engine.joints.get(set.model);
         for (const kaya_jrole role : {KAYA_JROLE_COHESION, KAYA_JROLE_TENSION})
             if (const auto index = find_role(model, role)) {
                 set.values[*index] = strong;
@@ -416,7 +418,8 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
 }
 
 ElasticJoints::~ElasticJoints() {
-    for (std::size_t i = 0; i < true_values_.size(); ++i) session_.model.joint_properties[i].values = true_values_[i];
+    for (std::size_t i = 0; i < true_values_.size(); ++i)
+        session_.engine.model.joint_properties[i].values = true_values_[i];
     session_.autosave->hold(false);
 }
 

@@ -80,19 +80,19 @@ std::string added_mass_table(const Model& model) {
 }
 
 void note_added_mass(Session& session) {
-    const Settings& settings = session.model.settings;
+    const Settings& settings = session.engine.model.settings;
     const bool to_rest =
         settings.mass_scaling == MassScaling::none && !settings.dynamic && settings.given_time_step == 0;
     const std::string key = "added mass"; // the message has numbers, which would make it another one each time
-    if (!to_rest || session.said_once.contains(key) || has_velocity_history(session.model)) return;
+    if (!to_rest || session.program.said_once.contains(key) || has_velocity_history(session.engine.model)) return;
     constexpr double little = 0.01; // of the mass
     constexpr double much = 10;     // times the step
-    const std::vector<AddedMass> rows = added_masses(session.model);
+    const std::vector<AddedMass> rows = added_masses(session.engine.model);
     const AddedMass* best = nullptr;
     for (const AddedMass& row : rows)
         if (row.part <= little) best = &row;
     if (!best || best->step < much * rows.front().step) return;
-    session.said_once.insert(key);
+    session.program.said_once.insert(key);
     session.note_once(
         fmt::format(
             "a few small or stiff bodies set the time step: with {:.2g} % more mass it would be {:.0f} times as long",
@@ -102,25 +102,25 @@ void note_added_mass(Session& session) {
 }
 
 void warn_of_long_step(Session& session) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const double given = model.settings.given_time_step;
-    if (given == 0 || session.said_once.contains("long step")) return;
+    if (given == 0 || session.program.said_once.contains("long step")) return;
     const Adjacency adjacency = make_adjacency(model);
     StepBounds bounds;
     bounds.update(model, adjacency);
     const double stable = bounds.limit(model, adjacency).stable;
     if (given <= stable) return;
-    session.said_once.insert("long step");
+    session.program.said_once.insert("long step");
     Diagnostic d(
         fmt::format("the time step {:.6g} is longer than {:.6g}, up to which it is surely stable", given, stable),
         "it is used, since the highest frequency is estimated to be low enough; the run stops when the account of energy "
         "shows that it is not");
-    d.add(session.cycle->time_step_report());
+    d.add(session.engine.cycle->time_step_report());
     session.warn(d);
 }
 
 void note_counted_cycles(Session& session) {
-    if (session.model.settings.given_time_step > 0 || !has_velocity_history(session.model)) return;
+    if (session.engine.model.settings.given_time_step > 0 || !has_velocity_history(session.engine.model)) return;
     session.note_once(
         "cycles are counted while a boundary moves at a given velocity: how far it comes depends on the time step",
         "that of 3DEC for this model is not known, and may be another; `cycle time T` does not depend on it");

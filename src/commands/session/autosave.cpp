@@ -23,7 +23,7 @@ constexpr double worth_keeping = 60;
 void note(Session& session, const std::string& message, const std::string& hint) {
     Diagnostic note(message, hint);
     note.severity = Severity::note;
-    session.output.message(note);
+    session.program.output.message(note);
 }
 
 } // namespace
@@ -46,7 +46,9 @@ bool Autosave::is_long() const {
     return typed_ || (since_ && (!written_.empty() || (interval_ && unsaved() > std::min(*interval_, worth_keeping))));
 }
 
-bool Autosave::is_new() const { return session_.model.blocks.size() > 0 && state_hash(session_.model) != saved_hash_; }
+bool Autosave::is_new() const {
+    return session_.engine.model.blocks.size() > 0 && state_hash(session_.engine.model) != saved_hash_;
+}
 
 void Autosave::before_typed() {
     constexpr std::chrono::milliseconds unnoticed{50};
@@ -57,7 +59,7 @@ void Autosave::saved() {
     since_.reset();
     failed_cycle_ = 0;
     last_good_.drop();
-    if (typed_) saved_hash_ = state_hash(session_.model);
+    if (typed_) saved_hash_ = state_hash(session_.engine.model);
 }
 
 void Autosave::begins() {
@@ -73,7 +75,7 @@ void Autosave::advanced() {
     if (held_ > 0 || !interval_ || unsaved() < *interval_) return;
     since_ = Clock::now(); // also when it cannot be written: it is tried again in its time
     if (!write()) return;
-    session_.output.say(fmt::format("cycle {} is kept in '{}'", cycle_, written_));
+    session_.program.output.say(fmt::format("cycle {} is kept in '{}'", cycle_, written_));
     last_good_.take(session_); // which costs less than the file: an older copy would be of no use
 }
 
@@ -97,13 +99,13 @@ bool Autosave::into_file(const std::function<void(const std::string&)>& save, st
 }
 
 bool Autosave::write() {
-    return into_file([&](const std::string& name) { save_session(session_, name); }, session_.model.clock.cycle);
+    return into_file([&](const std::string& name) { save_session(session_, name); }, session_.engine.model.clock.cycle);
 }
 
 void Autosave::write_before_failure() {
     if (last_good_.empty() || (!written_.empty() && last_good_.cycle() < cycle_)) return; // the file is as good
     const auto write_copy = [&](const std::string& name) {
-        session_.output_file(name);
+        session_.program.output_file(name);
         last_good_.write(name, fmt::format("the state before cycle {}, which failed: {}", failed_cycle_, why_));
     };
     // The certain state is written first.
@@ -134,7 +136,7 @@ void Autosave::keep_copy() {
     if (last_good_.empty() || last_good_.is_void()) return;
     const std::string name = file_name();
     try {
-        session_.output_file(name);
+        session_.program.output_file(name);
         last_good_.write(name, "the last copy before the program ended in the midst of a command");
     } catch (const Diagnostic& problem) {
         print_text(stderr, fmt::format("\nthe model could not be kept in '{}': {}\n", name, problem.message));

@@ -9,7 +9,7 @@
 namespace kaya {
 
 Bodies pick_bodies(Session& session, const lang::RangePhrase& range) {
-    const auto& model = session.model;
+    const auto& model = session.engine.model;
     Bodies bodies;
     for (const Row b : select(model, ObjectKind::block, session.test_of(ObjectKind::block, range)))
         if (!model.blocks.deformable[b]) bodies.blocks.push_back(b);

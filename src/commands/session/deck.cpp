@@ -21,7 +21,7 @@ std::string Deck::here() const {
 }
 
 fs::path Deck::next_to_deck(const std::string& name) const {
-    const fs::path adjacent = fs::path(deck).parent_path() / name;
+    const fs::path adjacent = fs::path(file).parent_path() / name;
     std::error_code ignored;
     return fs::exists(adjacent, ignored) ? adjacent : fs::path(name);
 }

@@ -29,6 +29,9 @@ public:
     /// A file of a deck: beside the deck if it exists there, else in the current folder.
     std::filesystem::path next_to_deck(const std::string& name) const;
 
+    /// Keeps the text of a command for save files.
+    void take_source(const Place& place);
+
     lang::Interpreter interpreter;
     NamedRanges ranges;
     SurfaceSets surface_sets;
@@ -36,7 +39,7 @@ public:
     GivenProperties given_properties;                ///< of `param` and `kaya --set`; they replace values of the deck
     std::string title;
     Units units;      ///< `set units`
-    std::string deck; ///< file name of the deck that runs, for default names of output files
+    std::string file; ///< name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
     std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
     Place last_place;         ///< of the last command, for errors without a place
@@ -44,10 +47,6 @@ public:
 
     /// The one of two texts that has the words of that line.
     template <class Text> Text in_words(Text classic, Text modern) const { return modern_line ? modern : classic; }
-
-protected:
-    /// Keeps the text of a command for save files.
-    void take_source(const Place& place);
 };
 
 /// Checks when a deck is bound, before its first command runs: whether FISH compiles.

@@ -142,7 +142,7 @@ DeckReport report_on(const lang::ReadDeck& read, const std::vector<std::filesyst
                      const std::vector<std::filesystem::path>& own_joints) {
     const Session session{Options{}}; // knows built-in names
     Reporter reporter;
-    DeckReview review(read.names, *session.scripts, places, own_joints);
+    DeckReview review(read.names, *session.engine.scripts, places, own_joints);
     review.on_file = [&](const lang::BoundFile& file) { reporter.begin_file(file.source->name); };
     review.on_statement = [&](const lang::BoundCommand& command) { reporter.statement(command); };
     review.on_inner = [&](const Diagnostic* mistake) {

@@ -36,17 +36,17 @@ const HandlerTable& handlers() {
 
 void run_command(Session& session, const lang::BoundCommand& command) {
     try {
-        if (is_one_of(command.spec->index, NeedBoundedModel{})) require_bounded(session.model);
+        if (is_one_of(command.spec->index, NeedBoundedModel{})) require_bounded(session.engine.model);
         handlers()[command.spec->index](session, command.command);
     } catch (const Advised& mistake) { throw worded(mistake, command.modern); }
 }
 
 void put_off(Session& session, std::function<void()> change) {
     const auto carry_out = [&session, change = std::move(change)] {
-        require_bounded(session.model); // the cycle has changed the model since
+        require_bounded(session.engine.model); // the cycle has changed the model since
         change();
     };
-    session.deferred.emplace_back(session.interpreter.current_place(), carry_out);
+    session.engine.deferred.emplace_back(session.deck.interpreter.current_place(), carry_out);
 }
 
 void refuse_in_cycle() {

@@ -25,7 +25,7 @@ void put_off(Session& session, std::function<void()> change);
 
 template <class Command> void handle(Session& session, const std::any& boxed) {
     const auto& command = std::any_cast<const Command&>(boxed);
-    if (lang::is_in<Command>(lang::RunInCycle{}) || !session.inside_cycle) return run(session, command);
+    if (lang::is_in<Command>(lang::RunInCycle{}) || !session.engine.inside_cycle) return run(session, command);
     if (lang::is_in<Command>(lang::RefusedInCycle{})) refuse_in_cycle();
     put_off(session, [&session, command] { run(session, command); });
 }

@@ -47,9 +47,10 @@ void compare(Session& session, const JointModel& model, const JointFile& saved) 
 std::vector<JointFile> joint_files(Session& session) {
     std::vector<JointFile> files;
     std::set<std::string> names;
-    for (const auto& set : session.model.joint_properties) {
-        const JointModel* joint = session.joints.find(set.model);
-        if (joint == nullptr || !names.insert(joint->name).second || !session.joints.is_by_path(*joint)) continue;
+    for (const auto& set : session.engine.model.joint_properties) {
+        const JointModel* joint = session.engine.joints.find(set.model);
+        if (joint == nullptr || !names.insert(joint->name).second || !session.engine.joints.is_by_path(*joint))
+            continue;
         const std::string path = fs::absolute(joint->file).lexically_normal().string();
         if (path.find('\n') == path.npos) files.push_back({joint->name, digest_of(joint->file), path});
     }
@@ -81,8 +82,8 @@ std::vector<JointFile> joint_files_from_text(const std::string& text) {
 const JointModel& find_saved_model(Session& session, const std::string& name, const std::vector<JointFile>& files,
                                    const std::string& save_file) {
     const auto saved = std::ranges::find(files, name, &JointFile::model);
-    if (saved == files.end()) return session.joints.get(name);
-    if (const JointModel* loaded = session.joints.find(name)) {
+    if (saved == files.end()) return session.engine.joints.get(name);
+    if (const JointModel* loaded = session.engine.joints.find(name)) {
         compare(session, *loaded, *saved);
         return *loaded;
     }
@@ -102,7 +103,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
             if (tried.empty() || tried.back() != found) tried.push_back(found);
             continue;
         }
-        const JointModel& model = session.joints.get(file.string());
+        const JointModel& model = session.engine.joints.get(file.string());
         if (model.name != name)
             throw Diagnostic(
                 fmt::format("{} holds joint model '{}' now, and held '{}' when the model was saved", file.string(),
@@ -112,7 +113,7 @@ const JointModel& find_saved_model(Session& session, const std::string& name, co
         return model;
     }
     try {
-        const JointModel& model = session.joints.get(name); // it may have moved to a folder that is searched
+        const JointModel& model = session.engine.joints.get(name); // it may have moved to a folder that is searched
         compare(session, model, *saved);
         return model;
     } catch (const Diagnostic& unknown) {

@@ -145,24 +145,24 @@ void compare(Session& session, const std::vector<FileNote>& notes, const char* w
         if (digest_of(name) == digest) continue;
         Diagnostic warning(fmt::format("{} '{}' is not the one of the journal", what, name), "the results may differ");
         warning.severity = Severity::warning;
-        session.output.message(warning);
+        session.program.output.message(warning);
     }
 }
 
-std::string final_hash(Session& session) { return fmt::format("{:016x}", state_hash(session.model)); }
+std::string final_hash(Session& session) { return fmt::format("{:016x}", state_hash(session.engine.model)); }
 
 } // namespace
 
 Journal::Journal(Session& session, const std::string& file) : session_(session), file_(file) {
     try {
-        opened_ = door::open(session.output_file(file), Use::write, door::Access::renew);
+        opened_ = door::open(session.program.output_file(file), Use::write, door::Access::renew);
     } catch (const Diagnostic&) { // a link that leads elsewhere, say: the first line cannot be written
     }
     write(fmt::format("{}\n; kaya {}, seed of scripts {}\n", first_line, program_version(), script::Options{}.seed));
-    session_.listen(*this);
+    session_.program.listen(*this);
 }
 
-Journal::~Journal() { session_.forget(*this); }
+Journal::~Journal() { session_.program.forget(*this); }
 
 void Journal::write(const std::string& text) {
     if (failed_) return;
@@ -171,7 +171,7 @@ void Journal::write(const std::string& text) {
     failed_ = true;
     Diagnostic note(fmt::format("the journal '{}' cannot be written", file_), "the run continues without it");
     note.severity = Severity::note;
-    session_.output.message(note);
+    session_.program.output.message(note);
 }
 
 void Journal::deck(const std::string& name) { write(fmt::format("{}{}\n", deck_mark, on_one_line(name))); }
@@ -191,12 +191,12 @@ void Journal::executed(const lang::BoundCommand& command, const Completion& comp
 }
 
 void Journal::finish() {
-    for (const auto& model : session_.joints.loaded())
+    for (const auto& model : session_.engine.joints.loaded())
         write(fmt::format("{}{} {}\n", joint_mark, digest_of(model->file), on_one_line(model->file.string())));
-    for (const auto& file : session_.files_read)
+    for (const auto& file : session_.program.files_read)
         write(fmt::format("{}{} {}\n", file_mark, digest_of(file), on_one_line(file)));
-    write(fmt::format("; cycle {}, time {}\n{}{}\n", session_.model.clock.cycle, session_.model.clock.time, hash_mark,
-                      final_hash(session_)));
+    write(fmt::format("; cycle {}, time {}\n{}{}\n", session_.engine.model.clock.cycle,
+                      session_.engine.model.clock.time, hash_mark, final_hash(session_)));
 }
 
 namespace {
@@ -209,13 +209,13 @@ void repeat_unfinished(Session& session, const Piece& piece) {
             "the results may differ");
         warning.severity = Severity::warning;
         const auto source = lang::source_from_text(piece.source, piece.text, piece.line);
-        return session.output.message(warning.at({source, piece.line, 1, 1}));
+        return session.program.output.message(warning.at({source, piece.line, 1, 1}));
     }
     if (piece.completion.how == Completion::How::stopped) session.stop_after = piece.completion.cycle;
     try {
-        session.interpreter.run_text(piece.text, piece.source, piece.line);
+        session.deck.interpreter.run_text(piece.text, piece.source, piece.line);
     } catch (const Diagnostic& again) {
-        session.output.message(again);
+        session.program.output.message(again);
     } catch (const std::bad_alloc&) { // as in the run: a script ran out of memory
     }
     session.stop_after.reset();
@@ -226,24 +226,24 @@ void repeat_unfinished(Session& session, const Piece& piece) {
 int replay_journal(Session& session, const std::string& file) {
     const Record record = read_record(file);
     for (const auto& piece : record.pieces) {
-        session.deck = piece.deck;
-        session.interpreter.folders = {fs::path(piece.deck).parent_path(), "."}; // for calls of scripts
+        session.deck.file = piece.deck;
+        session.deck.interpreter.folders = {fs::path(piece.deck).parent_path(), "."}; // for calls of scripts
         if (piece.completion.how != Completion::How::done) {
             repeat_unfinished(session, piece);
             continue;
         }
-        if (session.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
+        if (session.deck.interpreter.run_text(piece.text, piece.source, piece.line) == lang::Ended::quit) break;
     }
     // After the run, since it may have written some of them itself.
     compare(session, record.files, "the file");
     compare(session, record.joints, "the joint model");
     if (record.hash.empty()) {
-        session.output.print("the journal does not say how its run ended");
+        session.program.output.print("the journal does not say how its run ended");
         return 0;
     }
     const std::string hash = final_hash(session);
     if (hash == record.hash) {
-        session.output.print(fmt::format("replayed: the same final state, hash {}", hash));
+        session.program.output.print(fmt::format("replayed: the same final state, hash {}", hash));
         return 0;
     }
     throw Diagnostic(fmt::format("the final state differs: hash {} and in the journal {}", hash, record.hash), {},

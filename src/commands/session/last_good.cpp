@@ -34,10 +34,10 @@ void LastGood::take(Session& session) {
     const auto begin = Clock::now();
     try {
         // Without memory for a copy the machine would slow down, or the run would end.
-        if (!taken_ && memory_available() < 2 * bytes_of(session.model)) throw std::bad_alloc();
+        if (!taken_ && memory_available() < 2 * bytes_of(session.engine.model)) throw std::bad_alloc();
         taken_ = false; // half a copy is none
-        session.cycle->bring_up_to_date();
-        model_ = session.model;
+        session.engine.cycle->bring_up_to_date();
+        model_ = session.engine.model;
         extras_ = session_extras(session);
     } catch (const std::bad_alloc&) {
         drop();
@@ -59,8 +59,8 @@ void LastGood::drop() {
 void LastGood::run_on(Session& session, std::int64_t cycle) {
     if (!leads_here_ || session.scripts_act_in_cycles()) return;
     ModelEdit(model_, Change::lists); // derived data of the cycle is not in the copy
-    Cycle cycles(model_, session.joints);
-    cycles.hooks.table_value = session.cycle->hooks.table_value;
+    Cycle cycles(model_, session.engine.joints);
+    cycles.hooks.table_value = session.engine.cycle->hooks.table_value;
     while (model_.clock.cycle < cycle && !session.is_to_stop()) cycles.advance();
 }
 

@@ -10,7 +10,7 @@ namespace kaya {
 namespace {
 
 void warn_once(Session& session, const std::string& what, const char* hint) {
-    if (!session.said_once.insert(what).second) return;
+    if (!session.program.said_once.insert(what).second) return;
     Diagnostic warning(what, hint);
     warning.code = "joint-model-conduct";
     session.warn(std::move(warning));
@@ -19,7 +19,7 @@ void warn_once(Session& session, const std::string& what, const char* hint) {
 } // namespace
 
 void review_conduct(Session& session) {
-    Host& host = *session.options.host;
+    Host& host = *session.program.options.host;
     host.refuse_copies();
     std::string who;
     for (const auto& what : host.restored(who))
@@ -30,14 +30,14 @@ void review_conduct(Session& session) {
             warn_once(session, fmt::format("{} '{}' starts threads", noun, law.name),
                       "a thread that runs on after the call is not checked");
     };
-    for (const auto& law : session.joints.loaded()) tell_of_threads(*law, joint_law.noun);
-    for (const auto& law : session.joints.zones.loaded()) tell_of_threads(*law, zone_law.noun);
+    for (const auto& law : session.engine.joints.loaded()) tell_of_threads(*law, joint_law.noun);
+    for (const auto& law : session.engine.joints.zones.loaded()) tell_of_threads(*law, zone_law.noun);
 }
 
 void review_conduct_in_cycle(Session& session, long cycle) {
     constexpr long between = 1000;
     if (cycle % between == 0) review_conduct(session);
-    else session.options.host->refuse_copies();
+    else session.program.options.host->refuse_copies();
 }
 
 } // namespace kaya

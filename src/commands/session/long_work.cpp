@@ -7,7 +7,7 @@ namespace kaya {
 LongWork::LongWork(Session& session, std::string what)
     : session_(session), what_(std::move(what)), shown_(std::chrono::steady_clock::now()) {}
 
-LongWork::~LongWork() { session_.output.end_refresh(); }
+LongWork::~LongWork() { session_.program.output.end_refresh(); }
 
 void LongWork::operator()(double done) {
     try {
@@ -20,12 +20,12 @@ void LongWork::operator()(double done) {
     if (--until_check_ > 0) return;
     until_check_ = stride;
     const auto now = std::chrono::steady_clock::now();
-    const bool in_place = session_.output.in_place();
+    const bool in_place = session_.program.output.in_place();
     if (std::chrono::duration<double>(now - shown_).count() < (in_place ? 0.2 : 10.0)) return;
     shown_ = now;
     const std::string line = fmt::format("{}: {:.0f} %", what_, 100 * done);
-    if (in_place) session_.output.refresh(line);
-    else session_.output.say(line);
+    if (in_place) session_.program.output.refresh(line);
+    else session_.program.output.say(line);
 }
 
 } // namespace kaya

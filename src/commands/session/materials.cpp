@@ -105,27 +105,28 @@ std::set<std::string> models_in_use(const Model& model, std::int32_t material) {
 }
 
 void warn_unused(Session& session, std::int32_t number, const Material& material) {
-    const auto models = models_in_use(session.model, number);
+    const auto models = models_in_use(session.engine.model, number);
     if (models.empty()) return;
     for (const auto& [word, value] : material.joint) {
         const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
-            const JointModel* found = session.joints.find(model);
+            const JointModel* found = session.engine.joints.find(model);
             return found == nullptr || found->find_property(name).has_value();
         });
         if (known) continue;
-        if (!session.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second) continue;
-        const auto place = session.property_places.find({number, word});
+        if (!session.program.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second)
+            continue;
+        const auto place = session.deck.property_places.find({number, word});
         Diagnostic warning(fmt::format("'{}' of joint material {} has no effect", word, number),
                            fmt::format("joint model {} has no such property", fmt::join(models, ", ")));
-        if (place != session.property_places.end()) warning.at(place->second);
+        if (place != session.deck.property_places.end()) warning.at(place->second);
         session.warn(std::move(warning));
     }
 }
 
 /// Words of zones that no zone model in use has: a deck that asks for yielding rock must not get elastic rock silently.
 void warn_unused_by_zones(Session& session, std::int32_t number, const Material& material) {
-    const auto models = zone_models_in_use(session.model, number);
-    const auto& used = session.model.blocks.material;
+    const auto models = zone_models_in_use(session.engine.model, number);
+    const auto& used = session.engine.model.blocks.material;
     if (models.empty() && std::ranges::find(used, number) == used.end()) return;
     std::map<std::string, double> words = material.zone;
     using enum lang::BlockProperty;
@@ -133,11 +134,12 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
         if (material.*member_of(property) != 0) words.emplace(name_of(property), material.*member_of(property));
     for (const auto& [word, value] : words) {
         const bool known = std::ranges::any_of(models, [&, &name = word](const std::string& model) {
-            return session.joints.zones.get(model).find_property(name).has_value();
+            return session.engine.joints.zones.get(model).find_property(name).has_value();
         });
         const std::string by = models.empty() ? "rigid" : *models.begin();
-        if (known || !session.said_once.insert(fmt::format("zone prop {} {} {}", number, word, by)).second) continue;
-        const auto place = session.property_places.find({number, word});
+        if (known || !session.program.said_once.insert(fmt::format("zone prop {} {} {}", number, word, by)).second)
+            continue;
+        const auto place = session.deck.property_places.find({number, word});
         Diagnostic warning =
             models.empty()
                 ? Diagnostic(fmt::format("'{}' of material {} has no effect: its blocks are rigid", word, number),
@@ -146,7 +148,7 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
                       fmt::format("'{}' of material {} has no effect: its zones are {}", word, number,
                                   fmt::join(models, ", ")),
                       "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
-        if (place != session.property_places.end()) warning.at(place->second);
+        if (place != session.deck.property_places.end()) warning.at(place->second);
         session.warn(std::move(warning));
     }
 }
@@ -171,8 +173,8 @@ void refuse_rigid_models(const Model& model) {
 
 /// A zone model that was given to blocks without zones, beside others with zones or by its number.
 void warn_of_rigid_models(Session& session) {
-    refuse_rigid_models(session.model);
-    const auto& blocks = session.model.blocks;
+    refuse_rigid_models(session.engine.model);
+    const auto& blocks = session.engine.model.blocks;
     std::size_t rigid = 0;
     Row first = no_row;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -180,8 +182,8 @@ void warn_of_rigid_models(Session& session) {
         if (blocks.deformable[b] || !yields) continue;
         if (rigid++ == 0) first = static_cast<Row>(b);
     }
-    if (rigid == 0 || !session.said_once.insert("rigid zone model").second) return;
-    const std::string name = zone_model_of(session.model, first);
+    if (rigid == 0 || !session.program.said_once.insert("rigid zone model").second) return;
+    const std::string name = zone_model_of(session.engine.model, first);
     session.warn(Diagnostic(
         rigid == 1 ? fmt::format("block {} is rigid: its zone model {} has no effect", blocks.number[first], name)
                    : fmt::format("{} blocks are rigid, block {} among them: their zone model {} has "
@@ -192,13 +194,14 @@ void warn_of_rigid_models(Session& session) {
 
 /// Values of joints that their future model refuses: reported where they were given.
 void refuse_joint_values(Session& session, std::int32_t number, const Material& material) {
-    std::set<std::string> models = models_in_use(session.model, number);
-    if (models.empty() && session.model.contacts.empty()) models.insert(default_joint_model(session.model));
+    std::set<std::string> models = models_in_use(session.engine.model, number);
+    if (models.empty() && session.engine.model.contacts.empty())
+        models.insert(default_joint_model(session.engine.model));
     for (const auto& name : models) {
-        const JointModel* joint = &session.joints.get(name);
+        const JointModel* joint = &session.engine.joints.get(name);
         for (const auto& [word, value] : material.joint) {
-            const auto place = session.property_places.find({number, word});
-            if (!joint->find_property(word) || place == session.property_places.end()) continue;
+            const auto place = session.deck.property_places.find({number, word});
+            if (!joint->find_property(word) || place == session.deck.property_places.end()) continue;
             try {
                 accepting_property(*joint, joint_law.noun, word, value);
             } catch (Diagnostic& mistake) {
@@ -213,22 +216,22 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
 
 void run(Session& session, const lang::Property& typed) {
     lang::Property command = typed;
-    command.items = session.given_properties.replaced(std::move(command.items), command.number);
+    command.items = session.deck.given_properties.replaced(std::move(command.items), command.number);
     const auto number = static_cast<std::int32_t>(command.number);
-    refuse_wrong_switch(session.joints, command.items);
+    refuse_wrong_switch(session.engine.joints, command.items);
     doubt_angles(session, command.items);
-    const auto existing = session.model.materials.find(number);
-    Material material = existing == session.model.materials.end() ? Material{} : existing->second;
+    const auto existing = session.engine.model.materials.find(number);
+    Material material = existing == session.engine.model.materials.end() ? Material{} : existing->second;
     Items of_joints;
     for (const auto& item : command.items) {
-        const PropertyMeaning meaning = property_meaning(session.joints, item, command.joint);
+        const PropertyMeaning meaning = property_meaning(session.engine.joints, item, command.joint);
         if (meaning.block) {
             set_block_property(material, *meaning.block, item);
-            session.property_places[{number, std::string(name_of(*meaning.block))}] = item.place;
+            session.deck.property_places[{number, std::string(name_of(*meaning.block))}] = item.place;
         } else if (meaning.zone) {
             check_value(*meaning.zone, item);
             material.zone[meaning.zone->name] = item.value;
-            session.property_places[{number, meaning.zone->name}] = item.place;
+            session.deck.property_places[{number, meaning.zone->name}] = item.place;
         } else {
             of_joints.push_back(item);
             of_joints.back().word = meaning.joint;
@@ -236,21 +239,21 @@ void run(Session& session, const lang::Property& typed) {
     }
     if (!of_joints.empty()) {
         pointing_at(of_joints, [&](std::size_t* failed) {
-            set_joint_material(session.model, session.joints, number, names_and_values(of_joints), session.here(),
-                               failed);
+            set_joint_material(session.engine.model, session.engine.joints, number, names_and_values(of_joints),
+                               session.deck.here(), failed);
         });
         for (const auto& item : of_joints) {
-            session.property_places[{number, item.word}] = item.place;
-            forget_other_spellings(session.model.materials[number].joint, item.word);
+            session.deck.property_places[{number, item.word}] = item.place;
+            forget_other_spellings(session.engine.model.materials[number].joint, item.word);
         }
     }
-    material.joint = session.model.materials[number].joint;
-    session.model.materials[number] = std::move(material);
-    ModelEdit(session.model, Change::properties);
+    material.joint = session.engine.model.materials[number].joint;
+    session.engine.model.materials[number] = std::move(material);
+    ModelEdit(session.engine.model, Change::properties);
 }
 
 void run(Session& session, const lang::Change& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     refuse_unknown_number(command);
     if (command.material || command.constitutive)
         for (const Row block : session.pick(ObjectKind::block, command.range)) {
@@ -270,11 +273,12 @@ void run(Session& session, const lang::Change& command) {
     if (contacts.empty()) return;
     if (command.joint_constitutive) {
         const auto number = static_cast<std::int32_t>(*command.joint_constitutive);
-        assign_joint_model(model, session.joints, contacts, joint_model_of_number(model, number), session.here());
+        assign_joint_model(model, session.engine.joints, contacts, joint_model_of_number(model, number),
+                           session.deck.here());
     }
     if (command.joint_material)
-        change_joint_material(model, session.joints, contacts, static_cast<std::int32_t>(*command.joint_material),
-                              session.here());
+        change_joint_material(model, session.engine.joints, contacts,
+                              static_cast<std::int32_t>(*command.joint_material), session.deck.here());
 }
 
 namespace {
@@ -282,17 +286,17 @@ namespace {
 /// Gives existing or future joints in range the model and the values of the command.
 void change_joint_model(Session& session, const lang::JointModelCommand& command) {
     using Action = lang::JointModelCommand::Action;
-    refuse_wrong_switch(session.joints, command.items);
+    refuse_wrong_switch(session.engine.joints, command.items);
     doubt_angles(session, command.items);
     find_joints(session);
     // Without any contact yet, a command for all contacts applies to future ones.
-    const bool to_come = !command.range.place && select(session.model, ObjectKind::contact, {}, true).empty();
+    const bool to_come = !command.range.place && select(session.engine.model, ObjectKind::contact, {}, true).empty();
     const auto contacts = to_come ? std::vector<Row>{} : session.pick(ObjectKind::contact, command.range);
     if (contacts.empty() && !to_come) return;
     if (command.action == Action::assign) {
         try {
-            assign_joint_model(session.model, session.joints, contacts, session.joints.get(command.model).name,
-                               session.here());
+            assign_joint_model(session.engine.model, session.engine.joints, contacts,
+                               session.engine.joints.get(command.model).name, session.deck.here());
         } catch (Diagnostic& mistake) {
             mistake.at(command.model_place);
             throw;
@@ -300,8 +304,8 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
     }
     if (command.items.empty()) return;
     pointing_at(command.items, [&](std::size_t* failed) {
-        set_joint_properties(session.model, session.joints, contacts, names_and_values(command.items), session.here(),
-                             failed);
+        set_joint_properties(session.engine.model, session.engine.joints, contacts, names_and_values(command.items),
+                             session.deck.here(), failed);
     });
 }
 
@@ -309,11 +313,11 @@ void change_joint_model(Session& session, const lang::JointModelCommand& command
 
 void run(Session& session, const lang::JointModelCommand& typed) {
     lang::JointModelCommand command = typed;
-    command.items = session.given_properties.replaced(std::move(command.items), GivenProperties::of_jmodel);
+    command.items = session.deck.given_properties.replaced(std::move(command.items), GivenProperties::of_jmodel);
     using Action = lang::JointModelCommand::Action;
     if (command.action != Action::properties) {
         try {
-            session.joints.get(command.model);
+            session.engine.joints.get(command.model);
         } catch (Diagnostic& mistake) {
             mistake.at(command.model_place);
             throw;
@@ -327,14 +331,14 @@ void run(Session& session, const lang::JointModelTest& command) {
     BenchOrder order;
     order.model = command.model;
     order.path = command.path;
-    order.before_writing = [&](const std::filesystem::path& file) { session.gate->may_write(file); };
+    order.before_writing = [&](const std::filesystem::path& file) { session.program.gate->may_write(file); };
     order.values = names_and_values(command.items);
     order.settings.steps = static_cast<std::size_t>(command.steps);
     order.settings.area = command.area;
-    session.gate->may_read(order.path);
+    session.program.gate->may_read(order.path);
     try {
-        const auto report = run_bench(session.joints, order);
-        session.output.print(report.text);
+        const auto report = run_bench(session.engine.joints, order);
+        session.program.output.print(report.text);
     } catch (Diagnostic& mistake) {
         mistake.at(command.model_place);
         throw;
@@ -371,8 +375,9 @@ std::set<Row> property_sets_in_use(const Model& model) {
 }
 
 void check_materials(Session& session) {
-    std::set<std::int32_t> in_use(session.model.blocks.material.begin(), session.model.blocks.material.end());
-    for (const auto& [number, material] : session.model.materials) {
+    std::set<std::int32_t> in_use(session.engine.model.blocks.material.begin(),
+                                  session.engine.model.blocks.material.end());
+    for (const auto& [number, material] : session.engine.model.materials) {
         if (in_use.contains(number)) check_elastic_pair(number, material);
         refuse_joint_values(session, number, material);
         warn_unused(session, number, material);

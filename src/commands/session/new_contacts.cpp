@@ -36,9 +36,9 @@ std::vector<Row> take_picked(Session& session, std::vector<Row>& contacts, std::
     std::vector<Row> picked;
     try {
         const RangeTest test =
-            session.test_of(ObjectKind::contact, range_of_text(session.model.joint_rules[entry].range));
+            session.test_of(ObjectKind::contact, range_of_text(session.engine.model.joint_rules[entry].range));
         std::erase_if(contacts, [&](Row contact) {
-            if (test && !test(session.model, ObjectKind::contact, contact)) return false;
+            if (test && !test(session.engine.model, ObjectKind::contact, contact)) return false;
             picked.push_back(contact);
             return true;
         });
@@ -52,11 +52,11 @@ std::vector<Row> take_picked(Session& session, std::vector<Row>& contacts, std::
 
 /// Returns how many contacts got an entry.
 std::size_t apply_entries(Session& session, std::vector<Row> contacts) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     const std::size_t all = contacts.size();
     for (std::size_t entry = 0; entry < model.joint_rules.size() && !contacts.empty(); ++entry) {
         const auto picked = take_picked(session, contacts, entry);
-        if (!picked.empty()) give_joints(model, session.joints, picked, model.joint_rules[entry].properties);
+        if (!picked.empty()) give_joints(model, session.engine.joints, picked, model.joint_rules[entry].properties);
     }
     return all - contacts.size();
 }
@@ -75,12 +75,13 @@ std::size_t entry_of(const Model& model, const lang::JointRuleCommand& command) 
 /// The row of properties that the words of an entry make of another row.
 void set_entry(Session& session, const lang::JointRuleCommand& command, Row from, std::int32_t& properties) {
     pointing_at_words(command.items, command.model_place, [&](const auto& items, std::size_t* failed) {
-        properties = changed_joints(session.model, session.joints, from, command.model, items, session.here(), failed);
+        properties = changed_joints(session.engine.model, session.engine.joints, from, command.model, items,
+                                    session.deck.here(), failed);
     });
 }
 
 void add_entry(Session& session, const lang::JointRuleCommand& command) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     JointRule rule{text_of_range(command.range), 0};
     set_entry(session, command, model.settings.default_properties, rule.properties);
     if (model.joint_rules.empty()) model.ruled_contacts = model.next_contact_number;
@@ -95,25 +96,25 @@ void remove_entries(Model& model, const lang::JointRuleCommand& command) {
 }
 
 void list_entries(Session& session) {
-    const auto& model = session.model;
-    if (model.joint_rules.empty()) return session.output.print("the material table is empty");
+    const auto& model = session.engine.model;
+    if (model.joint_rules.empty()) return session.program.output.print("the material table is empty");
     TextTable table({"entry", "joint model", "given in"});
     for (std::size_t i = 0; i < model.joint_rules.size(); ++i) {
         const auto& set = model.joint_properties[static_cast<std::size_t>(model.joint_rules[i].properties)];
         table.add({std::to_string(i + 1), set.model, set.place});
     }
-    session.output.print(table.text());
+    session.program.output.print(table.text());
 }
 
 } // namespace
 
 void find_joints(Session& session) {
-    find_contacts(session.model, session.joints);
+    find_contacts(session.engine.model, session.engine.joints);
     follow_material_table(session);
 }
 
 void follow_material_table(Session& session) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     if (model.joint_rules.empty() || model.ruled_contacts == model.next_contact_number) return;
     std::vector<Row> fresh;
     for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c)
@@ -124,14 +125,14 @@ void follow_material_table(Session& session) {
 
 void run(Session& session, const lang::NewContacts& command) {
     pointing_at_words(command.items, command.model_place, [&](const auto& items, std::size_t* failed) {
-        if (!command.model.empty()) session.joints.get(command.model);
-        set_new_joints(session.model, session.joints, command.model, items, session.here(), failed);
+        if (!command.model.empty()) session.engine.joints.get(command.model);
+        set_new_joints(session.engine.model, session.engine.joints, command.model, items, session.deck.here(), failed);
     });
 }
 
 void run(Session& session, const lang::JointRuleCommand& command) {
     using enum lang::JointRuleCommand::Action;
-    Model& model = session.model;
+    Model& model = session.engine.model;
     switch (command.action) {
     case add: return add_entry(session, command);
     case remove: return remove_entries(model, command);
@@ -144,7 +145,7 @@ void run(Session& session, const lang::JointRuleCommand& command) {
         find_joints(session);
         const auto contacts = session.pick(ObjectKind::contact, {});
         const std::size_t count = apply_entries(session, contacts);
-        session.output.say(
+        session.program.output.say(
             fmt::format("{} of {} have an entry of the material table", counted(count, "contact"), contacts.size()));
     }
     }

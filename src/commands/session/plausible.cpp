@@ -43,32 +43,33 @@ void warn_of(Session& session, std::vector<Diagnostic> doubts) {
 
 void doubt_angles(Session& session, const std::vector<lang::Property::Item>& items) {
     for (const auto& item : items)
-        if (may_be_radians(item) && is_friction_angle(session.joints, item.word)) session.warn(radian_doubt(item));
+        if (may_be_radians(item) && is_friction_angle(session.engine.joints, item.word))
+            session.warn(radian_doubt(item));
 }
 
 void doubt_elasticity(Session& session) {
-    const auto& used = session.model.blocks.material;
+    const auto& used = session.engine.model.blocks.material;
     const std::set<std::int32_t> in_use(used.begin(), used.end());
     for (const std::int32_t number : in_use) {
-        const auto found = session.model.materials.find(number);
-        if (found == session.model.materials.end()) continue;
+        const auto found = session.engine.model.materials.find(number);
+        if (found == session.engine.model.materials.end()) continue;
         const double bulk = found->second.bulk, shear = found->second.shear;
         const double poisson = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
         if (!(poisson < 0)) continue; // also when a modulus is not given
         const std::string message = fmt::format("material {} has a Poisson's ratio of {:.3g}: bulk {}, shear {}",
                                                 number, poisson, number_text(bulk), number_text(shear));
-        if (session.said_once.insert(message).second)
+        if (session.program.said_once.insert(message).second)
             session.warn(
                 implausible(message, "rock has 0.1 to 0.4: a bulk modulus of 0.9 to 4.7 times the shear modulus"));
     }
 }
 
 void doubt_densities(Session& session) {
-    for (const auto& [number, material] : session.model.materials) {
+    for (const auto& [number, material] : session.engine.model.materials) {
         if (!(material.density > greatest_density)) continue;
         const std::string message = fmt::format("material {} has a density of {}: no material is that heavy", number,
                                                 number_text(material.density));
-        if (session.said_once.insert(message).second) session.warn(implausible(message, "rock has 2700 kg/m3"));
+        if (session.program.said_once.insert(message).second) session.warn(implausible(message, "rock has 2700 kg/m3"));
     }
 }
 
@@ -86,12 +87,12 @@ void doubt_weight(Session& session) {
                                              {32.17, 5.2, "slug, ft"}}};
     constexpr double near = 0.02, lightest = 0.03,
                      heaviest = 9; // parts of the earth's gravity and of the density of rock
-    const double gravity = session.model.settings.gravity.norm();
+    const double gravity = session.engine.model.settings.gravity.norm();
     const auto of_earth = [&](const System& system) {
         return std::abs(gravity - system.gravity) < near * system.gravity;
     };
-    if (session.units.given() || std::ranges::none_of(systems, of_earth)) return;
-    for (const auto& [number, material] : session.model.materials) {
+    if (session.deck.units.given() || std::ranges::none_of(systems, of_earth)) return;
+    for (const auto& [number, material] : session.engine.model.materials) {
         const double density = material.density;
         const auto fits = [&](const System& system) {
             return of_earth(system) && density > lightest * system.rock && density < heaviest * system.rock;
@@ -102,13 +103,13 @@ void doubt_weight(Session& session) {
             if (of_earth(system)) usual.push_back(fmt::format("{:g} ({})", system.rock, system.units));
         const std::string message = fmt::format("material {} has a density of {} with a gravity of {}", number,
                                                 number_text(density), number_text(gravity));
-        if (session.said_once.insert(message).second)
+        if (session.program.said_once.insert(message).second)
             session.warn(implausible(message, fmt::format("rock has {} with this gravity", fmt::join(usual, ", "))));
     }
 }
 
 void doubt_loads(Session& session) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const double gravity = model.settings.gravity.norm();
     if (!(gravity > 0)) return;
     constexpr double most = 1e7; // times the weight of the model
@@ -119,13 +120,13 @@ void doubt_loads(Session& session) {
     }
     if (!(weight > 0) || !(load > most * weight)) return;
     const std::string message = fmt::format("a load of {:.3g} acts on a model that weighs {:.3g}", load, weight);
-    if (session.said_once.insert(message).second)
+    if (session.program.said_once.insert(message).second)
         session.warn(implausible(message, "look at its exponent, and at the units of loads and density"));
 }
 
 void doubt_units(Session& session) {
-    if (!session.units.given()) return;
-    const Units& units = session.units;
+    if (!session.deck.units.given()) return;
+    const Units& units = session.deck.units;
     const auto doubt_value = [&](const std::string& what, double value, double in_si, const char* si, double least,
                                  double most, std::string_view quantity) {
         const double size = std::abs(in_si);
@@ -134,12 +135,12 @@ void doubt_units(Session& session) {
         const std::string meant = unit == si ? "" : fmt::format(", which is {:.3g} {}", in_si, si);
         const std::string message =
             fmt::format("{} {} {}{}: are the units {}?", what, number_text(value), unit, meant, units.name());
-        if (session.said_once.insert(message).second)
+        if (session.program.said_once.insert(message).second)
             session.warn(
                 implausible(message, fmt::format("usual are {:g} to {:g} {}; `set units` names other systems: {}",
                                                  least, most, si, fmt::join(Units::names(), ", "))));
     };
-    for (const auto& entry : session.model.materials) {
+    for (const auto& entry : session.engine.model.materials) {
         const std::int32_t number = entry.first;
         const Material& material = entry.second;
         const auto of = [&](const char* what) { return fmt::format("material {}: {}", number, what); };
@@ -148,28 +149,29 @@ void doubt_units(Session& session) {
         doubt_value(of("bulk modulus"), material.bulk, units.stress_in_si(material.bulk), "Pa", 1e5, 1e12, "stress");
         doubt_value(of("shear modulus"), material.shear, units.stress_in_si(material.shear), "Pa", 1e4, 1e12, "stress");
     }
-    const double gravity = session.model.settings.gravity.norm();
+    const double gravity = session.engine.model.settings.gravity.norm();
     doubt_value("gravity", gravity, units.acceleration_in_si(gravity), "m/s^2", 0.1, 100, "acceleration");
 }
 
 void doubt_gravity(Session& session, const Vec3& gravity, const Place& place) {
     if (!(gravity.z() > 0 && gravity.x() == 0 && gravity.y() == 0)) return;
-    session.show_note(implausible("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
+    session.program.show_note(implausible("gravity points up, along z", "down is gravity 0 0 -9.81").at(place));
 }
 
 void doubt_joints(Session& session) {
     double density = 0;
-    for (const auto& [number, material] : session.model.materials) density = std::max(density, material.density);
-    const double size = model_size(session.model);
-    const double weight = density * session.model.settings.gravity.norm() * size; // of the highest column: a stress
-    for (const Row row : property_sets_in_use(session.model)) {
-        const JointProperties& set = session.model.joint_properties[static_cast<std::size_t>(row)];
-        const JointModel* joint = session.joints.find(set.model);
+    for (const auto& [number, material] : session.engine.model.materials) density = std::max(density, material.density);
+    const double size = model_size(session.engine.model);
+    const double weight =
+        density * session.engine.model.settings.gravity.norm() * size; // of the highest column: a stress
+    for (const Row row : property_sets_in_use(session.engine.model)) {
+        const JointProperties& set = session.engine.model.joint_properties[static_cast<std::size_t>(row)];
+        const JointModel* joint = session.engine.joints.find(set.model);
         if (joint == nullptr) continue;
         const auto say = [&](const std::string& message, const std::string& hint) {
             const std::string where = set.place.empty() ? set.model : fmt::format("{}, {}", set.model, set.place);
             const std::string text = fmt::format("{} ({})", message, where);
-            if (session.said_once.insert(text).second) session.warn(implausible(text, hint));
+            if (session.program.said_once.insert(text).second) session.warn(implausible(text, hint));
         };
         const auto value = [&](kaya_jrole role) { return value_of_role(*joint, set.values, role); };
         const auto shear = value(KAYA_JROLE_STIFFNESS_SHEAR), cohesion = value(KAYA_JROLE_COHESION),
@@ -221,7 +223,7 @@ void doubt_joints(Session& session) {
 }
 
 void doubt_undamped_search(Session& session, const Place& place) {
-    const Settings& s = session.model.settings;
+    const Settings& s = session.engine.model.settings;
     if (s.damping != Damping::none || s.contact_damping != 0) return;
     session.warn(implausible("nothing damps the motion: it does not come to rest",
                              "damp local 0.8 before `solve`; cycle time T runs undamped motion")
@@ -229,21 +231,21 @@ void doubt_undamped_search(Session& session, const Place& place) {
 }
 
 void doubt_gone_blocks(Session& session, const Place& place) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const auto gone = blocks_that_left(model);
     if (gone.empty()) return;
     const Row first = gone.front();
-    if (!session.said_once.insert(fmt::format("left:{}", model.blocks.number[first])).second) return;
+    if (!session.program.said_once.insert(fmt::format("left:{}", model.blocks.number[first])).second) return;
     std::string text = body_text(model, {first});
     if (gone.size() > 1) text += " and " + counted(gone.size() - 1, "other block");
     Diagnostic d = implausible(fmt::format("{} left all others: nothing touches it", text),
                                "look at what drives it, or delete it");
-    if (model.settings.dynamic) session.show_note(d.at(place));
+    if (model.settings.dynamic) session.program.show_note(d.at(place));
     else session.warn(d.at(place));
 }
 
 void doubt_idle_model(Session& session, const Place& place) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     if (model.blocks.empty() || !model.settings.gravity.isZero(0) || model.zones.size() > 0 ||
         model.boundary_histories.size() > 0 || model.structures.any() || model.settings.water != Water::none)
         return;
@@ -260,8 +262,8 @@ void doubt_idle_model(Session& session, const Place& place) {
 }
 
 void doubt_empty_model(Session& session, const Place& place) {
-    if (session.model.blocks.empty())
-        session.warn(implausible("there are no blocks: nothing moves", session.model.excavated.blocks.size() > 0
+    if (session.engine.model.blocks.empty())
+        session.warn(implausible("there are no blocks: nothing moves", session.engine.model.excavated.blocks.size() > 0
                                                                            ? "all are excavated: fill puts them back"
                                                                            : "make them first: poly brick ...")
                          .at(place));

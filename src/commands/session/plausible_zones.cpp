@@ -34,7 +34,7 @@ std::optional<double> value_of(const ZoneModel& law, const std::vector<double>& 
 }
 
 void say_once(Session& session, const std::string& message, const std::string& hint) {
-    if (!session.said_once.insert(message).second) return;
+    if (!session.program.said_once.insert(message).second) return;
     Diagnostic d(message, hint);
     d.code = "implausible";
     session.warn(std::move(d));
@@ -43,11 +43,11 @@ void say_once(Session& session, const std::string& message, const std::string& h
 } // namespace
 
 void doubt_zone_strengths(Session& session) {
-    for (const auto& [law_and_material, block] : zoned_blocks(session.model)) {
+    for (const auto& [law_and_material, block] : zoned_blocks(session.engine.model)) {
         const auto& [name, material] = law_and_material;
-        const ZoneModel* law = session.joints.zones.find(name);
+        const ZoneModel* law = session.engine.joints.zones.find(name);
         if (law == nullptr) continue;
-        const auto values = zone_model_values(session.model, block, *law);
+        const auto values = zone_model_values(session.engine.model, block, *law);
         const auto cohesion = value_of(*law, values, "cohesion"), friction = value_of(*law, values, "friction"),
                    table = value_of(*law, values, "table-cohesion"), other = value_of(*law, values, "table-friction");
         if (!cohesion || !friction || *cohesion != 0 || *friction != 0 || table.value_or(0) > 0 ||
@@ -56,18 +56,18 @@ void doubt_zone_strengths(Session& session) {
         say_once(session,
                  fmt::format("zone model {} of material {} has neither cohesion nor friction: it carries no shear",
                              name, material),
-                 session.in_words("give them: zone property cohesion 1e6 friction 30",
-                                  "give them: block zone property cohesion 1e6 friction 30"));
+                 session.deck.in_words("give them: zone property cohesion 1e6 friction 30",
+                                       "give them: block zone property cohesion 1e6 friction 30"));
     }
 }
 
 void doubt_zone_magnitudes(Session& session) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const double gravity = model.settings.gravity.norm(), size = model_size(model);
     for (const auto& [law_and_material, block] : zoned_blocks(model)) {
         const std::int32_t number = law_and_material.second;
         const auto found = model.materials.find(number);
-        const ZoneModel* law = session.joints.zones.find(law_and_material.first);
+        const ZoneModel* law = session.engine.joints.zones.find(law_and_material.first);
         if (found == model.materials.end() || law == nullptr) continue;
         const auto values = zone_model_values(model, block, *law);
         const double bulk = value_of(*law, values, "bulk").value_or(found->second.bulk),

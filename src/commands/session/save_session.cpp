@@ -14,23 +14,23 @@ namespace kaya {
 SaveExtras session_extras(Session& session) {
     SaveExtras extras;
     extras.program_version = program_version();
-    extras.title = session.title;
-    extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.scripts->state())});
-    extras.scripts.push_back({std::string(part_ranges), ranges_text(session.ranges)});
-    keep_units(extras, session.units);
+    extras.title = session.deck.title;
+    extras.scripts.push_back({std::string(part_scripts), script::to_bytes(session.engine.scripts->state())});
+    extras.scripts.push_back({std::string(part_ranges), ranges_text(session.deck.ranges)});
+    keep_units(extras, session.deck.units);
     if (const auto files = joint_files(session); !files.empty())
         extras.scripts.push_back({std::string(part_joints), joint_files_text(files)});
-    if (!session.surface_sets.empty())
-        extras.scripts.push_back({std::string(part_surfaces), surfaces_text(session.surface_sets)});
-    for (const auto& source : session.sources)
+    if (!session.deck.surface_sets.empty())
+        extras.scripts.push_back({std::string(part_surfaces), surfaces_text(session.deck.surface_sets)});
+    for (const auto& source : session.deck.sources)
         extras.decks.push_back({source->name, fmt::format("{}\n", fmt::join(source->lines, "\n"))});
     return extras;
 }
 
 std::uint64_t script_hash(Session& session) {
-    script::ScriptState state = session.scripts->state();
+    script::ScriptState state = session.engine.scripts->state();
     if (state.fish_globals.empty() && state.lua_globals.empty() && state.extras.empty() && state.sources.empty() &&
-        state.hooks.empty() && state.tables.empty() && session.ranges.empty() && session.surface_sets.empty())
+        state.hooks.empty() && state.tables.empty() && session.deck.ranges.empty() && session.deck.surface_sets.empty())
         return 0;
     for (auto& source : state.sources) {
         source.name.clear();
@@ -38,14 +38,14 @@ std::uint64_t script_hash(Session& session) {
     }
     Hash hash;
     hash.add(script::to_bytes(state));
-    hash.add(ranges_text(session.ranges));
-    if (!session.surface_sets.empty()) hash.add(surfaces_text(session.surface_sets));
+    hash.add(ranges_text(session.deck.ranges));
+    if (!session.deck.surface_sets.empty()) hash.add(surfaces_text(session.deck.surface_sets));
     return hash.value();
 }
 
 void save_session(Session& session, const std::string& file) {
-    session.cycle->bring_up_to_date();
-    save_state(session.model, session.output_file(file), session_extras(session));
+    session.engine.cycle->bring_up_to_date();
+    save_state(session.engine.model, session.program.output_file(file), session_extras(session));
 }
 
 } // namespace kaya

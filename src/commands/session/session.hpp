@@ -5,12 +5,16 @@
 #include "commands/world/engine.hpp"
 #include "commands/review/plot_views.hpp"
 #include "commands/program/program.hpp"
+#include "commands/program/run_name.hpp"
 #include "commands/program/text_table.hpp"
 #include "io/vtk.hpp"
 
+#include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +22,8 @@ namespace kaya {
 
 class Autosave;
 
-/// The argument of handlers. It joins three parts that do not know each other: serves the interpreter and the scripts, and notifies the
-/// listeners.
-class Session : private lang::InterpreterHost, private WorldHost, public Program, public Deck, public Engine {
+/// The argument of handlers. It holds three parts that do not know each other, and serves the interpreter and the scripts.
+class Session : private lang::InterpreterHost, private WorldHost {
 public:
     explicit Session(const Options& options, std::FILE* results = stdout, std::FILE* messages = stderr);
 
@@ -65,6 +68,8 @@ public:
 
     /// Requests a stop after the present cycle, and of scripts at once. For signal handlers.
     void interrupt() noexcept;
+    /// A stop was requested and has not happened yet.
+    bool is_to_stop() const noexcept { return interrupted_; }
     /// A script runs at a point where a stop request cannot reach it. For signal handlers.
     bool is_deaf() const noexcept;
     /// Throws Diagnostic when a stop was requested.
@@ -74,10 +79,15 @@ public:
     /// Whether scripts of the deck act inside cycles: they may read and write fields, print, or keep data outside the model.
     bool scripts_act_in_cycles() const;
 
-    VtkSeries vtk;                      ///< the picture series of this run
-    PlotViews plots;                    ///< the pictures that `plot` has described
-    std::shared_ptr<Painter> painter;   ///< draws the pictures; null: searched automatically
-    std::unique_ptr<Autosave> autosave; ///< keeps the model when the run is cut off
+    Program program;
+    Deck deck;
+    Engine engine;
+
+    std::optional<std::int64_t> stop_after; ///< a cycle: a replay stops there as the user did
+    VtkSeries vtk;                          ///< the picture series of this run
+    PlotViews plots;                        ///< the pictures that `plot` has described
+    std::shared_ptr<Painter> painter;       ///< draws the pictures; null: searched automatically
+    std::unique_ptr<Autosave> autosave;     ///< keeps the model when the run is cut off
 
 private:
     // Services for the interpreter.
@@ -98,6 +108,12 @@ private:
     bool asks_for_objects(const lang::RangePhrase& range) override;
 
     std::vector<Row> pick_rows(ObjectKind kind, const lang::RangePhrase& range, bool hidden_too);
+
+    RunNames names_;
+    std::atomic<bool> interrupted_ = false;
+    bool stopped_inside_ = false; ///< the running command was stopped at a point that a replay cannot repeat
+    std::optional<std::int64_t> stopped_after_; ///< cycle of a stop that is being handled
+    int commands_of_scripts_ = 0;               ///< nested scripts that are giving commands
 };
 
 } // namespace kaya

@@ -73,9 +73,9 @@ Bracket bracket_around(StrengthSearch& search, double guess) {
 double guessed_factor(Session& session) {
     constexpr double least = 0.1, most = 10;
     double guess = INFINITY;
-    for (const BodyStability& body : stability_of(session.model, session.joints))
+    for (const BodyStability& body : stability_of(session.engine.model, session.engine.joints))
         if (!body.fixed && body.answer.factor) guess = std::min(guess, *body.answer.factor);
-    if (!std::isfinite(guess)) guess = session.model.clock.factor_of_safety;
+    if (!std::isfinite(guess)) guess = session.engine.model.clock.factor_of_safety;
     return guess >= least && guess <= most ? guess : 0;
 }
 
@@ -137,12 +137,12 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     Bracket bracket;
     std::optional<FailureMode::Shares> mode;
     const double guess = command.bracket ? 0 : guessed_factor(session);
-    if (guess > 0) session.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
+    if (guess > 0) session.program.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
-        session.cycle->prepare(); // contacts must have their properties
+        session.engine.cycle->prepare(); // contacts must have their properties
         const Asked asked(command);
         check_for_trials(session, asked, command.place);
-        Progress progress(session.output, session.model, {});
+        Progress progress(session.program.output, session.engine.model, {});
         const double ratio = limits.ratio.value_or(default_ratio);
         ModelOnTrial model(session, asked);
         const std::int64_t span =
@@ -155,21 +155,21 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         if (closed(bracket))
             bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
         if (const auto& failed = search.failed()) {
-            if (const std::string moving = search.mechanism(); !moving.empty()) session.output.say(moving);
+            if (const std::string moving = search.mechanism(); !moving.empty()) session.program.output.say(moving);
             mode = failed->mode;
         }
     }
-    if (mode) session.output.say(mode_text(*mode));
-    double& factor = session.model.clock.factor_of_safety;
+    if (mode) session.program.output.say(mode_text(*mode));
+    double& factor = session.engine.model.clock.factor_of_safety;
     if (bracket.stands == 0) {
         factor = bracket.fails;
-        session.output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
+        session.program.output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
     } else if (!std::isfinite(bracket.fails)) {
         factor = bracket.stands;
-        session.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
+        session.program.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
     } else {
         factor = 0.5 * (bracket.stands + bracket.fails);
-        session.output.say(
+        session.program.output.say(
             fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
                         factor, bracket.stands, bracket.fails));
     }

@@ -51,7 +51,7 @@ std::vector<SliceMethod> methods_of(const LimitEquilibrium& command, bool circle
 }
 
 SectionPlane plane_of(const Session& session, const LimitEquilibrium& command) {
-    const Model& model = session.model;
+    const Model& model = session.engine.model;
     const double g = model.settings.gravity.norm();
     if (!(g > 0))
         throw Diagnostic("limit equilibrium needs gravity", "write before it, for example: gravity 0 0 -9.81");
@@ -80,7 +80,7 @@ SectionPlane plane_of(const Session& session, const LimitEquilibrium& command) {
 
 /// A numbered table as the height of the water over the distance.
 void add_water_table(Session& session, std::int64_t number, SlopeSection& section) {
-    const auto& tables = session.scripts->tables();
+    const auto& tables = session.engine.scripts->tables();
     const auto found = tables.find(number);
     if (found == tables.end() || found->second.points.empty())
         throw Diagnostic(fmt::format("there is no table {} with the height of the water", number),
@@ -104,24 +104,24 @@ class Assessment {
 public:
     Assessment(Session& session, const LimitEquilibrium& command)
         : session_(session), command_(command), plane_(plane_of(session, command)) {
-        section_ = section_of(session.model, session.joints, plane_);
+        section_ = section_of(session.engine.model, session.engine.joints, plane_);
         section_.seismic = command.seismic;
         section_.crack_depth = command.crack;
         section_.crack_water = command.crack_water;
         section_.pressure_ratio = command.pressure_ratio;
         const bool has_density =
-            session.model.settings.water == Water::table || session.model.settings.water == Water::ground;
-        const double density = has_density ? session.model.settings.water_value : 1000;
-        section_.water_weight = density * session.model.settings.gravity.norm();
+            session.engine.model.settings.water == Water::table || session.engine.model.settings.water == Water::ground;
+        const double density = has_density ? session.engine.model.settings.water_value : 1000;
+        section_.water_weight = density * session.engine.model.settings.gravity.norm();
         if (command.water_table) add_water_table(session, *command.water_table, section_);
     }
 
     void run() {
         const SlopeColumns columns(section_);
-        session_.output.say(fmt::format("limit equilibrium: {} cut through {} along {}, distances from {} to {}",
-                                        counted(section_.cells.size(), "block"), place_text(plane_.point),
-                                        place_text(plane_.along), number_text(columns.left()),
-                                        number_text(columns.right())));
+        session_.program.output.say(
+            fmt::format("limit equilibrium: {} cut through {} along {}, distances from {} to {}",
+                        counted(section_.cells.size(), "block"), place_text(plane_.point), place_text(plane_.along),
+                        number_text(columns.left()), number_text(columns.right())));
         const bool given = command_.circle || !command_.surface.empty();
         const bool circle =
             given ? command_.circle.has_value() : command_.search == LimitEquilibrium::Surfaces::circles;
@@ -143,14 +143,15 @@ public:
             best_ = found;
             best_method_ = method;
         }
-        session_.output.say(table.text());
+        session_.program.output.say(table.text());
         if (!best_)
             throw Diagnostic(
                 "no slip surface has a factor of safety by these methods",
                 "a tension crack often helps (crack d); or entry, exit and depth keep the search where a body can slide",
                 Fault::run);
-        session_.model.clock.factor_of_safety = best_->answer.factor;
-        session_.output.say(fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
+        session_.engine.model.clock.factor_of_safety = best_->answer.factor;
+        session_.program.output.say(
+            fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
         doubt_joints(columns);
         if (25 * best_->answer.pulled > command_.slices && command_.crack == 0)
             session_.note_once("the upper end of the slip surface is in tension",
@@ -258,8 +259,8 @@ private:
     Chart picture(const SlopeColumns& columns) const {
         Chart chart;
         chart.title = fmt::format("{}: {:.3f}", name_of(best_method_), best_->answer.factor);
-        chart.x_label = session_.units.in_brackets("distance [length]");
-        chart.y_label = session_.units.in_brackets("height [length]");
+        chart.x_label = session_.deck.units.in_brackets("distance [length]");
+        chart.y_label = session_.deck.units.in_brackets("height [length]");
         Curve blocks{"blocks", {}, {}}, joints{"joints", {}, {}}, water{"water", {}, {}},
             surface{"slip surface", {}, {}};
         const auto draw = [](Curve& curve, const SectionPoint& point) {
@@ -307,7 +308,7 @@ private:
     }
 
     void keep_surface(std::int64_t number) {
-        auto& table = session_.scripts->tables()[number];
+        auto& table = session_.engine.scripts->tables()[number];
         table.points.clear();
         for (const SectionPoint& point : best_->surface.points) table.points.push_back({point.x(), point.y()});
     }

@@ -26,12 +26,12 @@ constexpr double dashpots = 0.4;
 } // namespace
 
 ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked)
-    : session_(session), energy_(session.model.settings.energy), damping_(session.model.settings.damping),
-      dashpots_(session.model.settings.contact_damping) {
+    : session_(session), energy_(session.engine.model.settings.energy), damping_(session.engine.model.settings.damping),
+      dashpots_(session.engine.model.settings.contact_damping) {
     // Local damping holds back sliding bodies (docs/theory/damping.md); no damping of bodies stops vibrations excited by friction.
-    if (damping_ == Damping::local) session.model.settings.damping = Damping::combined;
-    session.model.settings.contact_damping = std::max(dashpots_, dashpots);
-    initial_.model = session.model;
+    if (damping_ == Damping::local) session.engine.model.settings.damping = Damping::combined;
+    session.engine.model.settings.contact_damping = std::max(dashpots_, dashpots);
+    initial_.model = session.engine.model;
     initial_.model.settings.energy = true; // a failing trial is detected by its energy account
     initial_.model.unreduced = static_cast<std::uint8_t>((asked(Reduced::friction) ? 0 : keep_friction) |
                                                          (asked(Reduced::cohesion) ? 0 : keep_cohesion) |
@@ -39,29 +39,29 @@ ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked)
 }
 
 ModelOnTrial::~ModelOnTrial() {
-    session_.model = left_ ? *left_ : initial_.model;
-    ModelEdit(session_.model, Change::lists);
-    session_.model.unreduced = 0;
-    session_.model.settings.energy = energy_;
-    session_.model.settings.damping = damping_;
-    session_.model.settings.contact_damping = dashpots_;
-    drop_idle_dashpots(session_.model);
+    session_.engine.model = left_ ? *left_ : initial_.model;
+    ModelEdit(session_.engine.model, Change::lists);
+    session_.engine.model.unreduced = 0;
+    session_.engine.model.settings.energy = energy_;
+    session_.engine.model.settings.damping = damping_;
+    session_.engine.model.settings.contact_damping = dashpots_;
+    drop_idle_dashpots(session_.engine.model);
 }
 
 void check_for_trials(Session& session, const Asked& asked, const Place& place) {
     std::string without;
     bool any = false;
     if (asked(Reduced::joints))
-        for (const Row row : property_sets_in_use(session.model)) {
-            const auto& set = session.model.joint_properties[row];
-            const JointModel& joint = session.joints.get(set.model);
+        for (const Row row : property_sets_in_use(session.engine.model)) {
+            const auto& set = session.engine.model.joint_properties[row];
+            const JointModel& joint = session.engine.joints.get(set.model);
             const bool strong = reduced(joint, set.values, 1, asked).has_value();
             any = any || strong;
             if (!strong) without = joint.name;
             if (auto doubt = doubtful_tension(joint, set)) session.warn(std::move(*doubt).at(place));
         }
-    for (const auto& name : zone_models_in_use(session.model)) {
-        const ZoneModel& zones = session.joints.zones.get(name);
+    for (const auto& name : zone_models_in_use(session.engine.model)) {
+        const ZoneModel& zones = session.engine.joints.zones.get(name);
         any = any || (can_be_reduced(zones) && asked(Reduced::zones));
         if (asked(Reduced::zones) && zones.flows() && !can_be_reduced(zones))
             session.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
@@ -78,21 +78,21 @@ void check_for_trials(Session& session, const Asked& asked, const Place& place) 
         session.warn(Diagnostic(fmt::format("joint model '{}' has no friction, cohesion or tension", without),
                                 "its strength is unchanged in all trials")
                          .at(place));
-    if (session.model.settings.damping == Damping::none)
+    if (session.engine.model.settings.damping == Damping::none)
         throw Diagnostic("without damping a model never comes to rest, and no factor of safety can be found",
                          "write before it, for example: damp local")
             .at(place);
 }
 
 std::int64_t characteristic_span(Session& session, Progress& progress, double ratio, const Place& place) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     const ElasticJoints strong(session);
     model.settings.strength_factor = 0.01; // zones a hundred times as strong do not yield
     for (double& force : model.sub_contacts.normal_force) force *= 0.5;
     for (auto& column : model.sub_contacts.shear_force.component)
         for (double& force : column) force *= 0.5;
     scale_zone_stresses(model, 0.5);
-    initialise_sub_contacts(model, session.joints, std::vector<char>(model.sub_contacts.size(), 1));
+    initialise_sub_contacts(model, session.engine.joints, std::vector<char>(model.sub_contacts.size(), 1));
     ModelEdit(model, Change::properties);
     progress.expect("how long the model takes to come to rest", std::nullopt);
     const RestSpan span = advance_span(session, patience, ratio, nullptr, &progress);

@@ -29,12 +29,12 @@ std::string end_text(std::string_view run, const RunEnd& end) {
 
 /// Reports how close to rest a run is, and which body does not come to rest.
 void tell_rest(Session& session, const RestMonitor& monitor, const RunEnd& end, bool still, const Place& place) {
-    const Clock& clock = session.model.clock;
+    const Clock& clock = session.engine.model.clock;
     std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
-    if (const auto fastest = fastest_body(session.model))
-        text +=
-            fmt::format("  largest velocity {} {}", number_text(fastest->speed), body_text(session.model, *fastest));
-    session.output.say(text);
+    if (const auto fastest = fastest_body(session.engine.model))
+        text += fmt::format("  largest velocity {} {}", number_text(fastest->speed),
+                            body_text(session.engine.model, *fastest));
+    session.program.output.say(text);
     if (!end.fallen.empty()) {
         session.warn(Diagnostic(end.fallen + " left all others: free fall does not come to rest",
                                 "fix what should hold it, delete it, or run for a `time`")
@@ -44,11 +44,12 @@ void tell_rest(Session& session, const RestMonitor& monitor, const RunEnd& end, 
     const auto moving = monitor.moving();
     if (!moving) return;
     session.warn(
-        Diagnostic(
-            fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
-                        body_text(session.model, *moving), number_text(moving->speed), number_text(moving->gained)),
-            still ? "check its supports, or run more cycles"
-                  : "a ratio hardly shows one body among many: with `still` the run continues until no body moves")
+        Diagnostic(fmt::format("{} does not come to rest: its velocity is {}, and it has gone {} lately",
+                               body_text(session.engine.model, *moving), number_text(moving->speed),
+                               number_text(moving->gained)),
+                   still
+                       ? "check its supports, or run more cycles"
+                       : "a ratio hardly shows one body among many: with `still` the run continues until no body moves")
             .at(place));
 }
 
@@ -92,49 +93,49 @@ void count_from_now(Limits& limits, const lang::Solve& command, const Clock& clo
 constexpr std::int64_t many_cycles = 1000, some_cycles = 100;
 
 void run(Session& session, const lang::CycleCommand& command) {
-    doubt_empty_model(session, session.interpreter.current_place());
+    doubt_empty_model(session, session.deck.interpreter.current_place());
     if (command.cycles.value_or(0) >= many_cycles) note_counted_cycles(session);
     Limits limits;
     limits.cycles = command.cycles;
     limits.time = command.time;
-    session.world.stopped_by = advance_until(session, limits).why;
-    if (command.cycles.value_or(0) >= some_cycles) doubt_gone_blocks(session, session.interpreter.current_place());
+    session.engine.world.stopped_by = advance_until(session, limits).why;
+    if (command.cycles.value_or(0) >= some_cycles) doubt_gone_blocks(session, session.deck.interpreter.current_place());
 }
 
 void run(Session& session, const lang::Solve& command) {
     doubt_empty_model(session, command.place);
-    session.run_hooks(script::Moment::solve_start);
+    session.engine.run_hooks(script::Moment::solve_start);
     Limits limits{
         command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio, command.force, {},
         command.still,  command.all};
     if (command.clock) limits.clock = *command.clock * 60;
-    count_from_now(limits, command, session.model.clock);
+    count_from_now(limits, command, session.engine.model.clock);
     // `solve` looks for equilibrium unless a limit gives another end.
     const bool seeks_rest = command.ratio || command.maximum_ratio || command.local_ratio || command.force;
     if (!seeks_rest && !limits.time && !command.all) limits.ratio = 1e-5;
     if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
     if (command.elastic) {
-        session.cycle->prepare(); // contacts must have their properties before these can be made strong
+        session.engine.cycle->prepare(); // contacts must have their properties before these can be made strong
         const ElasticJoints strong(session);
         if (!strong.strengthened())
             session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
                                     "'elastic' has no effect"));
-        session.output.say(end_text("solve elastic", advance_until(session, limits)));
+        session.program.output.say(end_text("solve elastic", advance_until(session, limits)));
     }
     doubt_idle_model(session, command.place);
     if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
     warn_of(session, doubts_of(command));
-    RestMonitor monitor(session.model);
+    RestMonitor monitor(session.engine.model);
     const RunEnd end = advance_until(session, limits, &monitor);
-    session.world.stopped_by = end.why;
-    session.output.say(end_text("solve", end));
+    session.engine.world.stopped_by = end.why;
+    session.program.output.say(end_text("solve", end));
     tell_rest(session, monitor, end, command.still, command.place);
-    session.run_hooks(script::Moment::solve_complete);
+    session.engine.run_hooks(script::Moment::solve_complete);
 }
 
 void run(Session& session, const lang::Damp& command) {
     warn_of(session, doubts_of(command));
-    auto& model = session.model;
+    auto& model = session.engine.model;
     auto& settings = model.settings;
     const auto stiff_part = [&] {
         return std::tuple(stiffness_damping(settings), settings.contact_damping, time_step_fraction(settings));
@@ -150,7 +151,7 @@ void run(Session& session, const lang::Damp& command) {
 }
 
 void run(Session& session, const lang::MassScale& command) {
-    auto& model = session.model;
+    auto& model = session.engine.model;
     auto& settings = model.settings;
     if (command.on && settings.dynamic)
         throw Diagnostic("full density scaling changes the motion, and the model is dynamic",
@@ -162,8 +163,8 @@ void run(Session& session, const lang::MassScale& command) {
 }
 
 void run(Session& session, const lang::Fraction& command) {
-    session.model.settings.time_step_fraction = command.value;
-    ModelEdit(session.model, Change::properties);
+    session.engine.model.settings.time_step_fraction = command.value;
+    ModelEdit(session.engine.model, Change::properties);
 }
 
 void add_handlers(HandlerTable& table, lang::SolutionCommands list) { fill(table, list); }

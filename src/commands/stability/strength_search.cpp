@@ -50,12 +50,12 @@ bool StrengthSearch::enter_sliding() {
 
 void StrengthSearch::report(const Trial& trial) const {
     const Model& model = trial.end.model;
-    bench_.session.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}", trial.end.factor,
-                                          trial.stands ? "stands" : "fails", counted(trial.cycles, "cycle"),
-                                          model.clock.average_ratio,
-                                          trial.moving    ? "; " + body_text(model, *trial.moving) + " moves on"
-                                          : trial.goes_on ? "; it keeps moving and does not slow down"
-                                                          : ""));
+    bench_.session.program.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}",
+                                                  trial.end.factor, trial.stands ? "stands" : "fails",
+                                                  counted(trial.cycles, "cycle"), model.clock.average_ratio,
+                                                  trial.moving    ? "; " + body_text(model, *trial.moving) + " moves on"
+                                                  : trial.goes_on ? "; it keeps moving and does not slow down"
+                                                                  : ""));
     if (!trial.stands && !command_.file.empty()) save_as(bench_.session, command_.file);
 }
 

@@ -50,7 +50,7 @@ bool any_has_moved_far(const Model& start, const Model& model) {
 class TrialRun {
 public:
     TrialRun(const TrialBench& bench, const ReducedModel& start)
-        : bench_(bench), model_(bench.session.model), whole_(start.whole) {
+        : bench_(bench), model_(bench.session.engine.model), whole_(start.whole) {
         model_ = start.model;
         ModelEdit(model_, Change::lists);
     }
@@ -63,7 +63,7 @@ public:
         if (bench_.asked(Reduced::joints))
             for (std::size_t i = 0; i < sets.size(); ++i)
                 if (const auto values =
-                        reduced(bench_.session.joints.get(sets[i].model), whole_[i], factor, bench_.asked))
+                        reduced(bench_.session.engine.joints.get(sets[i].model), whole_[i], factor, bench_.asked))
                     sets[i].values = *values;
         model_.settings.strength_factor = bench_.asked(Reduced::zones) ? factor : 1;
         ModelEdit(model_, Change::properties);
@@ -107,8 +107,10 @@ public:
             for (const Row row : *sliding.slipping) column[row] *= sliding.factor / factor;
     }
 
-    FailureMode mode() const { return {model_, *bench_.session.cycle}; }
-    FailureMode::Shares shares(const FailureMode& since) const { return since.shares(model_, *bench_.session.cycle); }
+    FailureMode mode() const { return {model_, *bench_.session.engine.cycle}; }
+    FailureMode::Shares shares(const FailureMode& since) const {
+        return since.shares(model_, *bench_.session.engine.cycle);
+    }
     const Model& model() const { return model_; }
     ReducedModel end(double factor) const { return {model_, whole_, factor}; }
 
@@ -124,8 +126,8 @@ using Answer = std::tuple<Column<double>, std::array<Column<double>, 3>, Column<
 /// Those one cycle after a state of motion, when joints and zones remember it or not.
 Answer answer_of_next_cycle(const TrialBench& bench, const ReducedModel& sliding, bool forgets) {
     TrialRun run(bench, sliding);
-    Model& model = bench.session.model;
-    if (forgets) forget_slip(model, bench.initial.model, bench.session.joints);
+    Model& model = bench.session.engine.model;
+    if (forgets) forget_slip(model, bench.initial.model, bench.session.engine.joints);
     ModelEdit(model, Change::properties);
     run.run(1, 0);
     return {model.sub_contacts.normal_force, model.sub_contacts.shear_force.component, model.zones.stress};
@@ -157,9 +159,9 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
         }
     if (!rest.tired) {
         run.lower(factor);
-        bench.session.cycle->prepare();
+        bench.session.engine.cycle->prepare();
         mode.emplace(run.mode());
-        FailureMonitor monitor(run.model(), *bench.session.cycle,
+        FailureMonitor monitor(run.model(), *bench.session.engine.cycle,
                                static_cast<std::int64_t>(rule.window * static_cast<double>(bench.span)));
         rest = run.settle(factor, bench.ratio, first_spans, to_its_end ? nullptr : &monitor);
         trial.cycles += rest.cycles;
@@ -175,12 +177,12 @@ std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel
     if (bench.initial.model.structures.stand()) return std::nullopt; // bolts take up load during motion
     for (const Row row : property_sets_in_use(failed.model)) {
         const auto& set = failed.model.joint_properties[row];
-        if (loses_strength(bench.session.joints.get(set.model), set.values)) return std::nullopt;
+        if (loses_strength(bench.session.engine.joints.get(set.model), set.values)) return std::nullopt;
     }
     const double factor = shove * failed.factor;
     TrialRun run(bench, failed);
     run.lower(factor);
-    bench.session.cycle->prepare();
+    bench.session.engine.cycle->prepare();
     const FailureMode mode = run.mode();
     const Slip slip(run.model());
     for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()); ++i) run.run(bench.span, 0);

@@ -8,7 +8,7 @@ class Attachments : public Running {
 protected:
     /// Three bricks on a long one, and a distant one created first.
     void make() {
-        session().joints.set_path({KAYA_TEST_JOINTS});
+        session().engine.joints.set_path({KAYA_TEST_JOINTS});
         run("poly brick 50 51 0 1 0 1 region 9\n"
             "poly brick 0 3 0 1 -1 0\n"
             "poly brick 0 1 0 1 0 1\n"

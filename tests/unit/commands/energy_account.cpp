@@ -8,7 +8,7 @@ namespace {
 
 class EnergyAccount : public Running {
 protected:
-    EnergyAccount() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    EnergyAccount() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
 
     /// Energy of the springs of all sub-contacts, normal and shear stiffness 1e8; of overlaps by their energy.
     double in_springs() {

@@ -183,7 +183,7 @@ int run_examples(const lang::Language& dialect) {
             // What an example needs follows from its classic words.
             const std::string_view words = example.classic.empty() ? example.text : example.classic;
             Session session(options, nowhere, nowhere);
-            const auto run = [&](const std::string& text) { session.interpreter.run_text(text, "example"); };
+            const auto run = [&](const std::string& text) { session.deck.interpreter.run_text(text, "example"); };
             try {
                 run(setting);
                 if (!of_rigid_blocks(words)) run("gen edge 1 range region 3\n");

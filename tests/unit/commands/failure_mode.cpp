@@ -28,7 +28,7 @@ class FailureModes : public Running, public testing::WithParamInterface<Twin> {
 protected:
     using Field = std::function<Vec3(const Vec3&)>;
 
-    FailureModes() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    FailureModes() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
 
     /// A prism over a polygon, clockwise or anticlockwise seen from `along`, because `poly prism` accepts both.
     Row prism(const std::vector<Vec3>& polygon, const Vec3& along) {
@@ -50,7 +50,7 @@ protected:
     void begin(const std::string& lines = "") {
         run(lines + "\njmodel model mohr jkn 1e9 jks 1e9 jfric 30\nprop mat 1 density 2500 k 1e9 g 6e8\n"
                     "gravity 0 0 -10\nset small on\ndamp local\nfix\ncycle 1");
-        mode_.emplace(model(), *session().cycle);
+        mode_.emplace(model(), *session().engine.cycle);
     }
     void move(Row block, const Field& field) {
         const Span span = model().blocks.gridpoints[block];
@@ -69,7 +69,8 @@ protected:
     std::string name(double in_joints = 1, double in_zones = 0) {
         model().energy.joint_friction += in_joints;
         model().energy.zone_work += in_zones;
-        const std::string text = mode_text(mode_->shares(model(), *session().cycle)), before = "mode of failure: ";
+        const std::string text = mode_text(mode_->shares(model(), *session().engine.cycle)),
+                          before = "mode of failure: ";
         return text.substr(before.size(), text.find(';') - before.size());
     }
 

@@ -41,8 +41,8 @@ TEST_F(FieldSlips, NineOfTenGetTheRightProposal) {
             }
         }
     };
-    for (const auto& table : session().world.tables()) measure(table.fields);
-    measure(session().world.globals());
+    for (const auto& table : session().engine.world.tables()) measure(table.fields);
+    measure(session().engine.world.globals());
     fmt::print("{} of {} slips in {} fields of Lua get the right proposal: {:.1f} %\n", right, asked, names,
                100.0 * right / asked);
     EXPECT_GT(asked, 5000);

@@ -46,7 +46,7 @@ class FieldsPage : public Running {
 protected:
     /// Two adjacent blocks, one with zones, with a structure of each kind.
     void make_model() {
-        session().joints.set_path({KAYA_TEST_JOINTS});
+        session().engine.joints.set_path({KAYA_TEST_JOINTS});
         run("poly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\ngen edge 2 range z 1 2\nprop mat 1 dens 2000 k 1e9 g 1e9\n"
             "prop jmat 1 jkn 1e9 jks 1e9\nstructure property 1 area 1e-4 young 2e11\nstructure cable 0.2 0.5 0.5 0.8 0.5 0.5\n"
             "structure property 2 area 1e-4 young 2e11 density 7800 moi-y 1e-9 moi-z 1e-9\nstructure beam 0.2 0.5 0 0.8 0.5 0 property 2\n"
@@ -67,7 +67,7 @@ protected:
     std::string page() {
         make_model();
         std::map<std::string, std::string> newer;
-        for (const auto& [modern, classic] : session().scripts->newer_names()) newer.emplace(classic, modern);
+        for (const auto& [modern, classic] : session().engine.scripts->newer_names()) newer.emplace(classic, modern);
         std::string text = head;
         for (const auto& section : sections) {
             text += fmt::format("\n## {}\n\n| Lua | FISH | newer FISH | kind | unit | |\n|---|---|---|---|---|---|\n",

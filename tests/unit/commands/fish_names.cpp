@@ -32,7 +32,7 @@ std::string filled(const std::vector<std::string>& words) {
 
 std::string name_list(Session& session) {
     std::vector<std::string> classic, modern;
-    for (const auto& [name, writable] : session.scripts->built_in_names())
+    for (const auto& [name, writable] : session.engine.scripts->built_in_names())
         (name.find('.') == std::string::npos ? classic : modern).push_back(writable ? name + "*" : name);
     std::string text = fmt::format("{}\nSupported; those with `*` can also be set:\n\n{}", heading, filled(classic));
     text += fmt::format("\nNames of newer versions, with the meaning of the classic ones:\n\n{}", filled(modern));
@@ -73,7 +73,7 @@ TEST_F(FishNames, ThePageListsEveryName) {
 }
 
 TEST_F(FishNames, NoNameIsBothKnownAndRefused) {
-    for (const auto& [name, writable] : session().scripts->built_in_names())
+    for (const auto& [name, writable] : session().engine.scripts->built_in_names())
         EXPECT_EQ(fish::find_reserved(name), nullptr) << name;
 }
 
@@ -90,7 +90,7 @@ TEST_F(FishNames, EveryRefusedNameIsAnErrorAtItsPosition) {
 
 TEST_F(FishNames, ASlipOfOneLetterGetsTheRightProposal) {
     std::vector<std::string> names;
-    for (const auto& [name, writable] : session().scripts->built_in_names()) names.push_back(name);
+    for (const auto& [name, writable] : session().engine.scripts->built_in_names()) names.push_back(name);
     std::ranges::sort(names);
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     std::mt19937_64 random(17);

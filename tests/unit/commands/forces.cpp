@@ -15,7 +15,7 @@ namespace {
 
 class Forces : public Running {
 protected:
-    Forces() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    Forces() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
     void start(Random& random);
 };
 

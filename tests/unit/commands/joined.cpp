@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 class Joined : public Running {
 protected:
-    Joined() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    Joined() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
     void start() {
         model().settings.given_time_step = 1e-3;
         run("prop mat 1 dens 1000\ndamp none\ngravity 0 0 -10\n");
@@ -102,7 +102,7 @@ TEST_F(Joined, BlocksWithZonesAreTiedAndAreAsLongAsOneBlock) {
     EXPECT_GT(model().ties.size(), 0u);
     run("list contacts");
     EXPECT_THAT(printed(), HasSubstr("no contacts"));
-    EXPECT_EQ(session().warnings, 0u); // `jmodel` applies to future joints
+    EXPECT_EQ(session().program.warnings, 0u); // `jmodel` applies to future joints
     // Separated it is a joint, without tension.
     run("join off\njmodel model mohr jkn 1e10 jks 1e10\ncycle 10");
     EXPECT_EQ(model().ties.size(), 0u);

@@ -10,7 +10,7 @@ namespace {
 
 class ListSubjects : public Running {
 protected:
-    ListSubjects() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    ListSubjects() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
 };
 
 TEST_F(ListSubjects, HaveColumnsThatTheirListKnows) {

@@ -18,7 +18,7 @@ constexpr auto contact_table = script_table(ObjectKind::contact);
 class ModelWorldTest : public Running {
 protected:
     ModelWorldTest() { run("poly brick 0 1\npoly brick 2 4\n"); }
-    ModelWorld& world() { return session().world; }
+    ModelWorld& world() { return session().engine.world; }
 
     std::size_t field(std::int32_t table, std::string_view name) {
         const auto& all = world().tables()[static_cast<std::size_t>(table)].fields;

@@ -53,14 +53,14 @@ protected:
         return "accepted";
     }
 
-    Value value(const std::string& expression) { return session().scripts->value("[" + expression + "]"); }
+    Value value(const std::string& expression) { return session().engine.scripts->value("[" + expression + "]"); }
     std::string shown(const std::string& expression) {
-        return script::to_text(value("string(" + expression + ")"), &session().world);
+        return script::to_text(value("string(" + expression + ")"), &session().engine.world);
     }
 
     /// Visits each field with a modern name, of an object that has it: of gridpoints the last one, which belongs to zones.
     template <class Visit> int for_each_field(Visit visit) {
-        script::World& world = session().world;
+        script::World& world = session().engine.world;
         int count = 0;
         for (std::size_t t = 0; t < world.tables().size(); ++t) {
             const auto& table = world.tables()[t];
@@ -69,7 +69,7 @@ protected:
             const Handle object = world.at(static_cast<std::int32_t>(t), table.modern == "block.gp" ? objects - 1 : 0);
             for (std::size_t i = 0; i < table.fields.size(); ++i) {
                 if (table.fields[i].modern.empty()) continue;
-                session().scripts->set("p", object);
+                session().engine.scripts->set("p", object);
                 visit(table.fields[i], object, i);
                 ++count;
             }
@@ -81,10 +81,10 @@ protected:
 TEST_F(ModernIntrinsics, EveryFieldReadsTheSameUnderEachName) {
     const int fields = for_each_field([&](const script::FieldInfo& field, const Handle& object, std::size_t i) {
         const std::string name(field.modern);
-        const Value wanted = session().world.get(object, i);
+        const Value wanted = session().engine.world.get(object, i);
         EXPECT_TRUE(same(value(name + "(p)"), wanted)) << name;
         if (!field.classic.empty()) { EXPECT_TRUE(same(value(fmt::format("{}(p)", field.classic)), wanted)) << name; }
-        const std::string member = name.substr(session().world.tables()[object.table].modern.size() + 1);
+        const std::string member = name.substr(session().engine.world.tables()[object.table].modern.size() + 1);
         if (member.find('.') == member.npos) { EXPECT_TRUE(same(value("p->" + member), wanted)) << name; }
         const auto* vector = std::get_if<Vec3>(&wanted);
         if (vector == nullptr) {
@@ -99,10 +99,10 @@ TEST_F(ModernIntrinsics, EveryFieldReadsTheSameUnderEachName) {
         EXPECT_THROW(value(name + "(p,4)"), Diagnostic) << name;
     });
     EXPECT_GT(fields, 100);
-    const auto& globals = session().world.globals();
+    const auto& globals = session().engine.world.globals();
     for (std::size_t i = 0; i < globals.size(); ++i) {
         if (globals[i].modern.empty()) continue;
-        const Value wanted = session().world.get(script::World::whole_model, i);
+        const Value wanted = session().engine.world.get(script::World::whole_model, i);
         EXPECT_TRUE(same(value(std::string(globals[i].modern)), wanted)) << globals[i].modern;
     }
 }
@@ -111,9 +111,9 @@ TEST_F(ModernIntrinsics, EveryWritableFieldIsSetByItsModernName) {
     int written = 0;
     for_each_field([&](const script::FieldInfo& field, const Handle& object, std::size_t i) {
         const std::string name(field.modern);
-        script::World& world = session().world;
+        script::World& world = session().engine.world;
         const Value before = world.get(object, i), wanted = other(before);
-        session().scripts->set("v", wanted);
+        session().engine.scripts->set("v", wanted);
         if (!field.writable) {
             EXPECT_THROW(value(name + "(p) = v"), Diagnostic) << name;
             return;
@@ -138,10 +138,10 @@ TEST_F(ModernIntrinsics, EveryWritableFieldIsSetByItsModernName) {
 }
 
 TEST_F(ModernIntrinsics, OtherNamesAreThoseOfTheClassicFunctions) {
-    for (const auto& [modern, classic] : session().scripts->newer_names()) {
-        const auto of_modern = session().scripts->meaning_of(modern);
+    for (const auto& [modern, classic] : session().engine.scripts->newer_names()) {
+        const auto of_modern = session().engine.scripts->meaning_of(modern);
         EXPECT_EQ(of_modern.kind, fish::NameKind::built_in) << modern;
-        const auto of_classic = session().scripts->meaning_of(classic);
+        const auto of_classic = session().engine.scripts->meaning_of(classic);
         if (of_classic.kind != fish::NameKind::built_in) continue; // a field without a classic name
         EXPECT_EQ(of_modern.least, of_classic.least) << modern;
         EXPECT_EQ(of_modern.writable, of_classic.writable) << modern;
@@ -149,7 +149,7 @@ TEST_F(ModernIntrinsics, OtherNamesAreThoseOfTheClassicFunctions) {
 }
 
 TEST_F(ModernIntrinsics, EveryKindOfObjectIsFoundCountedAndListed) {
-    script::World& world = session().world;
+    script::World& world = session().engine.world;
     for (std::size_t t = 0; t < world.tables().size(); ++t) {
         const std::string kind(world.tables()[t].modern);
         if (kind.empty()) continue;
@@ -229,7 +229,7 @@ TEST_F(ModernIntrinsics, BothDialectsDriveTheSameRun) {
 /// Each name with points, with each of its parts shortened to the letters that no other name begins with.
 TEST_F(ModernIntrinsics, NamesMayBeShortenedInEachPart) {
     std::vector<std::string> names;
-    for (const auto& [name, writable] : session().scripts->built_in_names())
+    for (const auto& [name, writable] : session().engine.scripts->built_in_names())
         if (name.find('.') != name.npos) names.push_back(name);
     ASSERT_GT(names.size(), 150u);
     int unique = 0;
@@ -239,7 +239,7 @@ TEST_F(ModernIntrinsics, NamesMayBeShortenedInEachPart) {
         std::vector<std::string> fitting;
         for (const std::string& other : names)
             if (other.starts_with(part) && other.find('.', part.size()) == other.npos) fitting.push_back(other);
-        const auto meaning = session().scripts->meaning_of(part);
+        const auto meaning = session().engine.scripts->meaning_of(part);
         if (std::ranges::find(names, part) != names.end()) continue; // a name itself
         if (fitting.size() == 1) {
             EXPECT_EQ(meaning.whole, name) << part;

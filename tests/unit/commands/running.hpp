@@ -21,7 +21,7 @@ protected:
         std::fclose(messages_);
     }
 
-    void run(const std::string& text) { session_->interpreter.run_text(text, "test.3dd"); }
+    void run(const std::string& text) { session_->deck.interpreter.run_text(text, "test.3dd"); }
 
     /// The error that ends the text; its message is "" if there is none.
     Diagnostic mistake(const std::string& text) {
@@ -34,7 +34,7 @@ protected:
     std::string printed() { return all_of(results_); }
     std::string said() { return all_of(messages_); }
     Session& session() { return *session_; }
-    Model& model() { return session_->model; }
+    Model& model() { return session_->engine.model; }
 
 private:
     static std::string all_of(std::FILE* stream) {

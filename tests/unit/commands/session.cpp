@@ -23,7 +23,7 @@ protected:
 TEST_F(SessionTest, ARangeThatMatchesNothingIsAWarning) {
     run("poly brick 0 1\nfix range x 5 6\n");
     EXPECT_THAT(said(), HasSubstr("test.3dd:2:5: warning: 0 of 1 blocks matched"));
-    EXPECT_EQ(session().warnings, 1u);
+    EXPECT_EQ(session().program.warnings, 1u);
     EXPECT_EQ(model().blocks.fixed[0], 0);
 }
 
@@ -42,7 +42,7 @@ TEST_F(StrictSessionTest, WarningsAreErrors) {
 TEST_F(SessionTest, NewForgetsTheModelAndTheScripts) {
     run("poly brick 0 1\nset @x = 5\nrange name all x 0 1\nnew\n");
     EXPECT_EQ(model().blocks.size(), 0u);
-    EXPECT_TRUE(session().ranges.empty());
+    EXPECT_TRUE(session().deck.ranges.empty());
     EXPECT_FALSE(mistake("print @x\n").message.empty());
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 class Slips : public Running {
 protected:
-    Slips() { session().joints.set_path({KAYA_TEST_JOINTS}); }
+    Slips() { session().engine.joints.set_path({KAYA_TEST_JOINTS}); }
 
     /// A block on another, with normal and shear stress everywhere.
     void build() {
@@ -46,7 +46,7 @@ TEST_F(Slips, ForgettingSlipKeepsTheStressesOfBendingCells) {
     const auto bent = model().zones.warp;
     const auto carries = [](double value) { return value != 0; };
     ASSERT_TRUE(std::ranges::any_of(bent, [&](const auto& column) { return std::ranges::any_of(column, carries); }));
-    forget_slip(model(), start, session().joints);
+    forget_slip(model(), start, session().engine.joints);
     for (std::size_t k = 0; k < bent.size(); ++k) EXPECT_TRUE(std::ranges::equal(model().zones.warp[k], bent[k])) << k;
 }
 

@@ -20,10 +20,10 @@ std::uint64_t hash_of(Model model) { return state_hash(model); }
 class StrengthTrials : public Running {
 protected:
     StrengthTrials() {
-        session().joints.set_path({KAYA_TEST_JOINTS});
+        session().engine.joints.set_path({KAYA_TEST_JOINTS});
         run("prop mat 1 density 2500\npoly brick -15 25 0 10 -5 0\nfix range z -5 -1\npoly brick 0 10 0 10 0 5\n"
             "prop jmat 1 jkn 1e10 jks 1e10 jfric 40\ndamp local 0.8\nmscale on\ngravity 4.905 0 -8.4957");
-        session().cycle->prepare();
+        session().engine.cycle->prepare();
         before_ = state_hash(model());
     }
 
@@ -32,7 +32,7 @@ protected:
         const lang::Solve command;
         const Asked asked(command);
         check_for_trials(session(), asked, {});
-        Progress progress(session().output, model(), {});
+        Progress progress(session().program.output, model(), {});
         ModelOnTrial on_trial(session(), asked);
         const std::int64_t span = characteristic_span(session(), progress, 1e-5, {});
         use(TrialBench{session(), asked, on_trial.initial(), 1e-5, span, progress});

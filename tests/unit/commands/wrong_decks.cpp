@@ -77,7 +77,7 @@ std::vector<Diagnostic> told_before(const std::string& text) {
     try {
         const auto file = bind_text(language(), source_from_text("deck", text), {}, &checks, &names);
         const Session session{Options{}};
-        DeckReview review(names, *session.scripts, {fs::current_path()}, {KAYA_TEST_JOINTS});
+        DeckReview review(names, *session.engine.scripts, {fs::current_path()}, {KAYA_TEST_JOINTS});
         review.file(*file);
         return review.findings();
     } catch (const DeckErrors& errors) { return errors.all; } catch (const Diagnostic& problem) {
@@ -90,9 +90,9 @@ class RunTalk : public Running {
 public:
     explicit RunTalk(const std::string& text) {
         std::string said_last;
-        session().joints.set_path({KAYA_TEST_JOINTS});
+        session().engine.joints.set_path({KAYA_TEST_JOINTS});
         try {
-            session().interpreter.run_text(text, "deck");
+            session().deck.interpreter.run_text(text, "deck");
         } catch (const Diagnostic& mistake) { said_last = render(mistake); }
         std::istringstream lines(said() + said_last);
         for (std::string line; std::getline(lines, line);) take(line);

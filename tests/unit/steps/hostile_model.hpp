@@ -88,7 +88,7 @@ public:
         std::fclose(results_);
         std::fclose(messages_);
     }
-    void run(const std::string& lines) { session_->interpreter.run_text(lines, "hostile.3dd"); }
+    void run(const std::string& lines) { session_->deck.interpreter.run_text(lines, "hostile.3dd"); }
     Session& session() { return *session_; }
 
 private:

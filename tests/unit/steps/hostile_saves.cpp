@@ -22,7 +22,7 @@ TEST(HostileSaves, AreRefusedOrRunButNeverCrash) {
         (std::filesystem::temp_directory_path() / fmt::format("kaya-hostile-{}.h5", ::getpid())).string();
     Scene scene;
     scene.run(hostile_deck);
-    const Model good = scene.session().model;
+    const Model good = scene.session().engine.model;
     Mutation counting;
     {
         Model copy = good;
@@ -34,8 +34,8 @@ TEST(HostileSaves, AreRefusedOrRunButNeverCrash) {
     int refused = 0, ran = 0;
     for (int k = 0; k < files; ++k) {
         Mutation mutation(random() % counting.count(), [&random] { return random(); });
-        scene.session().model = good;
-        visit_state(mutation, scene.session().model);
+        scene.session().engine.model = good;
+        visit_state(mutation, scene.session().engine.model);
         SCOPED_TRACE(mutation.what());
         if (std::getenv("KAYA_HOSTILE_SHOW")) fmt::print(stderr, "{} {}\n", k, mutation.what());
         save_session(scene.session(), file);
@@ -47,7 +47,7 @@ TEST(HostileSaves, AreRefusedOrRunButNeverCrash) {
             EXPECT_NE(problem.fault, Fault::own) << render(problem);
             ++refused;
         }
-        scene.session().model = good;
+        scene.session().engine.model = good;
     }
     std::filesystem::remove(file);
     EXPECT_GT(refused, files / 5);

@@ -105,13 +105,15 @@ public:
     /// False if the command is refused, as some random commands are.
     bool run(const std::string& line) {
         try {
-            session_->interpreter.run_text(line, "random.3dd");
+            session_->deck.interpreter.run_text(line, "random.3dd");
         } catch (const Diagnostic&) { return false; }
         return true;
     }
     Session& session() { return *session_; }
     /// Of the model, and of scripts and ranges.
-    std::pair<std::uint64_t, std::uint64_t> hashes() { return {state_hash(session_->model), script_hash(*session_)}; }
+    std::pair<std::uint64_t, std::uint64_t> hashes() {
+        return {state_hash(session_->engine.model), script_hash(*session_)};
+    }
 
 private:
     std::FILE* results_;
@@ -130,7 +132,7 @@ void expect_same_when_restored(Run& run, int cycles, const std::string& where) {
         const bool went = run.run("cycle 1");
         EXPECT_EQ(other.run("cycle 1"), went) << where;
         if (!went) return;
-        ASSERT_EQ(state_hash(run.session().model), state_hash(other.session().model))
+        ASSERT_EQ(state_hash(run.session().engine.model), state_hash(other.session().engine.model))
             << where << ", " << i + 1 << " cycles after it was restored";
     }
 }
@@ -156,8 +158,9 @@ int check(std::uint64_t seed) {
         for (int i = 0; i < part.cycles; ++i) {
             if (!run.run("cycle 1")) return looked_at; // no model to run, or a failing law
             ++looked_at;
-            const double step = run.session().model.clock.time_step, stable = largest_stable_step(run.session().model);
-            EXPECT_LE(step, stable) << "seed " << seed << ", cycle " << run.session().model.clock.cycle;
+            const double step = run.session().engine.model.clock.time_step,
+                         stable = largest_stable_step(run.session().engine.model);
+            EXPECT_LE(step, stable) << "seed " << seed << ", cycle " << run.session().engine.model.clock.cycle;
             if (step > stable) return looked_at;
         }
         if (part.cycles > 0 && c.heads(0.7)) expect_same_when_restored(run, 3, fmt::format("{}-{}", seed, part_number));
@@ -177,11 +180,11 @@ int restore_after_changes_of_mass(std::uint64_t seed) {
     for (const Part& part : random_deck(seed)) {
         if (!part.line.empty()) run.run(part.line);
         for (int i = 0; i < part.cycles && restored < most; ++i) {
-            const auto before = run.session().model.blocks.inertial_mass;
+            const auto before = run.session().engine.model.blocks.inertial_mass;
             if (!run.run("cycle 1")) return restored;
-            if (i == 0 || run.session().model.blocks.inertial_mass == before) continue;
+            if (i == 0 || run.session().engine.model.blocks.inertial_mass == before) continue;
             expect_same_when_restored(run, 3,
-                                      fmt::format("{} scaled, cycle {}", seed, run.session().model.clock.cycle));
+                                      fmt::format("{} scaled, cycle {}", seed, run.session().engine.model.clock.cycle));
             if (testing::Test::HasFailure()) return restored;
             ++restored;
         }
@@ -197,7 +200,7 @@ std::uint64_t final_hash(std::uint64_t seed, int threads) {
         for (int i = 0; i < part.cycles; ++i)
             if (!run.run("cycle 1")) break;
     }
-    return state_hash(run.session().model);
+    return state_hash(run.session().engine.model);
 }
 
 int number_from(const char* variable, int otherwise) {
@@ -242,10 +245,10 @@ TEST(ScriptHash, SeesWhatScriptsAndRangesHold) {
     std::set<std::uint64_t> seen{0};
     for (const char* line : {"set @a = 1", "set @a = 2", "range name low z 0 1", "range name low z 0 2",
                              "table 1 0 0 1 1", "def f\n a = 1\nend", "lua\nb = 3\nendlua"}) {
-        const auto of_model = state_hash(run.session().model);
+        const auto of_model = state_hash(run.session().engine.model);
         ASSERT_TRUE(run.run(line)) << line;
         EXPECT_TRUE(seen.insert(script_hash(run.session())).second) << line;
-        EXPECT_EQ(state_hash(run.session().model), of_model) << line;
+        EXPECT_EQ(state_hash(run.session().engine.model), of_model) << line;
     }
 }
 

@@ -67,11 +67,11 @@ struct Outcome {
 /// The removable blocks by theory.
 std::set<std::int32_t> named_by_theory(Session& session, Outcome& outcome) {
     std::set<std::int32_t> named;
-    for (const BodyStability& body : stability_of(session.model, session.joints)) {
+    for (const BodyStability& body : stability_of(session.engine.model, session.engine.joints)) {
         if (body.fixed) continue;
         ++outcome.free;
         if (body.answer.factor && *body.answer.factor < 1)
-            named.insert(session.model.blocks.number[body.blocks.front()]);
+            named.insert(session.engine.model.blocks.number[body.blocks.front()]);
     }
     return named;
 }
@@ -79,10 +79,10 @@ std::set<std::int32_t> named_by_theory(Session& session, Outcome& outcome) {
 /// The blocks that leave their position. They are deleted, as in theory, which does not test whether the path is long enough for the blocks
 /// behind them.
 std::set<std::int32_t> gone_by_cycling(Session& session, const std::set<std::int32_t>& named) {
-    Model& model = session.model;
+    Model& model = session.engine.model;
     std::set<std::int32_t> gone;
     for (double since = 0; since < (std::ranges::includes(gone, named) ? rest : longest_wait); since += look) {
-        session.interpreter.run_text(fmt::format("cycle time {}\n", look), "system");
+        session.deck.interpreter.run_text(fmt::format("cycle time {}\n", look), "system");
         std::vector<Row> leave;
         for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b)
             if (model.blocks.displacement[b].norm() > moved) leave.push_back(b);
@@ -107,12 +107,12 @@ Comparison compare(unsigned seed, bool may_turn, Outcome& outcome) {
     const bool roof = seed % 2 == 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::tmpfile(), &std::fclose);
     Session session(quiet(), nowhere.get(), nowhere.get());
-    session.interpreter.run_text(system(random, roof), "system");
-    hold_outside(session.model, roof);
+    session.deck.interpreter.run_text(system(random, roof), "system");
+    hold_outside(session.engine.model, roof);
     Comparison found;
     found.named = named_by_theory(session, outcome);
     if (!may_turn)
-        for (auto& fixed : session.model.blocks.fixed) fixed |= fix_rx | fix_ry | fix_rz;
+        for (auto& fixed : session.engine.model.blocks.fixed) fixed |= fix_rx | fix_ry | fix_rz;
     found.gone = gone_by_cycling(session, found.named);
     outcome.named += found.named.size(), outcome.gone += found.gone.size();
     return found;
