@@ -14,6 +14,9 @@ bool is_one_of(const std::vector<Spelling>& spellings, const Word& word) {
 
 namespace {
 
+/// Beyond the first words of all dialects, which are some hundreds.
+constexpr std::size_t most_words_kept = 4096;
+
 std::vector<const CommandSpec*> find_commands(const Language& language, std::string_view typed) {
     std::string_view exact, beginning;
     for_each_command(language, [&](const CommandSpec& command) {
@@ -54,7 +57,8 @@ const std::vector<const CommandSpec*>& commands_called(const Language& language,
     auto found = known.find(typed);
     if (found == known.end()) {
         auto commands = find_commands(language, typed);
-        if (commands.empty()) return none; // unknown words are not cached: their number is unlimited
+        // The words of one dialect are unknown to the other, line after line; others may be any number.
+        if (commands.empty() && known.size() >= most_words_kept) return none;
         found = known.emplace(typed, std::move(commands)).first;
     }
     return found->second;
