@@ -3,6 +3,7 @@
 #include "base/base64.hpp"
 #include "io/deflate.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -26,6 +27,11 @@ float rounded(float number) {
     const auto bits = std::bit_cast<std::uint32_t>(number) + (low + 1) / 2;
     const float result = std::bit_cast<float>(bits & ~low);
     return std::isfinite(result) ? result : number;
+}
+
+std::string packed_rounded(std::vector<float> numbers) {
+    std::ranges::transform(numbers, numbers.begin(), rounded);
+    return packed(std::span<const float>(numbers));
 }
 
 std::string json_text(std::string_view text) {

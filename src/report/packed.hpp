@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kaya {
 
@@ -21,6 +22,9 @@ template <class Number> std::string packed(std::span<const Number> numbers) {
 
 /// To 16 bits, about five digits: enough for a view. NaN and infinity are unchanged.
 float rounded(float number);
+
+/// Packed after rounding.
+std::string packed_rounded(std::vector<float> numbers);
 
 /// The text in quotes, for JSON inside of a page: no '<' in it.
 std::string json_text(std::string_view text);

@@ -2,6 +2,7 @@
 
 #include "base/markup_text.hpp"
 #include "report/packed.hpp"
+#include "report/inside_data.hpp"
 #include "report/mark_data.hpp"
 #include "report/page_parts.hpp"
 #include "report/scene_data.hpp"
@@ -75,6 +76,7 @@ std::string report_of(Model& model, const SaveExtras& extras, const ReportOrder&
                                     {"scene-data", with_units(states_json(model, order), units)},
                                     {"history-data", histories_json(model.histories, units)},
                                     {"joint-data", with_units(joint_scene_json(model, order), units)},
+                                    {"inside-data", with_units(inside_json(model, order.centre), units)},
                                     {"mark-data", with_units(marks_json(model, order.centre), units)},
                                     {"course-data", course_json(order.course)},
                                     {"scripts", of_kind("js")}});

@@ -3,7 +3,8 @@
 #include "io/history_csv.hpp"
 #include "model/fields/field.hpp"
 #include "model/measure/joint_polygons.hpp"
-#include "model/measure/measure.hpp"
+#include "report/block_corners.hpp"
+#include "report/field_data.hpp"
 #include "report/packed.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace {
 
 /// Corners on the surface, and the lines and triangles between them. Indices count within a block: they are small.
 struct Surface {
-    std::vector<float> places, displacements;             ///< three for each corner, of the place before it moved
+    CornerPlaces places;
     std::vector<Row> gridpoints;                          ///< of each corner
     std::vector<std::uint32_t> corners, triangles, lines; ///< numbers of them, by block
     std::vector<std::uint32_t> triangle_corners, line_corners;
@@ -49,93 +50,17 @@ void add_lines(const Model& model, Row block, const std::map<Row, std::uint32_t>
 }
 
 void add_block(const Model& model, Row block, const Vec3& centre, Surface& surface) {
-    std::map<Row, std::uint32_t> corner_of;
+    const BlockCorners corners(model, block);
+    surface.places.add(model, corners.rows, centre);
+    surface.gridpoints.insert(surface.gridpoints.end(), corners.rows.begin(), corners.rows.end());
     const Span triangles = model.blocks.triangles[block];
     for (Row t = triangles.first; t < triangles.end(); ++t)
-        for (const Row g : model.triangles.gridpoints[t])
-            if (corner_of.try_emplace(g, static_cast<std::uint32_t>(corner_of.size())).second) {
-                const Vec3 moved = model.gridpoints.displacement[g], place = model.gridpoints.position[g] - centre;
-                for (int k = 0; k < 3; ++k) {
-                    surface.places.push_back(static_cast<float>(place[k]));
-                    surface.displacements.push_back(static_cast<float>(moved[k]));
-                }
-                surface.gridpoints.push_back(g);
-            }
-    for (Row t = triangles.first; t < triangles.end(); ++t)
-        for (const Row g : model.triangles.gridpoints[t]) surface.triangle_corners.push_back(corner_of.at(g));
-    surface.corners.push_back(static_cast<std::uint32_t>(corner_of.size()));
+        for (const Row g : model.triangles.gridpoints[t]) surface.triangle_corners.push_back(corners.number.at(g));
+    surface.corners.push_back(static_cast<std::uint32_t>(corners.rows.size()));
     surface.triangles.push_back(static_cast<std::uint32_t>(triangles.count));
     surface.numbers.push_back(static_cast<std::uint32_t>(model.blocks.number[block]));
-    add_lines(model, block, corner_of, surface);
+    add_lines(model, block, corners.number, surface);
 }
-
-std::string column(const char* name, const std::vector<std::uint32_t>& numbers) {
-    return fmt::format("\"{}\":\"{}\"", name, packed(std::span(numbers)));
-}
-std::string packed_values(std::vector<float> numbers) {
-    std::ranges::transform(numbers, numbers.begin(), rounded);
-    return packed(std::span<const float>(numbers));
-}
-std::string column(const char* name, const std::vector<float>& numbers) {
-    return fmt::format("\"{}\":\"{}\"", name, packed_values(numbers));
-}
-
-double length_of(const Model& model, const FieldValue& value) {
-    if (const auto* v = std::get_if<Vec3>(&value)) return v->norm();
-    if (const auto* d = std::get_if<double>(&value)) return *d;
-    if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
-    const auto* link = std::get_if<Link>(&value);
-    const auto number = link == nullptr || link->kind != ObjectKind::block ? std::nullopt : object_number(model, *link);
-    return number ? static_cast<double>(*number) : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// A field of texts as JSON.
-std::string names_json(std::string_view title, const std::vector<std::string>& texts) {
-    std::vector<float> values;
-    std::vector<std::string> names;
-    for (const std::string& text : texts) {
-        auto found = std::ranges::find(names, text);
-        if (found == names.end()) found = names.insert(found, text);
-        values.push_back(static_cast<float>(found - names.begin()));
-    }
-    std::ranges::transform(names, names.begin(), json_text);
-    return fmt::format(R"({{"name":{},"unit":"-","of":"block","names":[{}],"values":"{}"}})", json_text(title),
-                       fmt::join(names, ","), packed_values(values));
-}
-
-/// A field as JSON: one value for each row; texts by their number in `names`.
-std::string field_json(const Model& model, const Field& field, const char* of, const std::vector<Row>& rows) {
-    std::vector<float> values;
-    std::vector<std::string> texts;
-    for (const Row row : rows) {
-        const FieldValue value = field.get(model, row);
-        if (const auto* text = std::get_if<std::string>(&value)) texts.push_back(text->empty() ? "none" : *text);
-        else values.push_back(static_cast<float>(length_of(model, value)));
-    }
-    if (!texts.empty()) return names_json(field.name, texts);
-    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[],"values":"{}"}})", json_text(field.name),
-                       json_text(field.unit), of, packed_values(values));
-}
-
-/// A corner of a deformable block has the mean of the zones around it, weighted with their volumes.
-std::string stress_json(const Model& model, const Surface& surface, const char* name, double (*of)(const Model&, Row)) {
-    std::vector<double> sum(model.gridpoints.size()), weight(model.gridpoints.size());
-    for (Row zone = 0; zone < static_cast<Row>(model.zones.size()); ++zone)
-        for (const Row g : model.zones.gridpoints[zone]) {
-            sum[g] += of(model, zone) * model.zones.volume[zone];
-            weight[g] += model.zones.volume[zone];
-        }
-    std::vector<float> values;
-    for (const Row g : surface.gridpoints)
-        values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g])
-                                       : std::numeric_limits<float>::quiet_NaN());
-    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name,
-                       packed_values(values));
-}
-
-} // namespace
-
-namespace {
 
 struct Box {
     Vec3 low, high;
@@ -165,12 +90,12 @@ namespace {
 
 std::string surface_json(const Surface& surface, const Vec3& centre, double size,
                          const std::vector<std::string>& fields) {
-    return fmt::format(
-        R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(), centre.y(),
-        centre.z(), size, column("numbers", surface.numbers), column("corners", surface.corners),
-        column("triangles", surface.triangles), column("lines", surface.lines), column("places", surface.places),
-        column("displacements", surface.displacements), column("triangleCorners", surface.triangle_corners),
-        column("lineCorners", surface.line_corners), fmt::join(fields, ","));
+    return fmt::format(R"({{"centre":[{},{},{}],"size":{},{},{},{},{},{},{},{},"fields":[{}]}})", centre.x(),
+                       centre.y(), centre.z(), size, column_json("numbers", surface.numbers),
+                       column_json("corners", surface.corners), column_json("triangles", surface.triangles),
+                       column_json("lines", surface.lines), surface.places.json(),
+                       column_json("triangleCorners", surface.triangle_corners),
+                       column_json("lineCorners", surface.line_corners), fmt::join(fields, ","));
 }
 
 void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& surface) {
@@ -179,8 +104,7 @@ void add_joint(const Model& model, Row contact, const Vec3& centre, Surface& sur
         const auto count = static_cast<std::uint32_t>(polygon.size());
         for (std::uint32_t k = 0; k < count; ++k) {
             const Vec3 place = polygon[k] - centre;
-            for (int axis = 0; axis < 3; ++axis)
-                surface.places.push_back(static_cast<float>(place[axis])), surface.displacements.push_back(0);
+            surface.places.add(place, Vec3::Zero());
             surface.line_corners.insert(surface.line_corners.end(), {corners + k, corners + (k + 1) % count});
         }
         for (std::uint32_t k = 2; k < count; ++k)
@@ -204,8 +128,7 @@ std::string largest_json(const Model& model, const char* name, const char* title
             largest = std::max(largest, length_of(model, field->get(model, row)));
         values.push_back(static_cast<float>(largest));
     }
-    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title),
-                       json_text(field->unit), packed_values(values));
+    return numbers_json(title, field->unit, values);
 }
 
 /// The states of a joint in the words of its model, "slips now, failed before"; of all its sub-contacts.
@@ -245,8 +168,7 @@ std::string slip_json(const Model& model, const std::vector<Row>& blocks) {
     }
     std::vector<float> values;
     for (const Row block : blocks) values.push_back(static_cast<float>(largest[block]));
-    return fmt::format(R"({{"name":"joint slip","unit":"length","of":"block","names":[],"values":"{}"}})",
-                       packed_values(values));
+    return numbers_json("joint slip", "length", values);
 }
 
 } // namespace
@@ -283,19 +205,7 @@ std::string scene_json(const Model& model, const Vec3& centre) {
     std::vector<Row> blocks;
     for (Row block = 0; block < static_cast<Row>(model.blocks.size()); ++block)
         if (!model.blocks.hidden[block]) add_block(model, block, centre, surface), blocks.push_back(block);
-    std::vector<std::string> fields;
-    for (const char* name : {"displacement", "velocity"})
-        if (const Field* field = find_field(ObjectKind::gridpoint, name))
-            fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
-    for (const char* name : {"z_displacement"})
-        if (const Field* field = find_field(ObjectKind::gridpoint, name))
-            fields.push_back(field_json(model, *field, "corner", surface.gridpoints));
-    if (!model.zones.gridpoints.empty()) {
-        fields.push_back(stress_json(model, surface, "greatest compression",
-                                     [](const Model& m, Row zone) { return -principal_stresses(m, zone)[0]; }));
-        fields.push_back(stress_json(model, surface, "least compression",
-                                     [](const Model& m, Row zone) { return -principal_stresses(m, zone)[2]; }));
-    }
+    std::vector<std::string> fields = corner_fields_json(model, surface.gridpoints);
     fields.push_back(slip_json(model, blocks));
     for (const char* name : {"group", "material", "region", "id", "volume"})
         if (const Field* field = find_field(ObjectKind::block, name))

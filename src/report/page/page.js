@@ -1,8 +1,18 @@
-// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=plane&dip=60&dd=90&cut=500&side=front&state=3&show=joints&marks=velocity&bands=1&pick=300,200
+// Puts the page together. A view can be linked to: report.html#colour=group&factor=10&axis=plane&dip=60&dd=90&cut=500&side=front&state=3&show=joints&marks=velocity&bands=1&equal=500&pick=300,200
 async function unpackScene(scene) {
     for (const [name, Type] of [['numbers', Uint32Array], ['corners', Uint32Array], ['triangles', Uint32Array], ['lines', Uint32Array], ['places', Float32Array],
         ['displacements', Float32Array], ['triangleCorners', Uint32Array], ['lineCorners', Uint32Array]]) scene[name] = await unpack(scene[name], Type);
     for (const field of scene.fields) field.values = await unpack(field.values, Float32Array);
+}
+
+// Places, displacements, zones and fields inside the blocks of the last state; null in the page of a very large model.
+async function readInside() {
+    const inside = readJson('inside-data');
+    if (!inside) return null;
+    for (const [name, Type] of [['corners', Uint32Array], ['zones', Uint32Array], ['zoneCorners', Uint32Array], ['places', Float32Array], ['displacements', Float32Array]])
+        inside[name] = await unpack(inside[name], Type);
+    for (const field of inside.fields) field.values = await unpack(field.values, Float32Array);
+    return inside;
 }
 
 // The states that the model went through; the last one is that of the tables.
@@ -103,6 +113,7 @@ async function connect(states, view) {
     let scene = states.at(-1).scene;
     view.onrender = showAxes;
     const get = id => document.getElementById(id);
+    const inside = await readInside(), solid = inside && new Solid(scene, inside), equal = get('equal'), level = get('level');
     const allMarks = await readMarks(), marks = get('marks'), bands = get('bands');
     const axis = get('axis'), cut = get('cut'), dip = get('dip'), direction = get('dd'), factor = get('factor'), field = get('field'), state = get('state');
     let joints = null, fields = scene.fields;
@@ -115,6 +126,7 @@ async function connect(states, view) {
         if (f.names.length > 0) f = { ...f, names: wanted.names, values: f.values.map(v => wanted.names.indexOf(f.names[v])) };
         view.colour(f, endsOf(joints ? [joints] : states, wanted));
         const chosen = allMarks[marks.selectedIndex - 1];
+        setLevel();
         if (chosen) showLegend({ ...chosen, names: [] }, view.marks.ends, false);
         else showLegend(f, view.ends, bands.checked && f.names.length === 0);
     };
@@ -139,6 +151,17 @@ async function connect(states, view) {
     };
     for (const input of [dip, direction]) input.oninput = setCut;
     bands.onchange = () => { view.state.bands = bands.checked; field.oninput(); };
+    // A surface of one value, or with bands those of all their limits.
+    const setLevel = () => {
+        view.state.level = equal.checked ? level.value / level.max : null;
+        const levels = view.levels();
+        level.hidden = levels.length !== 1 || bands.checked;
+        get('level-value').textContent = equal.checked && levels.length === 0 ? 'this colour has one value in a block' : levels.length === 1 ? short(levels[0]) : '';
+        view.draw();
+    };
+    level.oninput = setLevel;
+    equal.onchange = () => { keepLast(); setState(); };
+    if (!inside) get('equals').style.display = 'none';
     axis.oninput = setCut;
     cut.oninput = setCut;
     // A block that was picked stays picked.
@@ -146,16 +169,17 @@ async function connect(states, view) {
         const picked = view.state.picked < 0 ? -1 : scene.numbers[view.state.picked], now = states[state.value];
         scene = joints ? joints.scene : now.scene;
         view.show(scene);
+        view.solid = !joints && now === states.at(-1) ? solid : null;
         view.state.picked = picked < 0 ? -1 : scene.numbers.indexOf(picked);
         get('state-value').textContent = `cycle ${now.cycle}, time ${short(now.time)}`;
         showPicked(scene, view.state.picked, joints ? 'joint' : 'block');
         setCut();
         field.oninput();
     };
-    // Joints and marks are those of the last state.
+    // Joints, marks and the inside are those of the last state.
     const what = get('what');
     const keepLast = () => {
-        state.disabled = what.selectedIndex === 1 || marks.selectedIndex > 0;
+        state.disabled = what.selectedIndex === 1 || marks.selectedIndex > 0 || equal.checked;
         if (state.disabled) state.value = states.length - 1;
     };
     marks.replaceChildren(new Option('none'), ...allMarks.map(set => new Option(set.name)));
@@ -167,6 +191,7 @@ async function connect(states, view) {
     };
     what.oninput = async () => {
         const asked = what.selectedIndex === 1;
+        get('equals').hidden = asked;
         if (asked) {
             if (!jointScene) await unpackScene(jointScene = readJson('joint-data'));
             joints = { scene: jointScene };
@@ -202,7 +227,10 @@ async function connect(states, view) {
     if (asked.has('factor')) factor.value = asked.get('factor');
     for (const [name, input] of Object.entries({ axis, dip, dd: direction, cut })) if (asked.has(name)) input.value = asked.get(name);
     bands.checked = view.state.bands = asked.has('bands');
+    equal.checked = asked.has('equal');
+    if (equal.checked) level.value = asked.get('equal');
     if (asked.has('state')) state.value = asked.get('state');
+    keepLast();
     factor.oninput();
     setState();
     if (allMarks.some(set => set.name === asked.get('marks'))) {

@@ -10,8 +10,9 @@ class BlockView {
         if (!this.gl) throw new Error('this browser has no WebGL 2');
         this.program = this.link();
         this.colours = null;
-        this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1, bands: false };
+        this.state = { factor: 0, cut: [0, 0, 0, 1], edges: true, picked: -1, bands: false, level: null };
         this.marks = null;
+        this.solid = null; // of the state that is shown, where the page has it
         this.reset();
         this.show(scene);
         this.listen();
@@ -91,29 +92,61 @@ class BlockView {
         this.ends = ends;
         this.draw();
     }
+    // The surfaces inside: of one value, or of the limits of all bands; otherwise the cut.
+    levels() {
+        if (this.state.level === null || !this.field || this.field.of !== 'corner') return [];
+        const step = this.state.bands ? bandStep(this.ends) : 0, levels = [];
+        for (let n = Math.ceil(this.ends[0] / step); step > 0 && n * step < this.ends[1]; ++n) levels.push(n * step);
+        return step > 0 ? levels : [this.ends[0] + this.state.level * (this.ends[1] - this.ends[0])];
+    }
+    section() {
+        const { factor, cut } = this.state, levels = this.levels(), isCut = cut[3] < 1e30 && cut.some((n, k) => k < 3 && n !== 0);
+        const asked = [this.solid, this.field, factor, levels.join(), ...(levels.length > 0 ? [] : cut)];
+        if (this.drawn && this.drawn.every((part, k) => part === asked[k])) return;
+        this.drawn = asked;
+        this.inner = this.release(this.inner);
+        if (!this.solid || !this.field || levels.length === 0 && !isCut) return;
+        const values = this.solid.values(this.field);
+        const parts = levels.length > 0 ? levels.map(level => this.solid.zero(values.map(v => v - level), values)) : [this.solid.zero(this.solid.beyond(cut, factor), values)];
+        const whole = name => {
+            const all = new Float32Array(parts.reduce((sum, part) => sum + part[name].length, 0));
+            let at = 0;
+            for (const part of parts) { all.set(part[name], at); at += part[name].length; }
+            return all;
+        };
+        this.inner = this.solids([[0, 3, whole('places')], [1, 3, whole('displacements')], [2, 1, whole('values')], [3, 1, whole('owners')]]);
+        this.inner.count = parts.reduce((sum, part) => sum + part.owners.length, 0);
+    }
+    // Arrays of corners: number of the attribute, numbers for each corner, all of them.
+    solids(columns, faces) {
+        const gl = this.gl, array = gl.createVertexArray(), buffers = [];
+        gl.bindVertexArray(array);
+        const made = (target, data) => {
+            buffers.push(gl.createBuffer());
+            gl.bindBuffer(target, buffers.at(-1));
+            gl.bufferData(target, data, gl.STATIC_DRAW);
+        };
+        for (const [index, size, data] of columns) {
+            made(gl.ARRAY_BUFFER, data);
+            gl.enableVertexAttribArray(index);
+            gl.vertexAttribPointer(index, size, gl.FLOAT, false, 0, 0);
+        }
+        if (faces) made(gl.ELEMENT_ARRAY_BUFFER, faces);
+        return { array, buffers };
+    }
+    release(solids) {
+        if (solids) {
+            this.gl.deleteVertexArray(solids.array);
+            for (const old of solids.buffers) this.gl.deleteBuffer(old);
+        }
+        return null;
+    }
     // Marks are drawn between the edges of the blocks; null: none.
     mark(marks) {
-        const gl = this.gl;
-        if (this.marks) {
-            gl.deleteVertexArray(this.marks.array);
-            for (const old of this.marks.buffers) gl.deleteBuffer(old);
-        }
-        this.marks = null;
+        this.marks = this.release(this.marks);
         if (marks) {
-            const solids = markSolids(marks, this.scene.size), array = gl.createVertexArray(), buffers = [];
-            gl.bindVertexArray(array);
-            const made = (target, data) => {
-                buffers.push(gl.createBuffer());
-                gl.bindBuffer(target, buffers.at(-1));
-                gl.bufferData(target, data, gl.STATIC_DRAW);
-            };
-            for (const [index, size, data] of [[0, 3, solids.places], [2, 1, solids.values]]) {
-                made(gl.ARRAY_BUFFER, data);
-                gl.enableVertexAttribArray(index);
-                gl.vertexAttribPointer(index, size, gl.FLOAT, false, 0, 0);
-            }
-            made(gl.ELEMENT_ARRAY_BUFFER, solids.faces);
-            this.marks = { array, buffers, count: solids.faces.length, ends: range(markValues(marks)) };
+            const made = markSolids(marks, this.scene.size);
+            this.marks = { ...this.solids([[0, 3, made.places], [2, 1, made.values]], made.faces), count: made.faces.length, ends: range(markValues(marks)) };
         }
         this.draw();
     }
@@ -176,6 +209,7 @@ class BlockView {
         gl.clearColor(0, 0, 0, 0);
         gl.enable(gl.DEPTH_TEST);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+        this.section();
         gl.useProgram(this.program);
         gl.bindVertexArray(this.array);
         const at = name => gl.getUniformLocation(this.program, name);
@@ -193,14 +227,26 @@ class BlockView {
         gl.uniform1i(at('lines'), false);
         gl.uniform1f(at('towards'), 0);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.faceBuffer);
-        if (picking || !this.marks) gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
+        const open = this.marks || this.inner && this.levels().length > 0;
+        if (picking || !open) gl.drawElements(gl.TRIANGLES, this.counts.faces, gl.UNSIGNED_INT, 0);
         if (!picking && this.onrender) this.onrender(this.axes, coarse);
+        if (this.inner && !this.marks) this.renderInner(at);
         if (!picking && this.marks) this.renderMarks(at);
-        if (picking || !(this.state.edges || this.marks) || coarse) return;
+        if (picking || !(this.state.edges || open) || coarse) return;
         gl.uniform1i(at('lines'), true);
         gl.uniform1f(at('towards'), this.towards);
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.lineBuffer);
         gl.drawElements(gl.LINES, this.counts.lines, gl.UNSIGNED_INT, 0);
+    }
+    // A cut is not itself cut; surfaces of equal value are.
+    renderInner(at) {
+        const gl = this.gl;
+        gl.bindVertexArray(this.inner.array);
+        if (this.levels().length === 0) gl.uniform4fv(at('cut'), [0, 0, 0, 1]);
+        else gl.uniform1f(at('band'), 0); // all of it is at the limit of a band
+        gl.drawArrays(gl.TRIANGLES, 0, this.inner.count);
+        gl.uniform4fv(at('cut'), this.state.cut);
+        gl.bindVertexArray(this.array);
     }
     renderMarks(at) {
         const gl = this.gl;

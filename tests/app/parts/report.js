@@ -77,6 +77,18 @@ browse(async (page, size) => {
     assert.deepStrictEqual(await cutTexts(page), [], size);
     assert.deepStrictEqual(await barriers(page), [], size);
     await page.fill('#cut', '1000');
+    // One surface of equal value, then those of all bands.
+    await page.uncheck('#bands');
+    await changes('a surface of equal value', () => page.check('#equal'));
+    const value = Number(await page.textContent('#level-value'));
+    assert.ok(value > 0, `the surface has the value ${value}`);
+    await changes('its value', () => page.fill('#level', '800'));
+    assert.ok(Number(await page.textContent('#level-value')) > value, 'a slider to the right lowers the value');
+    await changes('surfaces of all bands', () => page.check('#bands'));
+    assert.ok(await page.isHidden('#level'), 'a value is asked for where bands have theirs');
+    assert.deepStrictEqual(await cutTexts(page), [], size);
+    assert.deepStrictEqual(await barriers(page), [], size);
+    await page.uncheck('#equal');
     await page.selectOption('#what', 'joints');
     await page.waitForFunction(() => [...document.querySelectorAll('#field option')].some(option => option.text === 'joint_set'));
     await page.click('#sides button:text-is("isometric")');
