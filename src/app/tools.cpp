@@ -103,15 +103,16 @@ std::vector<std::string> export_saved(const std::string& saved, const std::strin
     if (const auto problem = door::make_folders(into, Use::write))
         throw Diagnostic(fmt::format("cannot make the folder {}: {}", into.string(), problem.message()),
                          "give another: --into FOLDER", Fault::run);
+    const Units units = units_of(extras);
     std::vector<std::string> written;
     const auto write = [&](const std::string& name, const std::string& text) {
         written.push_back((into / name).string());
         write_whole_file(written.back(), text);
     };
     for (const ObjectKind kind : exported_kinds())
-        write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind));
-    write("fields.csv", field_list_csv());
-    if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}, units_of(extras)));
+        write(fmt::format("{}.csv", info_of(kind).file), field_csv(model, kind, units));
+    write("fields.csv", field_list_csv(units));
+    if (!model.histories.all.empty()) write("histories.csv", history_csv(model.histories, {}, {}, units));
     for (std::size_t i = 0; i < extras.decks.size(); ++i)
         write(fmt::format("deck-{}-{}", i + 1, fs::path(extras.decks[i].name).filename().string()),
               extras.decks[i].content);

@@ -107,6 +107,11 @@ std::string Units::in_brackets(std::string_view text) const {
     return result;
 }
 
+std::string Units::heading(std::string_view words, std::string_view quantity) const {
+    if (!given() || quantity.empty() || quantity == "-") return std::string(words);
+    return fmt::format("{} [{}]", words, label(quantity));
+}
+
 double Units::density_in_si(double value) const {
     const System* s = system_named(name_);
     return s == nullptr ? value : value * s->kilogram / (s->metre * s->metre * s->metre);

@@ -23,6 +23,8 @@ public:
     std::string label(std::string_view quantity) const;
     /// The same for the quantity at the beginning of each pair of brackets: "force [force, block nearest to 0 0 0]".
     std::string in_brackets(std::string_view text) const;
+    /// A heading with the unit of its numbers, if there is a system of units and the quantity has one: "volume [m^3]".
+    std::string heading(std::string_view words, std::string_view quantity) const;
     /// A number of this system in kilograms, metres and seconds: those of a density (kg/m^3), a stress (Pa), an acceleration (m/s^2).
     double density_in_si(double value) const;
     double stress_in_si(double value) const;

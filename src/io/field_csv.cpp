@@ -28,7 +28,7 @@ std::span<const ObjectKind> exported_kinds() {
     return all;
 }
 
-std::string field_csv(const Model& model, ObjectKind kind) {
+std::string field_csv(const Model& model, ObjectKind kind, const Units& units) {
     const auto rows = static_cast<Row>(count_of(model, kind));
     std::vector<const Field*> columns;
     std::string text;
@@ -36,7 +36,7 @@ std::string field_csv(const Model& model, ObjectKind kind) {
         if (field.kind != kind) continue;
         // A vector is written by its components; it is recognised by the first object.
         if (rows > 0 && std::holds_alternative<Vec3>(field.get(model, 0))) continue;
-        text += fmt::format("{}{}", text.empty() ? "" : ",", csv_cell(field.name));
+        text += fmt::format("{}{}", text.empty() ? "" : ",", csv_cell(units.heading(field.name, field.unit)));
         columns.push_back(&field);
     }
     text += '\n';
@@ -50,13 +50,13 @@ std::string field_csv(const Model& model, ObjectKind kind) {
     return text;
 }
 
-std::string field_list_csv() {
+std::string field_list_csv(const Units& units) {
     std::string text = "table,field,quantity,meaning\n";
     for (const ObjectKind kind : exported_kinds())
         for (const Field& field : fields())
             if (field.kind == kind)
-                text += fmt::format("{},{},{},{}\n", info_of(kind).file, csv_cell(field.name), csv_cell(field.unit),
-                                    csv_cell(field.help));
+                text += fmt::format("{},{},{},{}\n", info_of(kind).file, csv_cell(field.name),
+                                    csv_cell(units.label(field.unit)), csv_cell(field.help));
     return text;
 }
 

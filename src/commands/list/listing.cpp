@@ -136,7 +136,7 @@ std::string list_time(Session& session, const lang::List&) {
 std::string list_unbalanced(Session& session, const lang::List&) {
     const auto& clock = session.engine.model.clock;
     return fmt::format("{} = {}\nratio: average {}, largest {}, local {}\ncycle = {}",
-                       heading_of(session.deck.units, "unbalanced force", "force"), number_text(clock.unbalanced_force),
+                       session.deck.units.heading("unbalanced force", "force"), number_text(clock.unbalanced_force),
                        number_text(clock.average_ratio), number_text(clock.maximum_ratio),
                        number_text(clock.local_ratio), clock.cycle);
 }
@@ -160,7 +160,7 @@ std::string list_information(Session& session, const lang::List&) {
         {"histories", m.histories.all.size()},
     };
     for (const auto& [name, count] : counts) table.add({name, std::to_string(count)});
-    table.add({heading_of(session.deck.units, "unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
+    table.add({session.deck.units.heading("unbalanced force", "force"), number_text(m.clock.unbalanced_force)});
     return table.text();
 }
 
@@ -195,18 +195,18 @@ std::string list_extremes(Session& session, const lang::List&) {
         closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
         opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
     }
-    const auto along = [&](std::string_view axis) { return heading_of(session.deck.units, axis, "length"); };
+    const auto along = [&](std::string_view axis) { return session.deck.units.heading(axis, "length"); };
     TextTable table({"largest", "value", along("x"), along("y"), along("z")});
     for (const Extreme* e : {&displacement, &velocity, &most_compressive, &most_tensile, &shear, &closure, &opening})
-        table.add({heading_of(session.deck.units, e->name, e->quantity), number_text(e->value),
-                   number_text(e->place[0]), number_text(e->place[1]), number_text(e->place[2])});
-    return table.text() + fmt::format("\n{} = {}", heading_of(session.deck.units, "unbalanced force", "force"),
+        table.add({session.deck.units.heading(e->name, e->quantity), number_text(e->value), number_text(e->place[0]),
+                   number_text(e->place[1]), number_text(e->place[2])});
+    return table.text() + fmt::format("\n{} = {}", session.deck.units.heading("unbalanced force", "force"),
                                       number_text(model.clock.unbalanced_force));
 }
 
 std::string list_energy(Session& session, const lang::List&) {
     const auto& e = session.engine.model.energy;
-    TextTable table({"energy", heading_of(session.deck.units, "value", "energy")});
+    TextTable table({"energy", session.deck.units.heading("value", "energy")});
     std::vector<std::pair<const char*, double>> rows{{"kinetic", e.kinetic},
                                                      {"kinetic at the start", e.start},
                                                      {"work of gravity", e.gravity},

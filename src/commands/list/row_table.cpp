@@ -8,18 +8,11 @@ namespace kaya {
 
 namespace {
 
-/// Of a number with a unit; null for other columns.
-const Field* measured(ObjectKind kind, const ListColumn& column) {
-    const Field* field = column.text ? nullptr : find_field(kind, column.field);
-    return field == nullptr || field->unit.empty() || field->unit == "-" ? nullptr : field;
-}
-
 std::vector<std::string> headings_of(const Units& units, ObjectKind kind, const std::vector<ListColumn>& columns) {
     std::vector<std::string> headings;
     for (const auto& column : columns) {
-        const Field* field = measured(kind, column);
-        headings.push_back(field == nullptr ? std::string(column.heading)
-                                            : heading_of(units, column.heading, field->unit));
+        const Field* field = column.text ? nullptr : find_field(kind, column.field);
+        headings.push_back(units.heading(column.heading, field == nullptr ? std::string_view() : field->unit));
     }
     return headings;
 }
@@ -32,10 +25,6 @@ ListColumn::Text text_of(const Model& model, ObjectKind kind, const ListColumn& 
 }
 
 } // namespace
-
-std::string heading_of(const Units& units, std::string_view heading, std::string_view quantity) {
-    return units.given() ? fmt::format("{} [{}]", heading, units.label(quantity)) : std::string(heading);
-}
 
 std::string value_text(const Model& model, const FieldValue& value) {
     if (const auto* real = std::get_if<double>(&value)) return number_text(*real);

@@ -29,9 +29,6 @@ struct ListColumn {
 /// A field's value as a list shows it: numbers with six digits, objects by their number, "-" for none.
 std::string value_text(const Model& model, const FieldValue& value);
 
-/// A heading with the unit of its numbers, if there is a system of units: "volume [m^3]".
-std::string heading_of(const Units& units, std::string_view heading, std::string_view quantity);
-
 class RowTable {
 public:
     /// The model must outlive it. Headings of fields name their units, if the session has any: "volume [m^3]".
