@@ -8,6 +8,7 @@
 #include "lang/modern/language.hpp"
 
 #include <fmt/format.h>
+#include <sstream>
 
 namespace kaya {
 
@@ -95,6 +96,19 @@ std::string help_text(const std::string& words) {
         }
         throw;
     }
+}
+
+std::string help_with_units(const std::string& help, const Units& units) {
+    if (!units.given()) return help;
+    std::string text;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line); text += '\n') {
+        // Brackets of usage lines are what may be omitted; these begin in the first or the ninth column.
+        const std::size_t open = line.rfind('['), end = line.rfind(']'), first = line.find_first_not_of(' ');
+        if (first != 4 || open == line.npos || end == line.npos || end < open) text += line;
+        else text += line.substr(0, open + 1) + units.label(line.substr(open + 1, end - open - 1)) + line.substr(end);
+    }
+    return text;
 }
 
 } // namespace kaya
