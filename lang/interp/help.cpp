@@ -33,20 +33,22 @@ std::string spellings(const std::vector<Spelling>& words) {
     return words.size() > 1 ? text + ")" : text;
 }
 
-void add_line(std::string& text, const std::string& left, std::string_view right) {
+/// Brackets on the left are what may be omitted, those on the right hold quantities.
+void add_line(std::string& text, const std::string& left, std::string_view meaning, const Units& units = {}) {
     constexpr std::size_t column = 34;
+    const std::string right = units.in_brackets(meaning);
     if (left.size() <= column) text += fmt::format("    {:<{}} {}\n", left, column, right);
     else text += fmt::format("    {}\n    {:<{}} {}\n", left, "", column, right);
 }
 
-void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords) {
+void add_keywords(std::string& text, const std::vector<KeywordSpec>& keywords, const Units& units) {
     for (const auto& keyword : keywords) {
         std::string right(keyword.help);
         if (keyword.support == Support::not_yet) right = "not supported yet: " + right;
         for (const auto& argument : keyword.arguments)
             if (!argument.unit.empty() && right.find('[') == std::string::npos)
                 right += fmt::format(" [{}]", argument.unit);
-        add_line(text, spellings(keyword.words) + arguments_of(keyword), right);
+        add_line(text, spellings(keyword.words) + arguments_of(keyword), right, units);
     }
 }
 
@@ -67,7 +69,7 @@ std::string wrapped(const std::string& line) {
     return text;
 }
 
-std::string about_command(const CommandSpec& command) {
+std::string about_command(const CommandSpec& command, const Units& units) {
     std::string text = fmt::format("{}\n    {}\n", wrapped(usage(command)), command.help);
     if (command.words.size() > 1) text += fmt::format("    also spelled: {}\n", spellings(command.words));
     if (!command.arguments.empty()) {
@@ -75,11 +77,12 @@ std::string about_command(const CommandSpec& command) {
         for (const auto& positional : command.arguments)
             add_line(text, optional_part(positional.argument.name, positional.argument.optional),
                      fmt::format("{}{}({})", positional.argument.help, positional.argument.help.empty() ? "" : " ",
-                                 describe(positional.argument)));
+                                 describe(positional.argument)),
+                     units);
     }
     if (!command.keywords.empty()) {
         text += "\n  Keywords\n";
-        add_keywords(text, command.keywords);
+        add_keywords(text, command.keywords, units);
     }
     if (command.range_elements)
         text += "\n  May end with a range phrase; without one it acts on all visible objects: help range\n";
@@ -95,10 +98,10 @@ std::string about_command(const CommandSpec& command) {
     return text;
 }
 
-std::string about_range(const Language& language) {
+std::string about_range(const Language& language, const Units& units) {
     std::string text = "range ELEMENT ...\n    selects the objects of a command; all elements must "
                        "hold\n\n  Elements\n";
-    add_keywords(text, language.range_elements);
+    add_keywords(text, language.range_elements, units);
     return text;
 }
 
@@ -110,21 +113,22 @@ template <class Visit> void for_each_dialect(const Language& language, Visit vis
 
 /// The positions of a word below `before`: among the keywords, and inside of each of them.
 void add_places(std::string& text, const std::string& before, const std::vector<KeywordSpec>& keywords,
-                std::string_view word) {
+                std::string_view word, const Units& units) {
     if (const KeywordSpec* found = find_keyword(keywords, word))
-        text += fmt::format("{} {}{}\n    {}\n", before, found->words.front().word, arguments_of(*found), found->help);
+        text += fmt::format("{} {}{}\n    {}\n", before, found->words.front().word, arguments_of(*found),
+                            units.in_brackets(found->help));
     for (const auto& keyword : keywords)
-        add_places(text, fmt::format("{} {} ...", before, keyword.words.front().word), keyword.keywords, word);
+        add_places(text, fmt::format("{} {} ...", before, keyword.words.front().word), keyword.keywords, word, units);
 }
 
 /// The positions of a word that is not a command; empty when there are none.
-std::string about_keyword(const Language& language, std::string_view word) {
+std::string about_keyword(const Language& language, std::string_view word, const Units& units) {
     std::string text;
     for_each_dialect(language, [&](const Language& dialect) {
         for_each_command(dialect, [&](const CommandSpec& command) {
-            add_places(text, fmt::format("{} ...", command.name()), command.keywords, word);
+            add_places(text, fmt::format("{} ...", command.name()), command.keywords, word, units);
         });
-        add_places(text, &dialect == &language ? "... range" : "block ... range", dialect.range_elements, word);
+        add_places(text, &dialect == &language ? "... range" : "block ... range", dialect.range_elements, word, units);
     });
     return text;
 }
@@ -195,7 +199,7 @@ std::vector<const CommandSpec*> begun_by(const Language& dialect, const Statemen
 
 } // namespace
 
-std::string help_on(const Language& language, std::string_view words) {
+std::string help_on(const Language& language, std::string_view words, const Units& units) {
     Lexer lexer(source_from_text("help", words));
     Statement statement;
     if (!lexer.next(statement)) return help_list(language);
@@ -204,9 +208,9 @@ std::string help_on(const Language& language, std::string_view words) {
     std::string text;
     const auto add = [&](const CommandSpec& command) {
         if (!text.empty()) text += '\n';
-        text += about_command(command);
+        text += about_command(command, units);
     };
-    if (Spelling{"range", 2}.matches(first.folded)) text = about_range(language);
+    if (Spelling{"range", 2}.matches(first.folded)) text = about_range(language, units);
     const Language& dialect = dialect_of(language, statement);
     try {
         // Of a command with several forms: the one that was named, else all.
@@ -223,11 +227,11 @@ std::string help_on(const Language& language, std::string_view words) {
             if (commands.size() <= many)
                 for (const auto* command : commands) add(*command);
             else
-                for (const auto* command : commands) add_line(text, command->name(), command->help);
+                for (const auto* command : commands) add_line(text, command->name(), command->help, units);
             if (!text.empty()) return text;
         }
     }
-    text = about_keyword(language, first.folded);
+    text = about_keyword(language, first.folded, units);
     if (!text.empty()) return text;
     const auto near = did_you_mean(first.folded, all_words(language));
     throw Diagnostic(fmt::format("there is no command and no keyword '{}'", first.text),

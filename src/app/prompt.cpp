@@ -143,7 +143,7 @@ bool own_command(Session& session, const std::string& text) {
     if (word != "help" && word != "explain") return false;
     const std::string rest = statement.raw(1);
     if (word == "explain") show_by_pages(session.program.output, rest.empty() ? code_list() : explanation(rest));
-    else show_by_pages(session.program.output, help_with_units(help_text(rest), session.deck.units));
+    else show_by_pages(session.program.output, help_text(rest, session.deck.units));
     return true;
 }
 

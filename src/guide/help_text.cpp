@@ -8,16 +8,16 @@
 #include "lang/modern/language.hpp"
 
 #include <fmt/format.h>
-#include <sstream>
 
 namespace kaya {
 
 namespace {
 
-std::string about_field(const script::FieldInfo& field, std::string_view table) {
+std::string about_field(const script::FieldInfo& field, std::string_view table, const Units& units) {
     std::string text = table.empty() ? fmt::format("model.{}", field.name) : fmt::format("{}.{}", table, field.name);
     if (!field.classic.empty()) text += fmt::format(", in FISH {}{}", field.classic, table.empty() ? "" : "(pointer)");
-    return fmt::format("{}\n    {}{}{}\n", text, field.help, field.unit == "-" ? "" : fmt::format(" [{}]", field.unit),
+    return fmt::format("{}\n    {}{}{}\n", text, field.help,
+                       field.unit == "-" ? "" : fmt::format(" [{}]", units.label(field.unit)),
                        field.writable ? "; can be set" : "");
 }
 
@@ -37,13 +37,13 @@ std::vector<std::string> field_names(const ModelWorld& world) {
 }
 
 /// A field by its name in Lua with its object: block.volume, model.time.
-std::string about_lua_field(const ModelWorld& world, std::string_view name) {
+std::string about_lua_field(const ModelWorld& world, std::string_view name, const Units& units) {
     const auto point = name.find('.');
     if (point == name.npos) return {};
     const std::string_view object = name.substr(0, point), wanted = name.substr(point + 1);
     const auto in = [&](const std::vector<script::FieldInfo>& fields, std::string_view table) -> std::string {
         for (const auto& field : fields)
-            if (field.name == wanted) return about_field(field, table);
+            if (field.name == wanted) return about_field(field, table, units);
         return {};
     };
     if (object == "model") return in(world.globals(), "");
@@ -54,18 +54,18 @@ std::string about_lua_field(const ModelWorld& world, std::string_view name) {
 
 /// A quantity of the model by its name in FISH or Lua, a statement or function of FISH, or a name of FISH that is not
 /// supported; empty when none of these.
-std::string about_name(std::string_view name) {
+std::string about_name(std::string_view name, const Units& units) {
     Session session{Options{}};
     const ModelWorld& world = session.engine.world;
-    std::string text = about_lua_field(world, name);
+    std::string text = about_lua_field(world, name, units);
     if (text.empty()) text = about_fish(name);
     for (const auto& [modern, classic] : session.engine.scripts->newer_names())
         if (text.empty() && modern == name && modern != classic)
-            text = fmt::format("{} is the newer name of {}\n{}", modern, classic, about_name(classic));
+            text = fmt::format("{} is the newer name of {}\n{}", modern, classic, about_name(classic, units));
     if (!text.empty()) return text;
     const auto add = [&](const std::vector<script::FieldInfo>& fields, std::string_view table) {
         for (const auto& field : fields)
-            if (field.classic == name || field.name == name) text += about_field(field, table);
+            if (field.classic == name || field.name == name) text += about_field(field, table, units);
     };
     add(world.globals(), "");
     for (const auto& table : world.tables()) add(table.fields, table.name);
@@ -79,12 +79,12 @@ std::string about_name(std::string_view name) {
 
 } // namespace
 
-std::string help_text(const std::string& words) {
+std::string help_text(const std::string& words, const Units& units) {
     if (words.empty()) return lang::help_list(lang::language());
     try {
-        return lang::help_on(lang::language(), words);
+        return lang::help_on(lang::language(), words, units);
     } catch (Diagnostic& problem) {
-        const std::string name = lang::fold(words), text = about_name(name);
+        const std::string name = lang::fold(words), text = about_name(name, units);
         if (!text.empty()) return text;
         // Proposes the nearest field or function if no command is near.
         if (!problem.hint.starts_with("did you mean")) {
@@ -96,19 +96,6 @@ std::string help_text(const std::string& words) {
         }
         throw;
     }
-}
-
-std::string help_with_units(const std::string& help, const Units& units) {
-    if (!units.given()) return help;
-    std::string text;
-    std::istringstream lines(help);
-    for (std::string line; std::getline(lines, line); text += '\n') {
-        // Brackets of usage lines are what may be omitted; these begin in the first or the ninth column.
-        const std::size_t open = line.rfind('['), end = line.rfind(']'), first = line.find_first_not_of(' ');
-        if (first != 4 || open == line.npos || end == line.npos || end < open) text += line;
-        else text += line.substr(0, open + 1) + units.label(line.substr(open + 1, end - open - 1)) + line.substr(end);
-    }
-    return text;
 }
 
 } // namespace kaya

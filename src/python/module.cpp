@@ -52,7 +52,8 @@ py::tuple completions(PythonSession& self, const std::string& before, const std:
 }
 
 void add_language(py::module_& module) {
-    module.def("help", &help_text, py::arg("words"));
+    module.def(
+        "help", [](const std::string& words) { return help_text(words); }, py::arg("words"));
     module.def(
         "needs_more", [](const std::string& text) { return lang::needs_more(lang::language(), text); },
         py::arg("text"));

@@ -39,6 +39,19 @@ TEST(Help, OnACommandInAnySpelling) {
     EXPECT_THAT(help_on(classic(), "print"), HasSubstr("also spelled: list (print)"));
 }
 
+TEST(Help, NamesQuantitiesByUnits) {
+    EXPECT_THAT(help_on(classic(), "prop"), HasSubstr("density of blocks [mass/length^3]"));
+    const Units si("si");
+    EXPECT_THAT(help_on(classic(), "prop", si), HasSubstr("density of blocks [kg/m^3]"));
+    EXPECT_THAT(help_on(classic(), "gravity", si), HasSubstr("gx gy gz [m/s^2]"));
+    // Brackets of syntax and of examples are not quantities.
+    for (const std::string_view word : {"range", "fish list", "poly", "bound", "hist"}) {
+        const std::string plain = help_on(classic(), word), labelled = help_on(classic(), word, si);
+        EXPECT_EQ(plain.substr(0, plain.find('\n')), labelled.substr(0, labelled.find('\n'))) << word;
+    }
+    EXPECT_THAT(help_on(classic(), "range", si), HasSubstr("[distance distance]"));
+}
+
 TEST(Help, FormsOfACommand) {
     const std::string all = help_on(classic(), "hist");
     EXPECT_THAT(all, HasSubstr("largest unbalanced force"));
