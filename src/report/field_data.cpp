@@ -24,8 +24,7 @@ std::string stress_json(const Model& model, std::span<const Row> gridpoints, con
     for (const Row g : gridpoints)
         values.push_back(weight[g] > 0 ? static_cast<float>(sum[g] / weight[g])
                                        : std::numeric_limits<float>::quiet_NaN());
-    return fmt::format(R"({{"name":"{}","unit":"stress","of":"corner","names":[],"values":"{}"}})", name,
-                       packed_rounded(values));
+    return numbers_json(name, "stress", "corner", values);
 }
 
 } // namespace
@@ -37,6 +36,12 @@ double length_of(const Model& model, const FieldValue& value) {
     const auto* link = std::get_if<Link>(&value);
     const auto number = link == nullptr || link->kind != ObjectKind::block ? std::nullopt : object_number(model, *link);
     return number ? static_cast<double>(*number) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string numbers_json(std::string_view title, std::string_view unit, std::string_view of,
+                         const std::vector<float>& values) {
+    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[],"values":"{}"}})", json_text(title),
+                       json_text(unit), of, packed_rounded(values));
 }
 
 std::string names_json(std::string_view title, const std::vector<std::string>& texts) {
@@ -61,13 +66,7 @@ std::string field_json(const Model& model, const Field& field, const char* of, s
         else values.push_back(static_cast<float>(length_of(model, value)));
     }
     if (!texts.empty()) return names_json(field.name, texts);
-    return fmt::format(R"({{"name":{},"unit":{},"of":"{}","names":[],"values":"{}"}})", json_text(field.name),
-                       json_text(field.unit), of, packed_rounded(values));
-}
-
-std::string numbers_json(std::string_view title, std::string_view unit, const std::vector<float>& values) {
-    return fmt::format(R"({{"name":{},"unit":{},"of":"block","names":[],"values":"{}"}})", json_text(title),
-                       json_text(unit), packed_rounded(values));
+    return numbers_json(field.name, field.unit, of, values);
 }
 
 std::vector<std::string> corner_fields_json(const Model& model, std::span<const Row> gridpoints) {

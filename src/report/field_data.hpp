@@ -20,8 +20,9 @@ std::string names_json(std::string_view title, const std::vector<std::string>& t
 /// One value for each row. `of`: "block" or "corner".
 std::string field_json(const Model& model, const Field& field, const char* of, std::span<const Row> rows);
 
-/// One number for each block or joint.
-std::string numbers_json(std::string_view title, std::string_view unit, const std::vector<float>& values);
+/// One number for each object. `of`: "block", which stands for joints too, or "corner".
+std::string numbers_json(std::string_view title, std::string_view unit, std::string_view of,
+                         const std::vector<float>& values);
 
 /// All that gridpoints have: motion, and where there are zones the mean stresses of the zones around them, weighted with their volumes.
 std::vector<std::string> corner_fields_json(const Model& model, std::span<const Row> gridpoints);

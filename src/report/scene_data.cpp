@@ -128,7 +128,7 @@ std::string largest_json(const Model& model, const char* name, const char* title
             largest = std::max(largest, length_of(model, field->get(model, row)));
         values.push_back(static_cast<float>(largest));
     }
-    return numbers_json(title, field->unit, values);
+    return numbers_json(title, field->unit, "block", values);
 }
 
 /// The states of a joint in the words of its model, "slips now, failed before"; of all its sub-contacts.
@@ -168,7 +168,7 @@ std::string slip_json(const Model& model, const std::vector<Row>& blocks) {
     }
     std::vector<float> values;
     for (const Row block : blocks) values.push_back(static_cast<float>(largest[block]));
-    return numbers_json("joint slip", "length", values);
+    return numbers_json("joint slip", "length", "block", values);
 }
 
 } // namespace
