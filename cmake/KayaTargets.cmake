@@ -36,8 +36,10 @@ if(KAYA_SANITIZE)
     target_compile_definitions(kaya_flags INTERFACE __SANITIZE_THREAD__)
   endif()
   # clang compares the types of functions of other libraries by their addresses, which differ where a program does not export its own.
+  # toml++ estimates the width of a number below 1 by a cast of its logarithm, and breaks a line or not by it.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND KAYA_SANITIZE MATCHES "undefined")
-    target_compile_options(kaya_flags INTERFACE -fno-sanitize=function)
+    target_compile_options(kaya_flags INTERFACE
+      -fno-sanitize=function -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/sanitizers.ignore)
   endif()
   # Boost's sockets use fences, which the thread sanitizer does not support; the objects that they order are checked.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND KAYA_SANITIZE STREQUAL "thread")

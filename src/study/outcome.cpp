@@ -57,9 +57,10 @@ std::vector<std::pair<std::string, StudyValue>> values_of(const toml::node_view<
 }
 
 toml::table read_table(const std::filesystem::path& file) {
+    const std::string text = read_whole_file(file.string());
     try {
-        return toml::parse(read_whole_file(file.string()), file.string());
-    } catch (const toml::parse_error&) { throw damaged(file); }
+        return parse_toml(source_of(file.string(), text), text);
+    } catch (const Diagnostic&) { throw damaged(file); }
 }
 
 std::string text_of_table(const toml::table& table) {

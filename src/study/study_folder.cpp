@@ -49,11 +49,11 @@ toml::table about(const Study& study, const std::string& version) {
 }
 
 toml::table read_about(const fs::path& folder) {
+    const std::string file = (folder / "about.toml").string();
+    const std::string text = read_whole_file(file);
     try {
-        return toml::parse(read_whole_file((folder / "about.toml").string()));
-    } catch (const toml::parse_error&) {
-        throw Diagnostic(fmt::format("{} is damaged", (folder / "about.toml").string()), another, Fault::run);
-    }
+        return parse_toml(source_of(file, text), text);
+    } catch (const Diagnostic&) { throw Diagnostic(fmt::format("{} is damaged", file), another, Fault::run); }
 }
 
 void require_same(const fs::path& folder, const toml::table& now) {

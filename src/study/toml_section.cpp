@@ -36,6 +36,41 @@ const char* kind_of(const toml::node& node) {
     return "a date";
 }
 
+/// The end of the text in quotes, or of the comment, that begins at `at`; `at` itself where none does. Texts in one quote have no escapes.
+std::size_t end_of_free_text(std::string_view text, std::size_t at) {
+    if (text[at] == '#') return std::min(text.find('\n', at), text.size());
+    if (text[at] != '"' && text[at] != '\'') return at;
+    const std::string_view longer = text[at] == '"' ? R"(""")" : "'''";
+    const bool many_lines = text.substr(at).starts_with(longer);
+    const std::string_view quote = many_lines ? longer : longer.substr(0, 1);
+    std::size_t end = at + quote.size();
+    while (end < text.size() && !text.substr(end).starts_with(quote)) {
+        if (text[end] == '\n' && !many_lines) return end;
+        end += quote[0] == '"' && text[end] == '\\' ? 2 : 1;
+    }
+    return std::min(end + quote.size(), text.size());
+}
+
+/// TOML has letters beyond ASCII in quotes and comments only, and toml++ is not defined for some of them elsewhere.
+void refuse_letters_outside_quotes(const std::shared_ptr<const SourceText>& source, std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    for (std::size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; at < text.size();) {
+        if (const std::size_t end = end_of_free_text(text, at); end > at) {
+            at = end;
+            continue;
+        }
+        if (static_cast<unsigned char>(text[at]) >= 0x80) {
+            const std::string_view before = text.substr(0, at);
+            const auto line = std::ranges::count(before, '\n');
+            const auto column = before.size() - (before.rfind('\n') + 1);
+            throw Diagnostic("this is not valid TOML: a character that is not ASCII stands outside of quotes",
+                             "names and texts with such characters stand in quotes")
+                .at({source, static_cast<int>(line) + 1, static_cast<int>(column) + 1, 1});
+        }
+        ++at;
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const SourceText> source_of(const std::string& name, const std::string& text) {
@@ -51,6 +86,7 @@ std::shared_ptr<const SourceText> source_of(const std::string& name, const std::
 }
 
 toml::table parse_toml(const std::shared_ptr<const SourceText>& source, const std::string& text) {
+    refuse_letters_outside_quotes(source, text);
     try {
         return toml::parse(text, source->name);
     } catch (const toml::parse_error& error) {

@@ -111,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"", 1, "no parameter varies"}, Wrong{"[parameters]\nf = [", 4, "this is not valid TOML"},
         Wrong{"[parameters]\nf = []\n", 4, "the list of 'f' is empty"},
+        Wrong{"[parameters]\n# caf\u00e9\nf = [21.\u00e9, \"\u00e9\"]\n", 5,
+              "a character that is not ASCII stands outside of quotes", "stand in quotes"},
+        Wrong{"title = \"\"\"\n\\\"\"\" \u00e9 \"\"\"\n[parameters]\nf\u00e9 = 1\n", 6,
+              "a character that is not ASCII"},
         Wrong{"[parametres]\nf = [1]\n", 1, "no parameter varies"},
         Wrong{"[parameters]\nf = [1]\n[limit]\nseconds = 1\n", 5, "a study has no 'limit'", "limits"},
         Wrong{"[parameters]\n\"1f\" = [1]\n", 4, "'1f' is not a valid name of a parameter"},
