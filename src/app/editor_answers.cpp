@@ -17,32 +17,7 @@
 
 namespace kaya {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-std::string path_of(const std::string& uri) {
-    constexpr std::string_view scheme = "file://";
-    if (!uri.starts_with(scheme)) return uri;
-    std::string path;
-    for (std::size_t i = scheme.size(); i < uri.size(); ++i) {
-        unsigned code = 0;
-        const char* const digits = uri.data() + i + 1;
-        if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-            path += static_cast<char>(code);
-            i += 2;
-        } else path += uri[i];
-    }
-    return path;
-}
-
-std::string uri_of(const fs::path& path) {
-    constexpr std::string_view plain = "/-_.~";
-    std::string uri = "file://";
-    for (const char c : fs::absolute(path).lexically_normal().string())
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != plain.npos) uri += c;
-        else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    return uri;
-}
 
 namespace {
 
@@ -51,35 +26,31 @@ Json at_start() {
     return {{"start", start}, {"end", start}};
 }
 
-/// The file of a line `call NAME`; none for other lines, and where the name is known at run time only.
-std::optional<fs::path> called_file(const OpenDeck::Stretch& stretch, const std::string& path) {
-    try {
-        const auto found = lang::find_command(lang::language(), stretch.statement);
-        if (found.spec->flow != lang::Flow::call) return std::nullopt;
-        const auto bound = lang::bind_statement(lang::language(), stretch.statement);
-        if (bound.late) return std::nullopt;
-        return lang::find_deck(found.spec->called_file(bound.command), {fs::path(path).parent_path(), "."});
-    } catch (const Diagnostic&) { return std::nullopt; } // check reports it
+/// The function of a name, in the deck or in those that share its names.
+struct Defined {
+    std::string uri;
+    const OpenDeck* deck = nullptr;
+    const OpenDeck::FishFunction* function = nullptr; ///< null when there is none
+};
+Defined defined_in(const std::vector<OpenDecks::Member>& family, const std::string& folded) {
+    for (const auto& [uri, deck] : family)
+        if (const auto* function = deck->function(folded)) return {uri, deck, function};
+    return {};
 }
 
-/// In the deck, then in the files that it calls.
-Json definition_in(const OpenDeck& deck, const fs::path& path, const std::string& uri, const std::string& folded,
-                   std::set<fs::path>& seen) {
-    if (const auto* function = deck.function(folded))
-        return {{"uri", uri}, {"range", EditorAnswers::range_of(deck, function->piece)}};
-    seen.insert(fs::absolute(path).lexically_normal());
-    for (const auto& stretch : deck.stretches()) {
-        const auto called = called_file(stretch, path.string());
-        if (!called || seen.contains(fs::absolute(*called).lexically_normal())) continue;
-        try {
-            const auto source = lang::read_source(*called, called->string());
-            std::string text;
-            for (const auto& line : source->lines) text += line + "\n";
-            Json found = definition_in(OpenDeck(text), *called, uri_of(*called), folded, seen);
-            if (!found.is_null()) return found;
-        } catch (const Diagnostic&) { continue; } // check reports it
-    }
-    return {};
+/// Of one deck.
+struct Uses {
+    OpenDecks::Member member;
+    std::vector<OpenDeck::Piece> pieces;
+};
+/// Decks without one are left out.
+std::vector<Uses> uses_in(const std::vector<OpenDecks::Member>& family, const std::string& folded) {
+    const bool is_function = defined_in(family, folded).function != nullptr;
+    std::vector<Uses> uses;
+    for (const auto& member : family)
+        if (auto pieces = member.deck->uses_of(folded, is_function); !pieces.empty())
+            uses.push_back({member, std::move(pieces)});
+    return uses;
 }
 
 /// Whether a place is in the words that name a command, and the command; null when it is not.
@@ -99,12 +70,14 @@ const lang::CommandSpec* command_at(const OpenDeck::Stretch& stretch, const Open
 }
 
 /// The page on a command, a word or a name of FISH, or the head of a function of the deck; empty when there is none.
-std::string help_at(const OpenDeck& deck, const Spot& spot, const OpenDeck::Piece& piece) {
+std::string help_at(const EditorAnswers::Asked& asked, const OpenDeck::Piece& piece) {
+    const OpenDeck& deck = asked.deck;
     const std::string word = deck.text_of(piece);
-    const bool fish = deck.in_fish(spot);
-    if (const auto* function = deck.function(lang::fold(word)); function != nullptr && fish) return function->head;
+    const bool fish = deck.in_fish(asked.spot);
+    if (const auto found = defined_in(asked.family, lang::fold(word)); found.function != nullptr && fish)
+        return found.function->head;
     try {
-        const auto* stretch = deck.stretch_at(spot.line);
+        const auto* stretch = deck.stretch_at(asked.spot.line);
         const auto* command = stretch == nullptr || fish ? nullptr : command_at(*stretch, piece);
         if (command == nullptr) return help_text(word);
         std::string words;
@@ -146,8 +119,9 @@ Json EditorAnswers::completions(const Asked& asked) const {
         lang::fold(typed.line.substr(typed.line.size() - std::min(found.typed, typed.line.size())));
     const std::string mark = begun.starts_with("@") ? "@" : "", name = begun.substr(mark.size());
     if (!mark.empty() || asked.deck.in_fish(asked.spot))
-        for (const auto& own : asked.deck.names())
-            if (lang::fold(own).starts_with(name) && lang::fold(own) != name) words.insert(mark + own);
+        for (const auto& member : asked.family)
+            for (const auto& own : member.deck->names())
+                if (lang::fold(own).starts_with(name) && lang::fold(own) != name) words.insert(mark + own);
     Json items = Json::array();
     const Spot& spot = asked.spot;
     const OpenDeck::Piece piece{spot.line, spot.byte - std::min(found.typed, spot.byte), spot.byte};
@@ -162,7 +136,7 @@ Json EditorAnswers::completions(const Asked& asked) const {
 Json EditorAnswers::hover(const Asked& asked) const {
     const auto piece = asked.deck.word_at(asked.spot);
     if (!piece) return {};
-    const std::string text = help_at(asked.deck, asked.spot, *piece);
+    const std::string text = help_at(asked, *piece);
     if (text.empty()) return {};
     const std::string shown = "```text\n" + text + (text.ends_with("\n") ? "" : "\n") + "```";
     return {{"contents", {{"kind", "markdown"}, {"value", shown}}}, {"range", range_of(asked.deck, *piece)}};
@@ -175,15 +149,17 @@ Json EditorAnswers::definition(const Asked& asked) const {
             return {{"uri", uri_of(*called)}, {"range", at_start()}};
     const auto piece = asked.deck.word_at(asked.spot);
     if (!piece) return {};
-    std::set<fs::path> seen;
-    return definition_in(asked.deck, path_of(asked.uri), asked.uri, lang::fold(asked.deck.text_of(*piece)), seen);
+    const auto found = defined_in(asked.family, lang::fold(asked.deck.text_of(*piece)));
+    if (found.function == nullptr) return {};
+    return {{"uri", found.uri}, {"range", range_of(*found.deck, found.function->piece)}};
 }
 
 Json EditorAnswers::uses(const Asked& asked) const {
     Json uses = Json::array();
     if (const auto piece = asked.deck.word_at(asked.spot))
-        for (const auto& use : asked.deck.uses_of(lang::fold(asked.deck.text_of(*piece))))
-            uses.push_back({{"uri", asked.uri}, {"range", range_of(asked.deck, use)}});
+        for (const auto& [member, pieces] : uses_in(asked.family, lang::fold(asked.deck.text_of(*piece))))
+            for (const auto& use : pieces)
+                uses.push_back({{"uri", member.uri}, {"range", range_of(*member.deck, use)}});
     return uses;
 }
 
@@ -197,7 +173,9 @@ EditorAnswers::Named EditorAnswers::own_name(const Asked& asked) const {
     if (!piece) refuse("there is no name here");
     const std::string text = asked.deck.text_of(*piece), folded = lang::fold(text);
     if (is_built_in(folded)) refuse("'" + text + "' is a name of FISH itself");
-    if (asked.deck.uses_of(folded).empty()) refuse("'" + text + "' is a word of a command, not a name of FISH");
+    const bool is_function = defined_in(asked.family, folded).function != nullptr;
+    if (asked.deck.uses_of(folded, is_function).empty())
+        refuse("'" + text + "' is a word of a command, not a name of FISH");
     return {*piece, folded};
 }
 
@@ -211,12 +189,16 @@ Json EditorAnswers::other_name(const Asked& asked, const std::string& given) con
     const std::string folded = lang::fold(given);
     if (!is_name(given)) refuse("'" + given + "' is not a name: letters, digits and _");
     if (is_built_in(folded)) refuse("'" + given + "' is a name of FISH itself");
-    if (folded != name.folded && !asked.deck.uses_of(folded).empty())
-        refuse("'" + given + "' is used already: two names would become one");
-    Json edits = Json::array();
-    for (const auto& use : asked.deck.uses_of(name.folded))
-        edits.push_back({{"range", range_of(asked.deck, use)}, {"newText", given}});
-    return {{"changes", {{asked.uri, std::move(edits)}}}};
+    if (folded != name.folded)
+        if (const auto taken = uses_in(asked.family, folded); !taken.empty())
+            refuse(
+                fmt::format("'{}' is used already{}: two names would become one", given,
+                            taken.front().member.uri == asked.uri ? "" : " in " + path_of(taken.front().member.uri)));
+    Json changes = Json::object();
+    for (const auto& [member, pieces] : uses_in(asked.family, name.folded))
+        for (const auto& use : pieces)
+            changes[member.uri].push_back({{"range", range_of(*member.deck, use)}, {"newText", given}});
+    return {{"changes", std::move(changes)}};
 }
 
 Json EditorAnswers::functions(const OpenDeck& deck) {

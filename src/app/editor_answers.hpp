@@ -2,7 +2,7 @@
 // protocol.
 #pragma once
 
-#include "app/open_deck.hpp"
+#include "app/open_decks.hpp"
 #include "commands/session/deck_report.hpp"
 #include "commands/session/session.hpp"
 #include "lang/modern/language.hpp"
@@ -28,7 +28,8 @@ public:
     struct Asked {
         const OpenDeck& deck;
         Spot spot;
-        std::string uri; ///< of the deck
+        std::string uri;                       ///< of the deck
+        std::vector<OpenDecks::Member> family; ///< the decks that share its names, itself first
     };
 
     /// The dialect of proposed words: modern, classic, or both for any other word.
@@ -65,9 +66,5 @@ private:
     const lang::Language* language_ = &lang::language();                      ///< of proposed words
     std::unique_ptr<Session> session_ = std::make_unique<Session>(Options{}); ///< knows built-in names
 };
-
-/// "file:///a%20b" as a path, and back.
-std::string path_of(const std::string& uri);
-std::string uri_of(const std::filesystem::path& path);
 
 } // namespace kaya

@@ -41,11 +41,6 @@ public:
     }
 
 private:
-    struct Open {
-        std::string text;
-        std::unique_ptr<OpenDeck> deck;
-    };
-
     void answer(const std::string& text) {
         const Json message = Json::parse(text, nullptr, false);
         if (!message.is_object()) return refuse(nullptr, {Refusal::Code::parse, "this is not a message in JSON"});
@@ -102,7 +97,7 @@ private:
              [](Server& s, const Json& p) { return s.answers_.other_name(s.asked(p), p.at("newName")); }},
             {"textDocument/formatting", [](Server& s, const Json& p) { return s.format(p); }},
             {"textDocument/documentSymbol",
-             [](Server& s, const Json& p) { return EditorAnswers::functions(s.deck(s.open(p))); }},
+             [](Server& s, const Json& p) { return EditorAnswers::functions(s.decks_.deck(s.shown(p))); }},
             {"textDocument/codeAction", [](Server& s, const Json& p) { return s.actions(p); }},
         };
         return all;
@@ -131,39 +126,36 @@ private:
     // Texts.
 
     Json take(const std::string& uri, std::string text) {
-        open_[uri] = {std::move(text), nullptr};
+        decks_.open(uri, std::move(text));
         unread_.insert(uri);
         return {};
     }
 
-    Open& open(const Json& parameters) {
-        const auto found = open_.find(parameters.at("textDocument").at("uri").get<std::string>());
-        if (found == open_.end()) throw Refusal{Refusal::Code::parameters, "the file is not open"};
-        return found->second;
-    }
-    /// Throws Diagnostic when the text is not that of a deck.
-    const OpenDeck& deck(Open& open) {
-        if (!open.deck) open.deck = std::make_unique<OpenDeck>(open.text);
-        return *open.deck;
+    /// Throws Refusal when the editor does not show the text that it asks about.
+    std::string shown(const Json& parameters) {
+        std::string uri = parameters.at("textDocument").at("uri");
+        if (decks_.text(uri) == nullptr) throw Refusal{Refusal::Code::parameters, "the file is not open"};
+        return uri;
     }
 
     Json change(const Json& parameters) {
-        Open& changed = open(parameters);
+        const std::string uri = shown(parameters);
+        std::string& whole = *decks_.text(uri);
         for (const auto& edit : parameters.at("contentChanges")) {
             const std::string text = edit.at("text");
             if (edit.contains("range")) {
-                const std::size_t begin = offset_of(changed.text, edit["range"].at("start")),
-                                  end = std::max(begin, offset_of(changed.text, edit["range"].at("end")));
-                changed.text.replace(begin, end - begin, text);
-            } else changed.text = text;
+                const std::size_t begin = offset_of(whole, edit["range"].at("start")),
+                                  end = std::max(begin, offset_of(whole, edit["range"].at("end")));
+                whole.replace(begin, end - begin, text);
+            } else whole = text;
         }
-        changed.deck.reset();
-        unread_.insert(parameters["textDocument"]["uri"].get<std::string>());
+        decks_.changed(uri);
+        unread_.insert(uri);
         return {};
     }
 
     Json close(const std::string& uri) {
-        open_.erase(uri);
+        decks_.close(uri);
         unread_.erase(uri);
         stream_.send(notice("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", Json::array()}}));
         return {};
@@ -201,8 +193,8 @@ private:
         Json found = Json::array();
         const std::string path = path_of(uri);
         try {
-            const OpenDeck& shown = deck(open_[uri]);
-            const DeckReport report = check_text(path, open_[uri].text, own_joint_folders(program_folder("")));
+            const OpenDeck& shown = decks_.deck(uri);
+            const DeckReport report = check_text(path, *decks_.text(uri), own_joint_folders(program_folder("")));
             for (const auto& line : report.lines) found.push_back(EditorAnswers::diagnostic(shown, path, line));
         } catch (const Diagnostic& problem) {
             const Json start{{"line", 0}, {"character", 0}};
@@ -217,33 +209,34 @@ private:
     // Answers.
 
     EditorAnswers::Asked asked(const Json& parameters) {
-        const OpenDeck& shown = deck(open(parameters));
-        return {shown, spot_of(shown, parameters), parameters["textDocument"]["uri"].get<std::string>()};
+        const std::string uri = shown(parameters);
+        const OpenDeck& deck = decks_.deck(uri);
+        return {deck, spot_of(deck, parameters), uri, decks_.family(uri)};
     }
 
     Json actions(const Json& parameters) {
-        const OpenDeck& shown = deck(open(parameters));
-        const std::string uri = parameters["textDocument"]["uri"];
+        const std::string uri = shown(parameters);
+        const OpenDeck& deck = decks_.deck(uri);
         Json actions = EditorAnswers::proposed_edits(uri, parameters.at("context").at("diagnostics"));
         const auto line = parameters.at("range").at("start").at("line").get<std::int64_t>();
-        if (line >= 0 && line < static_cast<std::int64_t>(shown.lines().size()))
-            for (auto& action : EditorAnswers::converted(shown, uri, static_cast<int>(line)))
+        if (line >= 0 && line < static_cast<std::int64_t>(deck.lines().size()))
+            for (auto& action : EditorAnswers::converted(deck, uri, static_cast<int>(line)))
                 actions.push_back(std::move(action));
         return actions;
     }
 
     Json format(const Json& parameters) {
-        const Open& shown = open(parameters);
-        const std::string text = lang::format_deck(lang::language(), lang::source_from_text("deck", shown.text));
-        if (text == shown.text) return Json::array();
-        const auto lines = std::ranges::count(shown.text, '\n') + 1;
+        const std::string& now = *decks_.text(shown(parameters));
+        const std::string text = lang::format_deck(lang::language(), lang::source_from_text("deck", now));
+        if (text == now) return Json::array();
+        const auto lines = std::ranges::count(now, '\n') + 1;
         const Json whole{{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", lines}, {"character", 0}}}};
         return Json::array({{{"range", whole}, {"newText", text}}});
     }
 
     MessageStream stream_;
-    std::map<std::string, Open> open_; ///< by uri
-    std::set<std::string> unread_;     ///< texts that have changed since they were checked
+    OpenDecks decks_;
+    std::set<std::string> unread_; ///< texts that have changed since they were checked
     EditorAnswers answers_;
     bool shut_down_ = false, ended_ = false;
 };

@@ -199,9 +199,8 @@ template <class See> void OpenDeck::for_each_name(const See& see) const {
     }
 }
 
-std::vector<OpenDeck::Piece> OpenDeck::uses_of(std::string_view folded) const {
+std::vector<OpenDeck::Piece> OpenDeck::uses_of(std::string_view folded, bool is_function) const {
     std::vector<Piece> uses;
-    const bool is_function = function(folded) != nullptr;
     for_each_name([&](const Piece& piece, bool sure) {
         if ((sure || is_function) && lang::fold(text_of(piece)) == folded) uses.push_back(piece);
     });

@@ -52,8 +52,9 @@ public:
     std::optional<Piece> word_at(const Spot& spot) const;
     std::string text_of(const Piece& piece) const;
 
-    /// Where FISH reads a name: in functions, after @, in brackets, as the line of a call, and in commands that name functions.
-    std::vector<Piece> uses_of(std::string_view folded) const;
+    /// Where FISH reads a name: in functions, after @, in brackets and, when it `is_function`, as the line of a call and in commands that
+    /// name functions.
+    std::vector<Piece> uses_of(std::string_view folded, bool is_function) const;
     /// All names of FISH in functions, brackets and after @, sorted, as typed first.
     std::vector<std::string> names() const;
     /// Whether a place is in a function, in brackets or after @.
