@@ -42,6 +42,19 @@ struct Solve {
     bool keep = false;                       ///< of fos: keep the failed state of the model
     Place place;
 };
+/// solve control: loads are scaled such that their bodies move at a given speed.
+struct SolveControl {
+    std::optional<Vec3> gravity;       ///< direction in which gravity is scaled
+    std::string variable;              ///< of FISH: scales the loads with `hist @variable`
+    std::optional<Vec3> point, along;  ///< of the displacement that counts; none: that of the loads
+    double speed = 0, to = 0;          ///< of that displacement, above 0
+    double damped = 0.02;              ///< share of the work above which the run goes slower
+    double below = 0;                  ///< share of the peak at which the run ends
+    std::int64_t every = 50;           ///< cycles of a row of the curve
+    std::string file;                  ///< of the curve
+    std::optional<std::int64_t> table; ///< number of the table that gets the load over the displacement
+    Place place;
+};
 /// limit equilibrium
 struct LimitEquilibrium {
     enum class Method { ordinary, bishop, janbu, spencer, morgenstern_price };
@@ -194,7 +207,7 @@ using HistoryCommands = CommandList<HistoryAdd, HistoryLabel, HistoryDelete>;
 using ListCommands = CommandList<List>;
 using PlotCommands = CommandList<Plot>;
 using MovieCommands = CommandList<Movie>;
-using SolutionCommands = CommandList<CycleCommand, Solve, Damp, MassScale, Fraction>;
+using SolutionCommands = CommandList<CycleCommand, Solve, SolveControl, Damp, MassScale, Fraction>;
 using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, FishSetting, LuaChunk, LuaFile, Parameter>;
 
 using HandledCommands =

@@ -2,6 +2,7 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/solve_control.hpp"
 
 namespace kaya::lang {
 
@@ -241,6 +242,7 @@ Family solution() {
             {
                 cycle(),
                 solve(),
+                solve_control(),
                 damp(),
                 mass_scale(),
                 Entry<Fraction>({"fraction"})

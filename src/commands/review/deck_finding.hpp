@@ -10,7 +10,7 @@
 
 namespace kaya {
 
-using CyclingCommands = lang::CommandList<lang::CycleCommand, lang::Solve>;
+using CyclingCommands = lang::CommandList<lang::CycleCommand, lang::Solve, lang::SolveControl>;
 
 /// Code of findings that the run reports as well when it reaches their line.
 inline constexpr std::string_view said_by_the_run = "no-effect";

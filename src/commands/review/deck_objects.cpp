@@ -82,11 +82,12 @@ const lang::Multiplier* multiplier_of(const std::any& command) {
 }
 
 /// Commands that act on blocks which are there.
-using OnBlocks = lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, lang::CutGround, lang::Densify,
-                                   lang::Join, lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation,
-                                   lang::Fix, lang::Free, lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu,
-                                   lang::Excavate, lang::Hide, lang::Delete, lang::Mark, lang::CycleCommand,
-                                   lang::Solve, lang::LimitEquilibrium, lang::VtkWrite, lang::Export>;
+using OnBlocks =
+    lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, lang::CutGround, lang::Densify, lang::Join,
+                      lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation, lang::Fix, lang::Free,
+                      lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu, lang::Excavate, lang::Hide,
+                      lang::Delete, lang::Mark, lang::CycleCommand, lang::Solve, lang::SolveControl,
+                      lang::LimitEquilibrium, lang::VtkWrite, lang::Export>;
 /// Whether cycles may follow in another deck: histories and loads after the last cycle are not in vain.
 using HandsOver = lang::CommandList<lang::Save, lang::LuaFile, lang::LimitEquilibrium>;
 /// Whether a command acts in cycles only.

@@ -396,7 +396,8 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
         }
         if (progress.advanced()) session.autosave->advanced();
         if (monitor) monitor->sample();
-        end = stops(progress.seconds());
+        if (limits.ends) end.why = limits.ends();
+        if (end.why.empty()) end = stops(progress.seconds());
     }
     progress.finish();
     return end;

@@ -5,6 +5,7 @@
 #include "commands/session/session.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,9 +20,10 @@ struct Limits {
     std::optional<std::int64_t> cycles; ///< from now on
     std::optional<double> time;         ///< from now on
     std::optional<double> ratio, maximum_ratio, local_ratio, force;
-    std::optional<double> clock; ///< seconds
-    bool still = false;          ///< ratios and force count only when no body gains displacement any more
-    bool all = false;            ///< all limits must be reached
+    std::optional<double> clock;            ///< seconds
+    bool still = false;                     ///< ratios and force count only when no body gains displacement any more
+    bool all = false;                       ///< all limits must be reached
+    std::function<std::string()> ends = {}; ///< called after each cycle: the reason to stop there, empty to continue
 };
 
 /// Lets joint models take up forces set by scripts and commands, and warns of those that they cannot carry. Returns whether forces changed.

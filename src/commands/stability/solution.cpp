@@ -4,6 +4,7 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/plausible.hpp"
 #include "commands/monitors/rest_monitor.hpp"
+#include "commands/run/load_control.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "commands/program/text_table.hpp"
 #include "commands/run/time_step.hpp"
@@ -130,6 +131,14 @@ void run(Session& session, const lang::Solve& command) {
     session.engine.world.stopped_by = end.why;
     session.program.output.say(end_text("solve", end));
     tell_rest(session, monitor, end, command.still, command.place);
+    session.engine.run_hooks(script::Moment::solve_complete);
+}
+
+void run(Session& session, const lang::SolveControl& command) {
+    doubt_empty_model(session, command.place);
+    session.engine.run_hooks(script::Moment::solve_start);
+    doubt_idle_model(session, command.place);
+    push_over(session, command);
     session.engine.run_hooks(script::Moment::solve_complete);
 }
 

@@ -1,0 +1,63 @@
+#include "lang/commands/solve_control.hpp"
+
+#include "lang/commands/builder.hpp"
+#include "lang/commands/directions.hpp"
+
+namespace kaya::lang {
+
+CommandSpec solve_control() {
+    const auto direction = vector("dx dy dz");
+    const auto variable = text("@name");
+    return Entry<SolveControl>({"solve"}, {Spelling{"control", 4}})
+        .help("pushes the model past its peak: scales loads such that their bodies move at a given speed")
+        .special(
+            {"gravity"}, {direction.spec},
+            [=](Reader& reader, SolveControl& c) { c.gravity = read_direction(reader, direction.spec); },
+            "scales the part of gravity along this direction; the part normal to it stays")
+        .special(
+            {"scale"}, {variable.spec},
+            [=](Reader& reader, SolveControl& c) { c.variable = reader.symbol(variable.spec); },
+            "sets this variable of FISH, which scales the loads that were given with `hist @name`")
+        .keyword({"speed"}, real("v").unit("velocity").above(0), &SolveControl::speed, "of the displacement, at most")
+        .keyword({"damped"}, real("share").above(0).below(1), &SolveControl::damped,
+                 "the run goes slower while damping takes more than this of the work of the load; 0.02 if not given")
+        .keyword({"to"}, real("d").unit("length").above(0), &SolveControl::to, "displacement at which the run ends")
+        .keyword({"point"}, vector("x y z").unit("length"), &SolveControl::point,
+                 "the displacement is that of the body at this place, and of the loads if not given")
+        .special(
+            {"along"}, {direction.spec},
+            [=](Reader& reader, SolveControl& c) { c.along = read_direction(reader, direction.spec); },
+            "of point: the direction of its displacement")
+        .keyword({"below"}, real("share").at_least(0).below(1), &SolveControl::below,
+                 "the run ends when the load falls to this share of its peak; 0 if not given")
+        .keyword({"every"}, integer("n").at_least(1).at_most(1e9), &SolveControl::every,
+                 "cycles between rows of the curve, 50 if not given; loads are means of these cycles")
+        .keyword({"file"}, text("file"), &SolveControl::file, "of the curve, as CSV")
+        .keyword({"table"}, integer("n").at_least(1), &SolveControl::table, "that gets the load over the displacement")
+        .place(&SolveControl::place)
+        .finish([](const Reader& reader, SolveControl& c) {
+            if (!c.gravity && c.variable.empty())
+                incomplete_line(reader, "solve control has no load to scale",
+                                "write for example: solve control gravity 1 0 0 speed 0.01 to 0.1");
+            if (!(c.speed > 0) || !(c.to > 0))
+                incomplete_line(reader, "solve control needs the speed of the displacement and its end",
+                                "write for example: solve control gravity 1 0 0 speed 0.01 to 0.1");
+            if (c.point.has_value() != c.along.has_value())
+                incomplete_line(reader, "point and along belong together",
+                                "write for example: point 0 0 5 along 1 0 0");
+        })
+        .right("solve control gravity 1 0 0 speed 0.01 to 0.02")
+        .right("solve control gravity 0 1 0 speed 0.01 to 0.02 below 0.8 every 20 file 'push.csv' table 5")
+        .right("solve control scale @push speed 0.01 to 0.02")
+        .right("solve control gravity 1 0 0 speed 0.01 to 0.02 point 0.5 0.5 2 along 1 0 0")
+        .wrong("solve control", "solve control has no load to scale")
+        .wrong("solve control gravity 1 0 0", "solve control needs the speed of the displacement and its end")
+        .wrong("solve control gravity 0 0 0 speed 1 to 1", "(0, 0, 0) is not a direction")
+        .wrong("solve control gravity 1 0 0 speed 0 to 1", "speed must be greater than 0, not 0")
+        .wrong("solve control gravity 1 0 0 speed 1 to 1 below 1", "share must be less than 1, not 1")
+        .wrong("solve control gravity 1 0 0 speed 1 to 1 point 0 0 0", "point and along belong together")
+        .wrong("solve control scale push speed 1 to 1", "expected a name with @, found 'push'")
+        .wrong("solve control gravity 1 0 0 spede 1 to 1", "'spede' is not a keyword of solve control");
+}
+
+} // namespace kaya::lang
