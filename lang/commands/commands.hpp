@@ -185,10 +185,12 @@ using OwnCommands = CommandList<CallFile, Return, Quit, NotSupportedYet>;
 using ControlCommands = CommandList<New, Config, Title, Pause, ReadDialect, Set, NameRange>;
 using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
 using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
-using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, CutPolygons, Densify, Join, JoinContact>;
+using CutCommands =
+    CommandList<JointSetCommand, TunnelCommand, CutGround, CutPolygons, CutFractures, Densify, Join, JoinContact>;
 using SurfaceCommands = CommandList<GeometryCommand>;
-using FractureCommands =
-    CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport, FractureMeasure>;
+using FractureCommands = CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport>;
+using FractureChangeCommands = CommandList<FractureChange>;
+using FractureMeasureCommands = CommandList<FractureMeasure>;
 using ExchangeCommands = CommandList<Import, Export>;
 using SelectionCommands = CommandList<Group, Mark, MarkJoint, Excavate, Fill, Copy>;
 using GeometryCommands = CommandList<Hide, Seek, Delete, FaceTriangulation, GenerateEdge, GenerateQuad>;
@@ -212,10 +214,10 @@ using ScriptCommands = CommandList<FishDefinition, FishCall, FishCallback, FishS
 
 using HandledCommands =
     CommandLists<ControlCommands, FileCommands, ShapeCommands, CutCommands, SurfaceCommands, FractureCommands,
-                 ExchangeCommands, SelectionCommands, GeometryCommands, MaterialCommands, ZoneModelCommands,
-                 DensityCommands, NewContactCommands, BoundaryCommands, InitialStateCommands, TableCommands,
-                 WaterCommands, SlopeCommands, StructureCommands, HistoryCommands, ListCommands, PlotCommands,
-                 MovieCommands, SolutionCommands, ScriptCommands>;
+                 FractureChangeCommands, FractureMeasureCommands, ExchangeCommands, SelectionCommands, GeometryCommands,
+                 MaterialCommands, ZoneModelCommands, DensityCommands, NewContactCommands, BoundaryCommands,
+                 InitialStateCommands, TableCommands, WaterCommands, SlopeCommands, StructureCommands, HistoryCommands,
+                 ListCommands, PlotCommands, MovieCommands, SolutionCommands, ScriptCommands>;
 using Commands = JoinedLists<OwnCommands, HandledCommands>::All;
 
 template <class Command> inline constexpr std::size_t index_of = index_in<Command>(Commands{});

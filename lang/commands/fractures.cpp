@@ -2,10 +2,60 @@
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/slots.hpp"
 
 namespace kaya::lang {
 
 namespace {
+
+/// The words by which `fracture` commands choose fractures.
+template <class Command> void add_choice(Entry<Command>& entry) {
+    entry.keyword(
+        {"dfn"}, text("name"), [](Command& c, const std::string& name) { c.choice.network = name; },
+        "fractures of this network; of all networks if not given");
+    const ArgumentSpec first = integer("n").at_least(1).spec, last = integer("m").at_least(1).optional().spec;
+    entry.special(
+        {"ids"}, {first, last},
+        [first, last](Reader& reader, Command& c) {
+            const std::int64_t low = reader.integer(first);
+            c.choice.ids = {low, reader.at_number() ? reader.integer(last) : low};
+        },
+        "fractures of this number, or from the first to the last");
+    const ArgumentSpec size = real("diameter").unit("length").at_least(0).spec;
+    entry.special(
+        {"sizes"}, {size, size},
+        [size](Reader& reader, Command& c) {
+            const double low = reader.real(size);
+            c.choice.sizes = {low, reader.real(size)};
+        },
+        "fractures whose diameter is between two limits; of a polygon that of the disc of its area");
+    entry.special(
+        {"of-group"}, {text("name").spec},
+        [](Reader& reader, Command& c) { c.choice.group = read_group_name(reader, text("name").spec); },
+        "members of a group: name, slot=name, or name slot s");
+}
+
+/// The group and the rank of new fractures.
+template <class Command> void add_group(Entry<Command>& entry) {
+    entry.special(
+        {"group"}, {text("name").spec},
+        [](Reader& reader, Command& c) { c.group = read_group_name(reader, text("name").spec); },
+        "group of the fractures: name, slot=name, or name slot s");
+    entry.keyword({"dominance", "dfn-dominance"}, integer("n").at_least(0).at_most(1e6), &Command::dominance,
+                  "rank: fractures of a lower one are cut first; 0 if not given");
+}
+
+template <class Command> void add_box(Entry<Command>& entry, std::vector<Spelling> words, const char* help) {
+    const ArgumentSpec spec{.name = "x1 x2 y1 y2 z1 z2", .count = 6, .unit = "length"};
+    const ArgumentSpec one = real("bound").unit("length").spec;
+    entry.special(
+        std::move(words), {spec},
+        [one](Reader& reader, Command& c) {
+            c.box.emplace();
+            for (double& bound : *c.box) bound = reader.real(one);
+        },
+        help);
+}
 
 CommandSpec create_fracture() {
     Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"create"});
@@ -18,24 +68,95 @@ CommandSpec create_fracture() {
                   "direction of dip, clockwise from +y seen from above, 0 if not given");
     entry.keyword({"size"}, real("d").unit("length").above(0), &FractureCommand::size, "diameter, 1 if not given");
     entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
-    entry.not_yet({"group", "dominance", "dfn-dominance", "intersection-set"}, "groups and ranks of fractures");
+    add_group(entry);
+    entry.not_yet({"intersection-set"}, "sets of intersections: fracture intersections computes those of fractures");
     entry.right("fracture create position 0.5 0.5 0.5 dip 30 dip-direction 90 size 4 dfn 'faults'");
-    entry.right("fracture create");
+    entry.right("fracture create").right("fracture create size 3 dfn 'faults' group main slot rank dominance 1");
     entry.wrong("fracture create size 0", "size must be greater than 0, not 0");
     entry.wrong("fracture create dpi 30", "'dpi' is not a keyword of fracture create");
+    entry.wrong("fracture create dominance -1", "dominance must be at least 0, not -1");
+    return entry;
+}
+
+Entry<FractureChange> change_line(std::vector<Spelling> form, FractureChange::What what) {
+    Entry<FractureChange> entry({Spelling{"fracture", 6}}, std::move(form));
+    entry.start([what](const Statement& statement, FractureChange& command) {
+        command.what = what;
+        command.place = statement.words.front().place;
+    });
     return entry;
 }
 
 CommandSpec delete_fractures() {
-    Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"delete"});
-    entry.help("deletes a network of fractures");
-    entry.start([](const Statement& statement, FractureCommand& command) {
-        command.remove = true;
-        command.place = statement.words.front().place;
-    });
-    entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
+    auto entry = change_line({"delete"}, FractureChange::What::remove);
+    entry.help("deletes fractures: of a network, of a size or group, outside of a box, or a part of them by chance");
+    add_choice(entry);
+    add_box(entry, {"outside"}, "fractures that do not reach this box");
+    entry.keyword({"share"}, real("p").at_least(0).at_most(1), &FractureChange::share,
+                  "probability that one of these fractures is deleted, 1 if not given");
+    entry.keyword({"seed"}, integer("n").at_least(0).at_most(1e9), &FractureChange::seed,
+                  "of share: another choice; 1 if not given");
     entry.right("fracture delete dfn 'faults'").right("fracture delete");
+    entry.right("fracture delete sizes 0 2 dfn 'faults'").right("fracture delete outside 0 10 0 10 0 10");
+    entry.right("fracture delete share 0.5 seed 3");
     entry.wrong("fracture delete 'faults'", "expected a keyword of fracture delete, found the text 'faults'");
+    entry.wrong("fracture delete share 2", "share must be at most 1, not 2");
+    return entry;
+}
+
+CommandSpec copy_fractures() {
+    auto entry = change_line({"copy"}, FractureChange::What::copy);
+    entry.help("copies fractures to another network, so that several become one");
+    entry.keyword(
+        {"from-dfn"}, text("name"), [](FractureChange& c, const std::string& name) { c.choice.network = name; },
+        "the same as dfn");
+    add_choice(entry);
+    entry.keyword({"to-dfn"}, text("name"), &FractureChange::name, "the network that gets the copies");
+    entry.finish([](const Reader& reader, FractureChange& command) {
+        if (command.name.empty()) incomplete_line(reader, "the network of the copies is missing", "write: to-dfn name");
+    });
+    entry.right("fracture copy from-dfn 'faults' to-dfn 'all'").right("fracture copy sizes 0 99 to-dfn 'small'");
+    entry.wrong("fracture copy from-dfn 'faults'", "the network of the copies is missing");
+    return entry;
+}
+
+CommandSpec truncate_fractures() {
+    auto entry = change_line({"truncate"}, FractureChange::What::truncate);
+    entry.help("cuts fractures to a box: what lies outside is deleted, and discs that cross its sides become polygons");
+    add_choice(entry);
+    add_box(entry, {"box"}, "that around the model if not given");
+    entry.keyword(
+        {"sides"}, integer("n").at_least(3).at_most(64), &FractureChange::sides,
+        "of the regular polygon, equal in area, that stands for a disc at a side of the box; 12 if not given");
+    entry.right("fracture truncate box 0 10 0 10 0 10").right("fracture truncate dfn 'faults' sides 32");
+    entry.wrong("fracture truncate box 0 1", "a number is missing after '1'");
+    return entry;
+}
+
+CommandSpec group_fractures() {
+    auto entry = change_line({"group"}, FractureChange::What::group);
+    entry.help("puts fractures into a group");
+    entry.argument(text("name").help("name of the group; `slot=name` names its slot as well"), &FractureChange::name);
+    add_slot(
+        entry, [](FractureChange & command) -> auto& { return command.name; });
+    entry.action(
+        {Spelling{"remove", 3}}, [](FractureChange& command) { command.out = true; },
+        "takes the fractures out of the group; without a slot out of all groups of this name");
+    add_choice(entry);
+    entry.right("fracture group large sizes 5 100").right("fracture group main slot rank dfn 'faults' remove");
+    entry.wrong("fracture group", "a word is missing after 'group'");
+    return entry;
+}
+
+CommandSpec cluster_fractures() {
+    auto entry = change_line({"cluster"}, FractureChange::What::cluster);
+    entry.help("puts fractures that are connected by intersections into the groups cluster-1, the one of most "
+               "fractures, cluster-2, ...");
+    entry.keyword({"group-slot", "slot"}, text("slot"), &FractureChange::name, "of the groups, cluster if not given");
+    add_choice(entry);
+    entry.not_yet({"intersection-set"}, "sets of intersections");
+    entry.right("fracture cluster").right("fracture cluster group-slot net dfn 'faults'");
+    entry.wrong("fracture cluster 'faults'", "expected a keyword of fracture cluster, found the text 'faults'");
     return entry;
 }
 
@@ -142,18 +263,6 @@ template <class Command> void add_line(Entry<Command>& entry) {
         "of the line of p10");
 }
 
-template <class Command> void add_box(Entry<Command>& entry, std::vector<Spelling> words, const char* help) {
-    const ArgumentSpec spec{.name = "x1 x2 y1 y2 z1 z2", .count = 6, .unit = "length"};
-    const ArgumentSpec one = real("bound").unit("length").spec;
-    entry.special(
-        std::move(words), {spec},
-        [one](Reader& reader, Command& c) {
-            c.box.emplace();
-            for (double& bound : *c.box) bound = reader.real(one);
-        },
-        help);
-}
-
 template <class Command> void check_line(const Reader& reader, const Command& command, bool needed) {
     if (needed && !reader.wildcards() && command.line[0] == command.line[1])
         incomplete_line(reader, "p10 needs a line", "write: begin x y z end x y z");
@@ -175,8 +284,8 @@ CommandSpec generate_fractures() {
     add_box(entry, {"generation-box"}, "box of the centres, and of mass-density; that around the model if not given");
     entry.keyword({"seed"}, integer("n").at_least(0).at_most(1e9), &FractureGenerate::seed,
                   "other fractures of the same kind; 1 if not given");
+    add_group(entry);
     entry.not_yet({"percolation", "connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
-    entry.not_yet({"dfn-dominance"}, "ranks of networks");
     entry.finish([](const Reader& reader, FractureGenerate& command) {
         const int ends = command.count.has_value() + command.area.has_value() + command.crossings.has_value();
         if (ends != 1)
@@ -196,20 +305,30 @@ CommandSpec generate_fractures() {
 
 CommandSpec import_fractures() {
     Entry<FractureImport> entry({Spelling{"fracture", 6}}, {"import"});
-    entry.help("adds the discs in a file to a network").place(&FractureImport::place);
-    entry.keyword({"from-file"}, text("file").help("lines of x y z dip dip-direction diameter"), &FractureImport::file,
-                  "lines of x, y, z, dip, dip direction and diameter");
+    entry.help("adds the fractures in a file to a network").place(&FractureImport::place);
+    entry.keyword({"from-file"}, text("file").help("lines of numbers"), &FractureImport::file, "name of the file");
+    const ArgumentSpec format = text("discs|polygons|traces").spec;
+    entry.special(
+        {"format"}, {format},
+        [format](Reader& reader, FractureImport& command) {
+            command.format = static_cast<FractureImport::Format>(
+                word_among(reader, format, "a format of fractures", {"discs", "polygons", "traces"}));
+        },
+        "what the lines are: discs, if not given: x, y, z, dip, dip direction and diameter; polygons: corners x, y, z, "
+        "with an empty line after each polygon; traces: both ends, and the dip and dip direction if the fracture is not upright");
     entry.keyword({"dfn"}, text("name"), &FractureImport::network, "name of the network");
-    entry.not_yet(
-        {"from-geometry", "format", "center", "clean", "offset", "make-disk", "make-planar", "truncate", "dominance"},
-        "other files of fractures");
+    add_group(entry);
+    entry.not_yet({"from-geometry", "center", "clean", "offset", "make-disk", "make-planar", "truncate"},
+                  "changes of fractures that are read");
     entry.finish([](const Reader& reader, FractureImport& command) {
         if (command.file.empty())
             incomplete_line(reader, "a file is missing", "write: fracture import from-file 'name'");
     });
     entry.right("fracture import from-file 'faults.txt' dfn 'faults'");
+    entry.right("fracture import from-file 'faults.txt' format discs group main dominance 2");
     entry.wrong("fracture import", "a file is missing");
     entry.wrong("fracture import 'faults.txt'", "expected a keyword of fracture import, found the text 'faults.txt'");
+    entry.wrong("fracture import from-file 'a' format fracman", "'fracman' is not a format of fractures");
     return entry;
 }
 
@@ -225,38 +344,76 @@ CommandSpec measure_fractures() {
         "area of fractures in a box over its volume");
     entry.action(
         {"center-density"}, [](FractureMeasure& m) { m.what = What::number; }, "centres in a box over its volume");
+    const auto of_traces = [&](std::vector<Spelling> words, What what, const char* help) {
+        const ArgumentSpec set = text("set").spec;
+        entry.special(
+            std::move(words), {set},
+            [set, what](Reader& reader, FractureMeasure& m) {
+                m.what = what;
+                m.set = reader.text(set);
+            },
+            help);
+    };
+    of_traces({"trace-mass-density", "p21"}, What::trace_area,
+              "length of traces on the polygons of a set of `geometry` over their area");
+    of_traces({"trace-center-density", "p20"}, What::trace_number,
+              "middles of traces on the polygons of a set over their area");
+    of_traces({"average-trace-length"}, What::trace_length, "mean length of the traces on the polygons of a set");
     add_line(entry);
     add_box(entry, {"box"}, "that around the model if not given");
-    entry.keyword({"dfn"}, text("name"), &FractureMeasure::network, "name of the network; all if not given");
-    entry.not_yet({"average-trace-length", "percolation", "trace-center-density", "trace-mass-density"},
-                  "measures of traces");
+    add_choice(entry);
+    entry.not_yet({"percolation"}, "ends of clusters on sides of a box: fracture cluster makes groups of clusters");
     entry.finish([](const Reader& reader, FractureMeasure& command) {
         if (command.what == What::list)
-            incomplete_line(reader, "nothing says what is measured", "write one of: p10, mass-density, center-density");
+            incomplete_line(reader, "nothing says what is measured",
+                            "write one of: p10, mass-density, center-density, trace-mass-density");
         check_line(reader, command, command.what == What::crossings);
     });
     entry.right("fracture compute p10 begin 0 0 0 end 0 0 10");
     entry.right("fracture compute mass-density box 0 10 0 10 0 10 dfn 'faults'")
         .right("fracture compute center-density");
+    entry.right("fracture compute trace-mass-density 'wall' sizes 0 99").right("fracture compute p20 'wall'");
     entry.wrong("fracture compute", "nothing says what is measured");
     entry.wrong("fracture compute p10 begin 0 0 0", "p10 needs a line");
+    entry.wrong("fracture compute p21", "a word is missing after 'p21'");
     return entry;
 }
 
 CommandSpec list_fractures() {
     Entry<FractureMeasure> entry({Spelling{"fracture", 6}}, {"list"});
-    entry.help("lists fractures: centre, dip, dip direction, diameter").place(&FractureMeasure::place);
-    entry.keyword({"dfn"}, text("name"), &FractureMeasure::network, "name of the network; all if not given");
-    entry.right("fracture list").right("fracture list dfn 'faults'");
+    entry.help("lists fractures: number, centre, dip, dip direction, diameter, dominance, joint set, groups")
+        .place(&FractureMeasure::place);
+    entry.action(
+        {"intersection"}, [](FractureMeasure& m) { m.what = FractureMeasure::What::intersections; },
+        "the lines on which two of the fractures meet");
+    add_choice(entry);
+    entry.right("fracture list").right("fracture list dfn 'faults'").right("fracture list intersection of-group a");
     entry.wrong("fracture list 'faults'", "expected a keyword of fracture list, found the text 'faults'");
+    return entry;
+}
+
+CommandSpec intersect_fractures() {
+    Entry<FractureMeasure> entry({Spelling{"fracture", 6}}, {"intersections"});
+    entry.then({"compute"})
+        .help("prints how many pairs of fractures meet, the length of their lines, and how many "
+              "clusters they connect");
+    entry.start([](const Statement& statement, FractureMeasure& m) {
+        m.what = FractureMeasure::What::intersection_sums;
+        m.place = statement.words.front().place;
+    });
+    add_choice(entry);
+    entry.not_yet({"with-geometry", "intersection-set", "group-slot"}, "sets of intersections");
+    entry.right("fracture intersections compute").right("fracture intersections compute dfn 'faults'");
+    entry.wrong("fracture intersections", "a word is missing after 'intersections'");
     return entry;
 }
 
 } // namespace
 
 std::vector<CommandSpec> fracture_commands() {
-    return {create_fracture(),    delete_fractures(), make_template(),     delete_template(),
-            generate_fractures(), import_fractures(), measure_fractures(), list_fractures()};
+    return {create_fracture(),   delete_fractures(),    copy_fractures(),  truncate_fractures(), group_fractures(),
+            cluster_fractures(), make_template(),       delete_template(), generate_fractures(), import_fractures(),
+            measure_fractures(), intersect_fractures(), list_fractures()};
 }
 
 } // namespace kaya::lang

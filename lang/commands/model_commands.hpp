@@ -261,12 +261,32 @@ struct GeometryCommand {
     std::optional<Vec3> extrude; ///< closes a prism from the polygon to its copy, moved by this
     Place place;
 };
-/// fracture create|delete: a disc of a network of fractures.
+/// Which fractures a command is about: those that meet all that is given.
+struct FractureChoice {
+    std::optional<std::string> network;             ///< none: all networks
+    std::optional<std::array<std::int64_t, 2>> ids; ///< the first and the last
+    std::optional<std::array<double, 2>> sizes;     ///< diameters
+    std::string group;                              ///< "": any; name or slot=name
+};
+/// fracture create: a disc of a network of fractures.
 struct FractureCommand {
-    bool remove = false;
     std::string network; ///< "": the network without a name
     Vec3 position = Vec3::Zero();
     double dip = 0, dip_direction = 0, size = 1; ///< degrees; size: the diameter
+    std::string group;
+    std::int64_t dominance = 0;
+    Place place;
+};
+/// fracture delete|copy|truncate|group|cluster: changes networks.
+struct FractureChange {
+    enum class What { remove, copy, truncate, group, cluster } what = What::remove;
+    FractureChoice choice;
+    std::optional<std::array<double, 6>> box; ///< remove: those that do not reach it; truncate: nothing is left outside
+    double share = 1;                         ///< remove: chance of each
+    std::int64_t seed = 1;
+    std::int64_t sides = 12; ///< truncate: of the polygon for a disc
+    std::string name;        ///< copy: network; group: name or slot=name; cluster: slot
+    bool out = false;        ///< group remove
     Place place;
 };
 /// fracture template create|delete: orientations and sizes to draw fractures from.
@@ -291,28 +311,58 @@ struct FractureGenerate {
     std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
     std::optional<std::array<double, 6>> box; ///< least and greatest x, y, z; none: that around the model
     std::int64_t seed = 1;
+    std::string group;
+    std::int64_t dominance = 0;
     Place place;
 };
-/// fracture import from-file FILE: lines of centre, dip, dip direction, diameter.
+/// fracture import from-file FILE.
 struct FractureImport {
     std::string file;
     std::string network; ///< "": the network without a name
+    enum class Format { discs, polygons, traces } format = Format::discs;
+    std::string group;
+    std::int64_t dominance = 0;
     Place place;
 };
-/// fracture compute p10|mass-density|center-density; fracture list.
+/// fracture compute|list|intersections: what is measured on fractures.
 struct FractureMeasure {
-    enum class What { list, crossings, area, number } what = What::list;
+    enum class What {
+        list,
+        intersections,     ///< one line each
+        intersection_sums, ///< how many
+        crossings,
+        area,
+        number,
+        trace_length, ///< mean of a trace
+        trace_area,   ///< length of traces over the area of the set
+        trace_number  ///< centres of traces over the area of the set
+    } what = What::list;
     std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
     std::optional<std::array<double, 6>> box;
-    std::optional<std::string> network; ///< none: all
+    std::string set; ///< of polygons, for traces
+    FractureChoice choice;
     Place place;
 };
-/// cut geometry SET | cut dfn NETWORK: by the plane of each polygon or fracture.
+/// cut geometry SET: by the plane of each polygon.
 struct CutPolygons {
-    bool fractures = false;
     std::string set;
     std::optional<std::int64_t> id; ///< joint set of the faces; none: the next that is free
     bool join = false;              ///< the pieces of a block remain one body
+    RangePhrase range;
+    Place place;
+};
+
+/// cut dfn NETWORK: by its fractures.
+struct CutFractures {
+    std::string network;
+    std::optional<std::int64_t>
+        id;                  ///< joint set of the first fracture; none: the one that it has, or the next free one
+    bool limited = false;    ///< the cut ends with the fracture
+    std::int64_t sides = 12; ///< of the polygon for a disc that ends in a block
+    double persistence = 1;  ///< chance that a block in the way of a fracture is cut
+    double tolerance = 0;    ///< no piece gets a shorter edge
+    std::int64_t seed = 0;
+    bool join = false; ///< the pieces of a block remain one body
     RangePhrase range;
     Place place;
 };

@@ -14,7 +14,7 @@ namespace kaya::lang {
 /// One element of a range phrase.
 struct RangeElement {
     using Kind = RangeKind;
-    static constexpr Kind last_kind = RangeKind::geometry_distance;
+    static constexpr Kind last_kind = RangeKind::network;
     Kind kind = Kind::x;
     double low = 0, high = 0;
     Vec3 centre = Vec3::Zero(), end2 = Vec3::Zero(), normal = Vec3::UnitZ();

@@ -199,8 +199,6 @@ void id_list(Keywords<RangePhrase>& table) {
 void elements_to_come(Keywords<RangePhrase>& table) {
     static constexpr std::pair<const char*, const char*> known[] = {
         {"sregion", "regions of surfaces"},
-        {"fid", "fractures of a network"},
-        {"dfn", "fractures of a network"},
     };
     for (const auto& [word, help] : known) table.not_yet({Spelling{word, 4}}, help);
 }

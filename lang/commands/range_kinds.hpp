@@ -47,7 +47,9 @@ enum class RangeKind {
     ellipse,             ///< centre, half axes end2 and normal; distance from its plane
     ground,              ///< above (side 1) or below (-1) the ground surface of the file name, moved by centre
     geometry_space, ///< a ray along normal crosses the surfaces of sets an odd (side 1) or even (-1) number of times, or `low` times (2)
-    geometry_distance ///< within distance of the surfaces of sets
+    geometry_distance, ///< within distance of the surfaces of sets
+    fracture,          ///< cut by the fracture of an id, or of one of several; 0: by none
+    network            ///< cut by the fractures of the network name
 };
 
 /// How the element of a kind is written.
@@ -105,6 +107,8 @@ inline const std::vector<RangeWords>& range_words() {
         {RangeKind::aspect_ratio, limits, {Spelling{"aspect-ratio", 4}}, "", "blocks whose longest edge over the cube root of their volume is between two limits; 1 for a cube"},
         {RangeKind::face_area, limits, {Spelling{"face-area", 4}}, "area", "blocks whose smallest face is between two limits"},
         {RangeKind::leader, limits_of_numbers, {Spelling{"leader-id", 4}}, "", "blocks of bodies by the number of the body's first block; a block on its own is its own leader"},
+        {RangeKind::fracture, number, {"fid", "fracture-id"}, "", "contacts and faces that a fracture has cut, and blocks with such a face; 0: those of no fracture"},
+        {RangeKind::network, name, {"dfn"}, "", "contacts and faces that the fractures of a network have cut, and blocks with such a face"},
         {RangeKind::polygon, own, {}, "", ""},
         // clang-format on
     };

@@ -81,24 +81,16 @@ CommandSpec delete_set() {
     return entry;
 }
 
-Entry<CutPolygons> cut_line(const char* form, bool fractures) {
-    Entry<CutPolygons> entry({"cut"}, {form});
-    entry.start([fractures](const Statement& statement, CutPolygons& command) {
-        command.fractures = fractures;
-        command.place = statement.words.front().place;
-    });
-    entry.argument(text("name").help(fractures ? "name of the network" : "name of the set"), &CutPolygons::set);
+CommandSpec cut_geometry() {
+    Entry<CutPolygons> entry({"cut"}, {"geometry"});
+    entry.help("cuts visible blocks by the plane of each polygon of a set, where the polygon passes through the block");
+    entry.place(&CutPolygons::place);
+    entry.argument(text("name").help("name of the set"), &CutPolygons::set);
     entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutPolygons::id,
                   "joint set number of the faces; the next free one if not given");
     entry.action(
         {"join"}, [](CutPolygons& command) { command.join = true; }, "the pieces of a block remain one body");
     entry.range(&CutPolygons::range);
-    return entry;
-}
-
-CommandSpec cut_geometry() {
-    auto entry = cut_line("geometry", false);
-    entry.help("cuts visible blocks by the plane of each polygon of a set, where the polygon passes through the block");
     entry.right("cut geometry 'fault'").right("cut geometry 'fault' id 7 join range z 0 1");
     entry.wrong("cut geometry", "a word is missing after 'geometry'");
     entry.wrong("cut geometry 'fault' di 7", "'di' is not a keyword of cut geometry");
@@ -106,11 +98,35 @@ CommandSpec cut_geometry() {
 }
 
 CommandSpec cut_fractures() {
-    auto entry = cut_line("dfn", true);
-    entry.help(
-        "cuts visible blocks by the plane of each fracture of a network, where the disc passes through the block");
-    entry.right("cut dfn 'faults'");
+    Entry<CutFractures> entry({"cut"}, {"dfn"});
+    entry.help("cuts visible blocks by each fracture of a network that passes through them, over the whole block or up "
+               "to the rim of the fracture");
+    entry.place(&CutFractures::place);
+    entry.argument(text("name").help("name of the network"), &CutFractures::network);
+    entry.action(
+        {"limited"}, [](CutFractures& command) { command.limited = true; },
+        "the cut ends with the fracture; the rock beyond stays one body");
+    entry.keyword(
+        {"sides"}, integer("n").at_least(3).at_most(64), &CutFractures::sides,
+        "of the regular polygon, equal in area, that stands for a disc which ends in a block; 12 if not given");
+    entry.keyword({Spelling{"persistence", 1}}, real("p").at_least(0).at_most(1), &CutFractures::persistence,
+                  "probability that a block on a fracture is cut, 1 if not given");
+    entry.keyword(
+        {"tolerance"}, real("distance").unit("length").at_least(0), &CutFractures::tolerance,
+        "a block is not cut where that would leave an edge shorter than this, or a corner nearer to the cut; 0 if not given");
+    entry.keyword({"seed"}, integer("n").at_least(0).at_most(1e9), &CutFractures::seed,
+                  "of persistence: another choice of blocks");
+    entry.keyword(
+        {"id"}, integer("n").at_least(1).at_most(1e9), &CutFractures::id,
+        "joint set number of the first fracture, the next fracture has the next number; numbers that are free if not given");
+    entry.action(
+        {"join"}, [](CutFractures& command) { command.join = true; }, "the pieces of a block remain one body");
+    entry.range(&CutFractures::range);
+    entry.right("cut dfn 'faults'").right("cut dfn 'faults' limited sides 8 tolerance 0.01");
+    entry.right("cut dfn 'faults' persistence 0.7 seed 3 id 20 join range z 0 1");
     entry.wrong("cut dfn", "a word is missing after 'dfn'");
+    entry.wrong("cut dfn 'faults' limited sides 2", "sides must be at least 3, not 2");
+    entry.wrong("cut dfn 'faults' persistence 2", "persistence must be at most 1, not 2");
     return entry;
 }
 

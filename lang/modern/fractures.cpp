@@ -6,11 +6,19 @@ namespace kaya::lang {
 
 namespace {
 
+template <class Command> void add_choice(Leaf<Command>& leaf) {
+    leaf.word("dfn", "dfn").word("ids", "ids").word("sizes", "sizes").word("of-group", "of-group");
+}
+template <class Command> void add_group(Leaf<Command>& leaf) {
+    leaf.word("group", "group").word("dominance|dfn-dominance", "dominance");
+}
+
 CommandSpec create_fracture() {
     Leaf<FractureCommand> leaf("fracture create", "fracture create");
     leaf.word("position", "position").word("dip", "dip").word("dip-direction", "dip-direction");
     leaf.word("size", "size").word("dfn", "dfn");
-    leaf.not_yet({"group", "dominance", "dfn-dominance", "intersection-set"}, "groups and ranks of fractures");
+    add_group(leaf);
+    leaf.not_yet({"intersection-set"}, "sets of intersections");
     leaf.no_effect("skip-errors", "accepted, without effect");
     leaf.right("fracture create position 0.5 0.5 0.5 dip 30 dip-direction 90 size 4 dfn 'faults'",
                "fracture create position 0.5 0.5 0.5 dip 30 dd 90 size 4 dfn faults");
@@ -19,11 +27,60 @@ CommandSpec create_fracture() {
 }
 
 CommandSpec delete_fractures() {
-    Leaf<FractureCommand> leaf("fracture delete", "fracture delete");
-    leaf.word("dfn", "dfn");
-    leaf.not_yet({"range"}, "parts of a network");
+    Leaf<FractureChange> leaf("fracture delete", "fracture delete");
+    add_choice(leaf);
+    leaf.word("outside", "outside").word("share", "share").word("seed", "seed");
+    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
     leaf.right("fracture delete dfn 'faults'", "fracture delete dfn faults");
     leaf.wrong("fracture delete dnf 'faults'", "'dnf' is not a keyword of fracture delete");
+    return leaf;
+}
+
+CommandSpec copy_fractures() {
+    Leaf<FractureChange> leaf("fracture copy", "fracture copy");
+    add_choice(leaf);
+    leaf.word("from-dfn", "from-dfn").word("to-dfn", "to-dfn").checks_of_meaning();
+    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+    leaf.right("fracture copy from-dfn 'faults' to-dfn 'all'", "fracture copy from-dfn faults to-dfn all");
+    leaf.wrong("fracture copy", "the network of the copies is missing");
+    return leaf;
+}
+
+CommandSpec truncate_fractures() {
+    Leaf<FractureChange> leaf("fracture truncate", "fracture truncate");
+    add_choice(leaf);
+    leaf.word("box", "box").word("sides", "sides");
+    leaf.right("fracture truncate box 0 10 0 10 0 10", "fracture truncate box 0 10 0 10 0 10");
+    leaf.wrong("fracture truncate bxo 0", "'bxo' is not a keyword of fracture truncate");
+    return leaf;
+}
+
+CommandSpec group_fractures() {
+    Leaf<FractureChange> leaf("fracture group", "fracture group");
+    leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove");
+    add_choice(leaf);
+    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+    leaf.right("fracture group 'large' slot 'size' sizes 5 100", "fracture group large slot size sizes 5 100");
+    leaf.wrong("fracture group", "a word is missing after 'group'");
+    return leaf;
+}
+
+CommandSpec cluster_fractures() {
+    Leaf<FractureChange> leaf("fracture cluster", "fracture cluster");
+    leaf.word("group-slot", "group-slot");
+    add_choice(leaf);
+    leaf.not_yet({"intersection-set"}, "sets of intersections");
+    leaf.right("fracture cluster group-slot 'net'", "fracture cluster group-slot net");
+    leaf.wrong("fracture cluster gruop-slot 'net'", "'gruop-slot' is not a keyword of fracture cluster");
+    return leaf;
+}
+
+CommandSpec intersect_fractures() {
+    Leaf<FractureMeasure> leaf("fracture intersections compute", "fracture intersections compute");
+    add_choice(leaf);
+    leaf.not_yet({"with-geometry", "intersection-set", "group-slot"}, "sets of intersections");
+    leaf.right("fracture intersections compute", "fracture intersections compute");
+    leaf.wrong("fracture intersections compute dnf 'a'", "'dnf' is not a keyword of fracture intersections compute");
     return leaf;
 }
 
@@ -51,8 +108,8 @@ CommandSpec generate_fractures() {
     leaf.word("template", "template").word("dfn", "dfn").word("fracture-count", "fracture-count");
     leaf.word("mass-density", "mass-density").word("p10", "p10").word("begin", "begin").word("end", "end");
     leaf.word("generation-box", "generation-box").word("seed", "seed").checks_of_meaning();
+    add_group(leaf);
     leaf.not_yet({"percolation", "connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
-    leaf.not_yet({"dfn-dominance"}, "ranks of networks");
     leaf.right("fracture generate template 'a' dfn 'faults' mass-density 0.5 generation-box 0 10 0 10 0 10",
                "fracture generate template a dfn faults mass-density 0.5 generation-box 0 10 0 10 0 10");
     leaf.wrong("fracture generate dfn 'faults'", "nothing says how many fractures are wanted");
@@ -61,10 +118,11 @@ CommandSpec generate_fractures() {
 
 CommandSpec import_fractures() {
     Leaf<FractureImport> leaf("fracture import", "fracture import");
-    leaf.word("from-file", "from-file").word("dfn", "dfn").checks_of_meaning();
-    leaf.not_yet({"from-geometry", "format", "center", "clean", "offset", "make-disk", "make-planar", "truncate",
-                  "dominance", "property-file", "template-file", "skip-errors"},
-                 "other files of fractures");
+    leaf.word("from-file", "from-file").word("format", "format").word("dfn", "dfn").checks_of_meaning();
+    add_group(leaf);
+    leaf.not_yet({"from-geometry", "center", "clean", "offset", "make-disk", "make-planar", "truncate", "property-file",
+                  "template-file", "skip-errors"},
+                 "changes of fractures that are read");
     leaf.right("fracture import from-file 'faults.txt' dfn 'faults'",
                "fracture import from-file faults.txt dfn faults");
     leaf.wrong("fracture import", "a file is missing");
@@ -74,9 +132,12 @@ CommandSpec import_fractures() {
 CommandSpec measure_fractures() {
     Leaf<FractureMeasure> leaf("fracture compute", "fracture compute");
     leaf.word("p10", "p10").word("mass-density", "mass-density").word("center-density", "center-density");
-    leaf.word("begin", "begin").word("end", "end").word("box", "box").word("dfn", "dfn").checks_of_meaning();
-    leaf.not_yet({"average-trace-length", "percolation", "trace-center-density", "trace-mass-density"},
-                 "measures of traces");
+    leaf.word("trace-mass-density", "trace-mass-density").word("trace-center-density", "trace-center-density");
+    leaf.word("average-trace-length", "average-trace-length");
+    leaf.word("begin", "begin").word("end", "end").word("box", "box").checks_of_meaning();
+    add_choice(leaf);
+    leaf.not_yet({"percolation"}, "ends of clusters: write fracture cluster");
+    leaf.right("fracture compute trace-mass-density 'wall'", "fracture compute trace-mass-density wall");
     leaf.right("fracture compute p10 begin 0 0 0 end 0 0 10", "fracture compute p10 begin 0 0 0 end 0 0 10");
     leaf.wrong("fracture compute", "nothing says what is measured");
     return leaf;
@@ -84,9 +145,9 @@ CommandSpec measure_fractures() {
 
 CommandSpec list_fractures() {
     Leaf<FractureMeasure> leaf("fracture list", "fracture list");
-    leaf.word("dfn", "dfn");
-    leaf.not_yet({"attribute", "extra", "group", "intersection", "position", "property"},
-                 "columns of lists of fractures");
+    leaf.word("intersection", "intersection");
+    add_choice(leaf);
+    leaf.not_yet({"attribute", "extra", "group", "position", "property"}, "columns of lists of fractures");
     leaf.right("fracture list", "fracture list");
     leaf.wrong("fracture list dnf 'a'", "'dnf' is not a keyword of fracture list");
     return leaf;
@@ -97,8 +158,9 @@ CommandSpec list_fractures() {
 Family fracture_family() {
     return {"fracture",
             "networks of fractures",
-            {create_fracture(), delete_fractures(), make_template(), delete_template(), generate_fractures(),
-             import_fractures(), measure_fractures(), list_fractures()}};
+            {create_fracture(), delete_fractures(), copy_fractures(), truncate_fractures(), group_fractures(),
+             cluster_fractures(), make_template(), delete_template(), generate_fractures(), import_fractures(),
+             measure_fractures(), intersect_fractures(), list_fractures()}};
 }
 
 } // namespace kaya::lang

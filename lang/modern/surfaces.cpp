@@ -52,9 +52,11 @@ CommandSpec cut_geometry() {
 }
 
 CommandSpec cut_fractures() {
-    Leaf<CutPolygons> leaf("block cut dfn name", "cut dfn");
-    leaf.arguments_of_meaning().ranged(&CutPolygons::range);
+    Leaf<CutFractures> leaf("block cut dfn name", "cut dfn");
+    leaf.arguments_of_meaning().word("limited", "limited").word("sides", "sides").word("persistence", "persistence");
+    leaf.word("tolerance", "tolerance").word("seed", "seed").ranged(&CutFractures::range);
     leaf.right("block cut dfn name 'faults'", "cut dfn faults");
+    leaf.right("block cut dfn name 'faults' limited sides 8", "cut dfn faults limited sides 8");
     leaf.wrong("block cut dfn name", "a word is missing after 'name'");
     return leaf;
 }

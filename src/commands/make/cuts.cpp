@@ -8,6 +8,7 @@
 #include "commands/session/plausible.hpp"
 
 #include "base/lower_case.hpp"
+#include "geometry/fractures/fracture_cuts.hpp"
 #include "geometry/surface/block_cuts.hpp"
 #include "geometry/ground/ground_cuts.hpp"
 #include "mechanics/assign/contact_properties.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <set>
 
 namespace kaya {
@@ -27,10 +29,13 @@ namespace {
 /// Pieces thinner than this part of the model's size are not made.
 constexpr double thinnest_part = 1e-6;
 
-/// The first number that no face carries.
-int next_joint_set(const Model& model) {
-    const auto& sets = model.faces.joint_set;
-    return sets.empty() ? 1 : 1 + std::max(0, *std::max_element(sets.begin(), sets.end()));
+/// The first number above those of faces and of fractures.
+int next_joint_set(const Session& session) {
+    int last = 0;
+    for (const int set : session.engine.model.faces.joint_set) last = std::max(last, set);
+    for (const auto& [name, fractures] : session.deck.surface_sets.networks)
+        for (const Fracture& fracture : fractures) last = std::max(last, fracture.joint_set);
+    return last + 1;
 }
 
 /// "1 block", "2 blocks".
@@ -67,6 +72,15 @@ std::string too_thin(const CutBlocks& cut, double thinnest) {
                        counted(cut.slivers, "cut was", "cuts were"), thinnest);
 }
 
+/// Warns that none of the blocks was cut.
+void nothing_cut(Session& session, const char* by, const CutBlocks& cut, double thinnest, double tolerance,
+                 const Place& place) {
+    session.warn(Diagnostic(fmt::format("no block was cut by this {}", by), cut.corners > 0   ? too_near(cut, tolerance)
+                                                                            : cut.slivers > 0 ? too_thin(cut, thinnest)
+                                                                                              : "look at its place")
+                     .at(place));
+}
+
 /// Replaces blocks by their pieces and reports it in one line. Returns the row of each piece.
 std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
                        const std::string& by, double tolerance = 0) {
@@ -99,21 +113,51 @@ void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pie
     join_pairs(model, pairs);
 }
 
-/// Those of a set, or the discs of a network.
-std::vector<CuttingPolygon> polygons_of(const SurfaceSets& sets, const lang::CutPolygons& command) {
-    const std::string name = lower_case(command.set);
-    std::vector<CuttingPolygon> polygons;
-    if (command.fractures) {
-        for (const Disc& disc : network_named(sets, name, command.place))
-            polygons.push_back({rim_of(disc), {normal_of(disc), disc.centre}});
-        return polygons;
-    }
-    const auto found = sets.surfaces.find(name);
+std::vector<CuttingPolygon> polygons_of(const SurfaceSets& sets, const std::string& name) {
+    const auto found = sets.surfaces.find(lower_case(name));
     if (found == sets.surfaces.end())
-        throw Diagnostic(fmt::format("there is no set of surfaces named '{}'", command.set),
+        throw Diagnostic(fmt::format("there is no set of surfaces named '{}'", name),
                          "make it before: geometry set 'name', geometry import 'file'");
+    std::vector<CuttingPolygon> polygons;
     for (const auto& polygon : found->second) polygons.push_back(cutting_polygon(polygon, polygons.size()));
     return polygons;
+}
+
+/// Gives each fracture of a network its joint set: the one that it has, or numbers from the given or the next free one.
+void number_joint_sets(Network& network, const lang::CutFractures& command, int next) {
+    std::int64_t number = command.id.value_or(next);
+    for (Fracture& fracture : network) {
+        if (!command.id && fracture.joint_set != 0) continue;
+        if (number > std::numeric_limits<std::int32_t>::max())
+            throw Diagnostic(fmt::format("there is no joint set number {}", number), "give a smaller id");
+        fracture.joint_set = static_cast<std::int32_t>(number++);
+    }
+}
+
+/// In the order in which they cut.
+Network by_dominance(Network fractures) {
+    std::ranges::stable_sort(fractures, {}, &Fracture::dominance);
+    return fractures;
+}
+
+/// Closes the faces of the block that a fracture has opened.
+void close_faces(Model& model, Row block) {
+    for (Row f = model.blocks.faces[block].first; f < model.blocks.faces[block].end(); ++f) model.faces.open[f] = 0;
+}
+
+/// Joins the pieces of each block where their common face is not open. Pieces without a body have joints on all sides.
+void join_beyond(Model& model, const CutBlocks& cut, const std::vector<Row>& pieces) {
+    std::vector<std::pair<Row, Row>> pairs;
+    for (std::size_t i = 0; i < pieces.size();) {
+        std::vector<Row> of_parent;
+        const int parent = cut.pieces[i].parent;
+        for (; i < pieces.size() && cut.pieces[i].parent == parent; ++i) of_parent.push_back(pieces[i]);
+        const auto more = adjacent_pairs(model, of_parent);
+        pairs.insert(pairs.end(), more.begin(), more.end());
+    }
+    join_pairs(model, pairs);
+    for (const Row piece : pieces)
+        if (model.blocks.body[piece] == 0) close_faces(model, piece);
 }
 
 } // namespace
@@ -135,7 +179,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         set.origin = command.origin;
         set.persistence = command.persistence;
         set.tolerance = command.tolerance;
-        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session.engine.model);
+        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
         set.seed = static_cast<std::uint64_t>(command.seed);
         const double thinnest = thinnest_part * model_size(session.engine.model);
         if (set.number > 1 && set.spacing < thinnest)
@@ -166,7 +210,7 @@ void run(Session& session, const lang::TunnelCommand& command) {
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
         const double thinnest = thinnest_part * model_size(session.engine.model);
-        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session.engine.model)};
+        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session)};
         LongWork work(session, "tunnel");
         const TunnelCut cut = cut_tunnel(shapes_of(session.engine.model, rows), outline, thinnest, std::ref(work));
         const std::vector<Row> pieces =
@@ -193,7 +237,7 @@ void run(Session& session, const lang::CutGround& command) {
     try {
         Model& model = session.engine.model;
         const double thinnest = thinnest_part * model_size(model);
-        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
+        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
         LongWork work(session, "cut ground");
         const GroundCut cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
@@ -222,25 +266,52 @@ void run(Session& session, const lang::CutGround& command) {
 }
 
 void run(Session& session, const lang::CutPolygons& command) {
-    const char* what = command.fractures ? "network of fractures" : "set of surfaces";
     try {
-        const std::vector<CuttingPolygon> polygons = polygons_of(session.deck.surface_sets, command);
+        const std::vector<CuttingPolygon> polygons = polygons_of(session.deck.surface_sets, command.set);
         const std::vector<Row> rows =
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
         Model& model = session.engine.model;
         const double thinnest = thinnest_part * model_size(model);
-        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(model);
-        const std::string name =
-            fmt::format("{} {}, joint set {}", command.fractures ? "dfn" : "geometry", command.set, id);
+        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        const std::string name = fmt::format("geometry {}, joint set {}", command.set, id);
         LongWork work(session, name);
         const CutBlocks cut = cut_by_polygons(shapes_of(model, rows), polygons, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut, thinnest, name);
         if (command.join) join_pieces(model, cut, pieces);
-        if (cut.parents.empty())
-            session.warn(Diagnostic(fmt::format("no block was cut by this {}", what),
-                                    cut.slivers > 0 ? too_thin(cut, thinnest) : "look at its place")
-                             .at(command.place));
+        if (cut.parents.empty()) nothing_cut(session, "set of surfaces", cut, thinnest, 0, command.place);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::CutFractures& command) {
+    try {
+        SurfaceSets& sets = session.deck.surface_sets;
+        Network& network = network_named(sets, lower_case(command.network), command.place);
+        const std::vector<Row> rows =
+            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        if (rows.empty()) return;
+        Model& model = session.engine.model;
+        const double thinnest = thinnest_part * model_size(model);
+        number_joint_sets(network, command, next_joint_set(session));
+        const FractureCutting how{.limited = command.limited,
+                                  .sides = static_cast<int>(command.sides),
+                                  .persistence = command.persistence,
+                                  .seed = static_cast<std::uint64_t>(command.seed),
+                                  .thinnest = thinnest,
+                                  .nearest = command.tolerance};
+        const std::string name = fmt::format("dfn {}", command.network);
+        LongWork work(session, name);
+        const FractureCuts cut = cut_by_fractures(shapes_of(model, rows), by_dominance(network), how, std::ref(work));
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, name, how.nearest);
+        if (command.join) join_pieces(model, cut.blocks, pieces);
+        else if (command.limited) join_beyond(model, cut.blocks, pieces);
+        session.program.output.say(fmt::format("{}: area of fractures in these blocks {:.9g}, of joints {:.9g}", name,
+                                               cut.of_fractures, cut.of_joints));
+        if (cut.blocks.parents.empty())
+            nothing_cut(session, "network of fractures", cut.blocks, thinnest, how.nearest, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -299,15 +370,21 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
 void run(Session& session, const lang::Join& command) {
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
-    if (command.on) return join(session, adjacent_pairs(session.engine.model, rows), command.place);
+    if (command.on) {
+        for (const Row row : rows) close_faces(session.engine.model, row);
+        return join(session, adjacent_pairs(session.engine.model, rows), command.place);
+    }
     unjoin(session.engine.model, rows);
 }
 
 void run(Session& session, const lang::JoinContact& command) {
     std::vector<std::pair<Row, Row>> pairs;
     const auto& contacts = session.engine.model.contacts;
-    for (const Row contact : session.pick(ObjectKind::contact, command.range))
+    for (const Row contact : session.pick(ObjectKind::contact, command.range)) {
         pairs.emplace_back(contacts.block1[contact], contacts.block2[contact]);
+        for (const Row face : {contacts.face1[contact], contacts.face2[contact]})
+            if (face != no_row) session.engine.model.faces.open[face] = 0;
+    }
     if (!pairs.empty()) join(session, pairs, command.place);
 }
 

@@ -1,41 +1,22 @@
-// fracture: networks of discs, made one by one, drawn from laws, read from files, measured.
+// fracture create|template|generate|import: networks of fractures, made one by one, drawn from laws, read from files.
 #include "commands/make/networks.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/long_work.hpp"
 
 #include "base/lower_case.hpp"
 #include "geometry/fractures/growth.hpp"
-#include "geometry/polyhedra/box_pairs.hpp"
-#include "geometry/read/read_discs.hpp"
+#include "geometry/read/read_fractures.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <limits>
+#include <utility>
 
 namespace kaya {
 
 namespace {
-
-/// The box of six bounds, or that around the model.
-Box box_of(const Session& session, const std::optional<std::array<double, 6>>& bounds, const char* word,
-           const Place& place) {
-    if (!bounds) {
-        if (session.engine.model.gridpoints.position.empty())
-            throw Diagnostic("there are no blocks whose box could be taken",
-                             fmt::format("make blocks before, or write: {} x1 x2 y1 y2 z1 z2", word))
-                .at(place);
-        return box_around(
-            {session.engine.model.gridpoints.position.begin(), session.engine.model.gridpoints.position.end()});
-    }
-    const auto& b = *bounds;
-    const Box box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
-    if (!((box.high - box.low).minCoeff() > 0))
-        throw Diagnostic(fmt::format("the bounds of {} are not in order", word),
-                         "write: x1 x2 y1 y2 z1 z2, the least first")
-            .at(place);
-    return box;
-}
 
 FractureLaw law_of(const lang::FractureTemplate& command) {
     FractureLaw law;
@@ -75,7 +56,7 @@ const FractureLaw& law_named(const SurfaceSets& sets, const std::string& name, c
 
 Growth growth_of(const Session& session, const lang::FractureGenerate& command) {
     Growth growth;
-    const Box box = box_of(session, command.box, "generation-box", command.place);
+    const Box box = box_given(session, command.box, "generation-box", command.place);
     growth.low = box.low;
     growth.high = box.high;
     if (command.count) growth.target = static_cast<double>(*command.count);
@@ -92,58 +73,35 @@ Growth growth_of(const Session& session, const lang::FractureGenerate& command) 
     return growth;
 }
 
-std::string sizes_text(const std::vector<Disc>& discs) {
-    if (discs.empty()) return "none";
-    double least = discs.front().diameter, greatest = least, sum = 0;
-    for (const Disc& disc : discs) {
+const Disc& disc_of(const Disc& disc) { return disc; }
+const Disc& disc_of(const Fracture& fracture) { return fracture.disc; }
+
+/// Of discs, or of fractures.
+template <class Fractures> std::string sizes_text(const Fractures& fractures) {
+    if (fractures.empty()) return "none";
+    double least = std::numeric_limits<double>::infinity(), greatest = 0, sum = 0;
+    for (const auto& fracture : fractures) {
+        const Disc& disc = disc_of(fracture);
         least = std::min(least, disc.diameter);
         greatest = std::max(greatest, disc.diameter);
         sum += disc.diameter;
     }
     return fmt::format("diameters {:.3g} to {:.3g}, mean {:.3g}", least, greatest,
-                       sum / static_cast<double>(discs.size()));
+                       sum / static_cast<double>(fractures.size()));
 }
 
-/// Discs of one network, or of all.
-std::vector<Disc> discs_of(const SurfaceSets& sets, const std::optional<std::string>& network, const Place& place) {
-    if (network) return network_named(sets, lower_case(*network), place);
-    std::vector<Disc> all;
-    for (const auto& [name, discs] : sets.networks) all.insert(all.end(), discs.begin(), discs.end());
-    return all;
-}
-
-std::string table_of(const std::vector<Disc>& discs) {
-    constexpr std::size_t longest_table = 100;
-    std::string text =
-        fmt::format("{:>6} {:>12} {:>12} {:>12} {:>8} {:>8} {:>12}", "number", "x", "y", "z", "dip", "dd", "size");
-    for (std::size_t i = 0; i < std::min(discs.size(), longest_table); ++i) {
-        const Disc& d = discs[i];
-        text += fmt::format("\n{:>6} {:>12.6g} {:>12.6g} {:>12.6g} {:>8.4g} {:>8.4g} {:>12.6g}", i + 1, d.centre.x(),
-                            d.centre.y(), d.centre.z(), d.dip, d.dip_direction, d.diameter);
-    }
-    if (discs.size() > longest_table) text += fmt::format("\n... and {} more fractures", discs.size() - longest_table);
-    return text;
+/// The group and the rank of new fractures.
+template <class Command> void given_to(Fracture& fracture, const Command& command) {
+    fracture.dominance = static_cast<std::int32_t>(command.dominance);
+    if (!command.group.empty()) set_group(fracture, command.group);
 }
 
 } // namespace
 
-const std::vector<Disc>& network_named(const SurfaceSets& sets, const std::string& name, const Place& place) {
-    const auto found = sets.networks.find(name);
-    if (found != sets.networks.end()) return found->second;
-    throw Diagnostic(fmt::format("there is no network of fractures named '{}'", name),
-                     "make it before: fracture create dfn 'name' ...")
-        .at(place);
-}
-
 void run(Session& session, const lang::FractureCommand& command) {
-    auto& networks = session.deck.surface_sets.networks;
-    const std::string name = lower_case(command.network);
-    if (!command.remove) {
-        networks[name].push_back({command.position, command.dip, command.dip_direction, command.size});
-        return;
-    }
-    network_named(session.deck.surface_sets, name, command.place);
-    networks.erase(name);
+    Fracture fracture{{command.position, command.dip, command.dip_direction, command.size}};
+    given_to(fracture, command);
+    add_fracture(session.deck.surface_sets, lower_case(command.network), std::move(fracture));
 }
 
 void run(Session& session, const lang::FractureTemplate& command) {
@@ -175,8 +133,12 @@ void run(Session& session, const lang::FractureGenerate& command) {
         LongWork work(session, "fractures");
         const std::vector<Disc> drawn =
             grow(law, growth, Random(static_cast<std::uint64_t>(command.seed), before), std::ref(work));
-        auto& network = sets.networks[lower_case(command.network)];
-        network.insert(network.end(), drawn.begin(), drawn.end());
+        const std::string network = lower_case(command.network);
+        for (const Disc& disc : drawn) {
+            Fracture fracture{disc};
+            given_to(fracture, command);
+            add_fracture(sets, network, std::move(fracture));
+        }
         session.program.output.say(fmt::format("fractures: {} made, {}; {:.4g} of area per volume of the box",
                                                drawn.size(), sizes_text(drawn), p32(drawn, growth.low, growth.high)));
     } catch (Diagnostic& mistake) {
@@ -189,37 +151,17 @@ void run(Session& session, const lang::FractureImport& command) {
     try {
         const auto text = file_text(session.input_file(command.file));
         if (!text) throw Diagnostic(fmt::format("the file '{}' cannot be read", command.file), "look at its name");
-        const std::vector<Disc> discs = read_discs(*text, command.file);
-        auto& network = session.deck.surface_sets.networks[lower_case(command.network)];
-        network.insert(network.end(), discs.begin(), discs.end());
-        session.program.output.say(fmt::format("fractures: {} read, {}", discs.size(), sizes_text(discs)));
+        std::vector<Fracture> read = read_fractures(*text, command.file, static_cast<FractureFormat>(command.format));
+        session.program.output.say(fmt::format("fractures: {} read, {}", read.size(), sizes_text(read)));
+        const std::string network = lower_case(command.network);
+        for (Fracture& fracture : read) {
+            given_to(fracture, command);
+            add_fracture(session.deck.surface_sets, network, std::move(fracture));
+        }
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
     }
-}
-
-void run(Session& session, const lang::FractureMeasure& command) {
-    using enum lang::FractureMeasure::What;
-    const std::vector<Disc> discs = discs_of(session.deck.surface_sets, command.network, command.place);
-    if (command.what == list) {
-        session.program.output.print(table_of(discs));
-        return;
-    }
-    if (command.what == crossings) {
-        session.program.output.print(fmt::format("p10 = {:.9g}", p10(discs, command.line[0], command.line[1])));
-        return;
-    }
-    const Box box = box_of(session, command.box, "box", command.place);
-    if (command.what == area) {
-        session.program.output.print(fmt::format("p32 = {:.9g}", p32(discs, box.low, box.high)));
-        return;
-    }
-    const auto inside = std::ranges::count_if(discs, [&](const Disc& d) {
-        return (d.centre - box.low).minCoeff() >= 0 && (box.high - d.centre).minCoeff() >= 0;
-    });
-    session.program.output.print(
-        fmt::format("center density = {:.9g}", static_cast<double>(inside) / (box.high - box.low).prod()));
 }
 
 void add_handlers(HandlerTable& table, lang::FractureCommands list) { fill(table, list); }

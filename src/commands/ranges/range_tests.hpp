@@ -80,8 +80,8 @@ template <class Passes> RangeTest on_place(const RangeContext& context, Passes p
 /// Throws when the command does not act on contacts or sub-contacts.
 void needs_contacts(const lang::RangeElement& e, const RangeContext& context, const char* word, const char* hint = "");
 
-/// The test of a kind of element. range_shapes.cpp has the spatial ones, range_blocks.cpp those of blocks, bodies and joints, ranges.cpp
-/// the others.
+/// The test of a kind of element. range_shapes.cpp has the spatial ones, range_blocks.cpp those of blocks, bodies and joints,
+/// range_fractures.cpp those of fractures, ranges.cpp the others.
 struct RangeEntry {
     lang::RangeElement::Kind kind;
     RangeTest (*test)(const lang::RangeElement& e, RangeContext& context);
@@ -89,5 +89,6 @@ struct RangeEntry {
 std::span<const RangeEntry> tests_of_places(); ///< these need only a place
 std::span<const RangeEntry> tests_of_faces();  ///< orientation
 std::span<const RangeEntry> tests_of_blocks();
+std::span<const RangeEntry> tests_of_fractures();
 
 } // namespace kaya

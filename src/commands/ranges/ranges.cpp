@@ -239,8 +239,8 @@ constexpr std::array other_tests{
 
 RangeTest element_test(const RangeElement& e, RangeContext& context) {
     if (!e.numbers.empty() && e.kind != Kind::id_list) return by_any_number(e, context);
-    for (const auto entries :
-         {tests_of_places(), tests_of_faces(), tests_of_blocks(), std::span<const RangeEntry>(other_tests)})
+    for (const auto entries : {tests_of_places(), tests_of_faces(), tests_of_blocks(), tests_of_fractures(),
+                               std::span<const RangeEntry>(other_tests)})
         for (const RangeEntry& entry : entries)
             if (entry.kind == e.kind) return entry.test(e, context);
     throw std::logic_error("a range element of no known kind");

@@ -21,7 +21,8 @@ struct RangeExtras {
     const JointRegistry* joints = nullptr;                 ///< for states of joint models
     std::function<Ground(const std::string&)> ground = {}; ///< reads the file of a ground surface
     std::function<const PolygonSet*(const std::string&)> surfaces =
-        {};                 ///< a set of `geometry set`; null: there is none
+        {}; ///< a set of `geometry set`; null: there is none
+    std::function<const std::map<std::string, Network>&()> networks = {}; ///< of fractures
     bool excavated = false; ///< the model is that of the blocks that fill can put back
 };
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <utility>
 
 namespace kaya {
 
@@ -45,12 +47,28 @@ std::string text_of(const std::map<std::string, PolygonSet>& sets) {
 }
 
 /// A disc stands where a set has the corners of a polygon, behind a count of none.
-std::string text_of(const std::map<std::string, std::vector<Disc>>& networks) {
+std::string text_of(const std::map<std::string, Network>& networks) {
     std::string text = fmt::format("{}\n", networks.size());
-    for (const auto& [name, discs] : networks) {
-        text += fmt::format("{} {}\n", name_text(name), discs.size());
-        for (const Disc& disc : discs) text += "0" + text_of(numbers_of(disc));
+    for (const auto& [name, fractures] : networks) {
+        text += fmt::format("{} {}\n", name_text(name), fractures.size());
+        for (const Fracture& fracture : fractures) text += "0" + text_of(numbers_of(fracture.disc));
     }
+    return text;
+}
+
+/// What fractures have beside their discs, in the order of the networks.
+std::string details_text(const SurfaceSets& sets) {
+    std::string text = fmt::format("{}\n", sets.next_fracture);
+    for (const auto& [name, fractures] : sets.networks)
+        for (const Fracture& fracture : fractures) {
+            text += fmt::format("{} {} {} {}", fracture.id, fracture.dominance, fracture.joint_set,
+                                fracture.corners.size());
+            for (const Vec3& corner : fracture.corners)
+                text += fmt::format(" {:a} {:a} {:a}", corner[0], corner[1], corner[2]);
+            text += fmt::format(" {}", fracture.groups.size());
+            for (const std::string& group : fracture.groups) text += ' ' + name_text(group);
+            text += '\n';
+        }
     return text;
 }
 
@@ -104,21 +122,37 @@ Disc disc_of_rim(SavedText& text, const std::vector<Vec3>& rim) {
     return disc;
 }
 
-std::map<std::string, std::vector<Disc>> read_networks(SavedText& text) {
-    std::map<std::string, std::vector<Disc>> networks;
+std::map<std::string, Network> read_networks(SavedText& text) {
+    std::map<std::string, Network> networks;
     for (std::size_t left = text.count(); left > 0; --left) {
-        std::vector<Disc>& discs = networks[text.name()];
+        Network& fractures = networks[text.name()];
         for (std::size_t more = text.count(); more > 0; --more) {
             if (const std::size_t corners = text.count(); corners > 0) {
-                discs.push_back(disc_of_rim(text, read_corners(text, corners)));
+                fractures.push_back({disc_of_rim(text, read_corners(text, corners))});
                 continue;
             }
-            Disc& disc = discs.emplace_back();
+            Disc& disc = fractures.emplace_back().disc;
             for (double* number : numbers_of(disc)) *number = finite(text);
             if (!(disc.diameter > 0)) text.refuse();
         }
     }
     return networks;
+}
+
+void read_details(SavedText& text, SurfaceSets& sets) {
+    sets.next_fracture = text.whole(1);
+    for (auto& [name, fractures] : sets.networks)
+        for (Fracture& fracture : fractures) {
+            fracture.id = text.whole(1, sets.next_fracture - 1);
+            constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+            fracture.dominance = static_cast<std::int32_t>(text.whole(0, most));
+            fracture.joint_set = static_cast<std::int32_t>(text.whole(0, most));
+            if (const std::size_t corners = text.count(); corners > 0) {
+                if (corners < 3) text.refuse();
+                fracture.corners = read_corners(text, corners);
+            }
+            for (std::size_t left = text.count(); left > 0; --left) fracture.groups.push_back(text.name());
+        }
 }
 
 std::map<std::string, FractureLaw> read_laws(SavedText& text) {
@@ -137,9 +171,14 @@ std::map<std::string, FractureLaw> read_laws(SavedText& text) {
 
 } // namespace
 
+Fracture& add_fracture(SurfaceSets& sets, const std::string& network, Fracture fracture) {
+    fracture.id = sets.next_fracture++;
+    return sets.networks[network].emplace_back(std::move(fracture));
+}
+
 std::string surfaces_text(const SurfaceSets& sets) {
     return text_of(sets.surfaces) + text_of(sets.networks) + name_text(sets.current) + '\n' + text_of(sets.laws) +
-           name_text(sets.last_law) + '\n';
+           name_text(sets.last_law) + '\n' + details_text(sets);
 }
 
 SurfaceSets surfaces_from_text(const std::string& saved) {
@@ -148,9 +187,12 @@ SurfaceSets surfaces_from_text(const std::string& saved) {
     sets.surfaces = read_sets(text);
     sets.networks = read_networks(text);
     sets.current = text.name();
+    for (auto& [name, fractures] : sets.networks)
+        for (Fracture& fracture : fractures) fracture.id = sets.next_fracture++;
     if (text.at_end()) return sets; // earlier saves have no laws
     sets.laws = read_laws(text);
     sets.last_law = text.name();
+    if (!text.at_end()) read_details(text, sets); // nor ids of fractures
     return sets;
 }
 

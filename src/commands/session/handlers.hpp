@@ -36,30 +36,32 @@ template <class... Command> void fill(HandlerTable& table, lang::CommandList<Com
     ((table[lang::index_of<Command>] = handle<Command>), ...);
 }
 
-void add_handlers(HandlerTable& table, lang::ControlCommands list);      // control.cpp
-void add_handlers(HandlerTable& table, lang::FileCommands list);         // files.cpp
-void add_handlers(HandlerTable& table, lang::ShapeCommands list);        // shapes.cpp
-void add_handlers(HandlerTable& table, lang::CutCommands list);          // cuts.cpp
-void add_handlers(HandlerTable& table, lang::SurfaceCommands list);      // surfaces.cpp
-void add_handlers(HandlerTable& table, lang::FractureCommands list);     // fractures.cpp
-void add_handlers(HandlerTable& table, lang::ExchangeCommands list);     // exchange.cpp
-void add_handlers(HandlerTable& table, lang::SelectionCommands list);    // selection.cpp
-void add_handlers(HandlerTable& table, lang::GeometryCommands list);     // geometry.cpp
-void add_handlers(HandlerTable& table, lang::MaterialCommands list);     // materials.cpp
-void add_handlers(HandlerTable& table, lang::ZoneModelCommands list);    // zone_models.cpp
-void add_handlers(HandlerTable& table, lang::DensityCommands list);      // densities.cpp
-void add_handlers(HandlerTable& table, lang::NewContactCommands list);   // new_contacts.cpp
-void add_handlers(HandlerTable& table, lang::BoundaryCommands list);     // boundary.cpp
-void add_handlers(HandlerTable& table, lang::InitialStateCommands list); // initial_state.cpp
-void add_handlers(HandlerTable& table, lang::TableCommands list);        // tables.cpp
-void add_handlers(HandlerTable& table, lang::WaterCommands list);        // water.cpp
-void add_handlers(HandlerTable& table, lang::SlopeCommands list);        // limit_equilibrium.cpp
-void add_handlers(HandlerTable& table, lang::StructureCommands list);    // structures.cpp
-void add_handlers(HandlerTable& table, lang::HistoryCommands list);      // histories.cpp
-void add_handlers(HandlerTable& table, lang::ListCommands list);         // listing.cpp
-void add_handlers(HandlerTable& table, lang::PlotCommands list);         // plot.cpp
-void add_handlers(HandlerTable& table, lang::MovieCommands list);        // movie.cpp
-void add_handlers(HandlerTable& table, lang::SolutionCommands list);     // solution.cpp
-void add_handlers(HandlerTable& table, lang::ScriptCommands list);       // scripts.cpp
+void add_handlers(HandlerTable& table, lang::ControlCommands list);         // control.cpp
+void add_handlers(HandlerTable& table, lang::FileCommands list);            // files.cpp
+void add_handlers(HandlerTable& table, lang::ShapeCommands list);           // shapes.cpp
+void add_handlers(HandlerTable& table, lang::CutCommands list);             // cuts.cpp
+void add_handlers(HandlerTable& table, lang::SurfaceCommands list);         // surfaces.cpp
+void add_handlers(HandlerTable& table, lang::FractureCommands list);        // fractures.cpp
+void add_handlers(HandlerTable& table, lang::FractureChangeCommands list);  // fracture_changes.cpp
+void add_handlers(HandlerTable& table, lang::FractureMeasureCommands list); // fracture_measures.cpp
+void add_handlers(HandlerTable& table, lang::ExchangeCommands list);        // exchange.cpp
+void add_handlers(HandlerTable& table, lang::SelectionCommands list);       // selection.cpp
+void add_handlers(HandlerTable& table, lang::GeometryCommands list);        // geometry.cpp
+void add_handlers(HandlerTable& table, lang::MaterialCommands list);        // materials.cpp
+void add_handlers(HandlerTable& table, lang::ZoneModelCommands list);       // zone_models.cpp
+void add_handlers(HandlerTable& table, lang::DensityCommands list);         // densities.cpp
+void add_handlers(HandlerTable& table, lang::NewContactCommands list);      // new_contacts.cpp
+void add_handlers(HandlerTable& table, lang::BoundaryCommands list);        // boundary.cpp
+void add_handlers(HandlerTable& table, lang::InitialStateCommands list);    // initial_state.cpp
+void add_handlers(HandlerTable& table, lang::TableCommands list);           // tables.cpp
+void add_handlers(HandlerTable& table, lang::WaterCommands list);           // water.cpp
+void add_handlers(HandlerTable& table, lang::SlopeCommands list);           // limit_equilibrium.cpp
+void add_handlers(HandlerTable& table, lang::StructureCommands list);       // structures.cpp
+void add_handlers(HandlerTable& table, lang::HistoryCommands list);         // histories.cpp
+void add_handlers(HandlerTable& table, lang::ListCommands list);            // listing.cpp
+void add_handlers(HandlerTable& table, lang::PlotCommands list);            // plot.cpp
+void add_handlers(HandlerTable& table, lang::MovieCommands list);           // movie.cpp
+void add_handlers(HandlerTable& table, lang::SolutionCommands list);        // solution.cpp
+void add_handlers(HandlerTable& table, lang::ScriptCommands list);          // scripts.cpp
 
 } // namespace kaya

@@ -30,7 +30,10 @@ RangeExtras Session::range_extras(bool excavated) {
                 const auto found = deck.surface_sets.surfaces.find(name);
                 return found == deck.surface_sets.surfaces.end() ? nullptr : &found->second;
             },
-            .excavated = excavated};
+            .networks = [this]() -> const auto& {return deck.surface_sets.networks;
+}
+, .excavated = excavated
+}; // namespace kaya
 }
 
 RangeTest Session::test_of(ObjectKind kind, const lang::RangePhrase& range) {

@@ -61,20 +61,34 @@ double triangle_in_circle(const Vec2& a, const Vec2& b, double radius) {
     return area;
 }
 
+/// Of a circle around the origin and a polygon; negative clockwise.
+double common_area(const FlatPolygon& polygon, double radius) {
+    double area = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        area += triangle_in_circle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
+    return area;
+}
+
 } // namespace
 
 Vec3 normal_of(const Disc& disc) { return normal_from_dip(disc.dip, disc.dip_direction); }
 
-std::vector<Vec3> rim_of(const Disc& disc) {
-    constexpr int corners = 32;
+void set_normal(Disc& disc, Vec3 normal) {
+    constexpr double degree = std::numbers::pi / 180;
+    if (normal.z() < 0) normal = -normal;
+    disc.dip = std::acos(std::min(normal.z(), 1.0)) / degree;
+    disc.dip_direction = std::atan2(normal.x(), normal.y()) / degree;
+    if (disc.dip_direction < 0) disc.dip_direction += 360;
+}
+
+double area_within(const Disc& disc, const std::vector<Vec3>& outline) {
     const Axes axes = axes_of(disc);
-    std::vector<Vec3> rim;
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * k / corners;
-        rim.push_back(disc.centre +
-                      0.5 * disc.diameter * (std::cos(angle) * axes.along + std::sin(angle) * axes.across));
+    FlatPolygon polygon;
+    for (const Vec3& corner : outline) {
+        const Vec3 arm = corner - disc.centre;
+        polygon.emplace_back(arm.dot(axes.along), arm.dot(axes.across));
     }
-    return rim;
+    return std::abs(common_area(polygon, 0.5 * disc.diameter));
 }
 
 double area_in_box(const Disc& disc, const Vec3& low, const Vec3& high) {
@@ -88,10 +102,7 @@ double area_in_box(const Disc& disc, const Vec3& low, const Vec3& high) {
         part = cut_off(part, rise, high[k] - disc.centre[k]);
         part = cut_off(part, -rise, disc.centre[k] - low[k]);
     }
-    double area = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-        area += triangle_in_circle(part[i], part[(i + 1) % part.size()], radius);
-    return std::max(area, 0.0);
+    return std::max(common_area(part, radius), 0.0);
 }
 
 bool crosses(const Disc& disc, const Vec3& begin, const Vec3& end) {
@@ -100,17 +111,6 @@ bool crosses(const Disc& disc, const Vec3& begin, const Vec3& end) {
     if ((from < 0) == (to < 0)) return false;
     const Vec3 there = begin + from / (from - to) * (end - begin);
     return (there - disc.centre).norm() <= 0.5 * disc.diameter;
-}
-
-double p10(const std::vector<Disc>& discs, const Vec3& begin, const Vec3& end) {
-    const auto count = std::ranges::count_if(discs, [&](const Disc& disc) { return crosses(disc, begin, end); });
-    return static_cast<double>(count) / (end - begin).norm();
-}
-
-double p32(const std::vector<Disc>& discs, const Vec3& low, const Vec3& high) {
-    double area = 0;
-    for (const Disc& disc : discs) area += area_in_box(disc, low, high);
-    return area / (high - low).prod();
 }
 
 } // namespace kaya

@@ -11,8 +11,6 @@
 namespace kaya {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 /// In (0, 1].
 double above_zero(Random& random) { return 1 - random.uniform(); }
 
@@ -44,13 +42,6 @@ double fisher_cosine(double kappa, Random& random) {
     const double u = above_zero(random);
     if (kappa == 0) return 2 * u - 1;
     return 1 + std::log(u + (1 - u) * std::exp(-2 * kappa)) / kappa;
-}
-
-void set_normal(Disc& disc, Vec3 normal) {
-    if (normal.z() < 0) normal = -normal;
-    disc.dip = std::acos(std::min(normal.z(), 1.0)) / degree;
-    disc.dip_direction = std::atan2(normal.x(), normal.y()) / degree;
-    if (disc.dip_direction < 0) disc.dip_direction += 360;
 }
 
 void direct(Disc& disc, const FractureLaw& law, Random& random) {

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace kaya {
@@ -13,8 +14,8 @@ double gain(const Growth& growth, const Disc& disc) {
     using enum Growth::Until;
     switch (growth.until) {
     case count: return 1;
-    case area: return p32({disc}, growth.low, growth.high);
-    case crossings: return p10({disc}, growth.begin, growth.end);
+    case area: return p32(std::array{disc}, growth.low, growth.high);
+    case crossings: return p10(std::array{disc}, growth.begin, growth.end);
     }
     return 0;
 }

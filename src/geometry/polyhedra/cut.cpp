@@ -227,6 +227,7 @@ Cut cut_within(const Polyhedron& polyhedron, const Plane& plane, int joint_set, 
         for (CutPiece* piece : {&above, &below}) {
             Polyhedron::Face part;
             part.joint_set = face.joint_set;
+            part.open = face.open;
             part.vertices.reserve(face.vertices.size() + 2);
             clip(face, piece->sign, vertices, part.vertices);
             if (part.vertices.size() > 2) piece->faces.push_back(std::move(part));
@@ -256,6 +257,12 @@ Cut cut_within(const Polyhedron& polyhedron, const Plane& plane, int joint_set, 
 
 Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double thinnest, double nearest) {
     return cut_within(polyhedron, plane, joint_set, {thinnest, nearest, 0});
+}
+
+std::vector<Vec3> section_of(const Polyhedron& piece) {
+    std::vector<Vec3> section;
+    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
+    return section;
 }
 
 Cut cut_with_band(const Polyhedron& polyhedron, const Plane& plane, double band) {

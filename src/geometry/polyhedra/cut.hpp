@@ -31,6 +31,9 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
 /// are known to no better than that.
 Cut cut_with_band(const Polyhedron& polyhedron, const Plane& plane, double band);
 
+/// The corners of the cut on one of the pieces.
+std::vector<Vec3> section_of(const Polyhedron& piece);
+
 /// The least distance between a face and the vertex farthest from it: the thickness of a plate, the
 /// smaller side of a needle. Zero for a polyhedron without faces.
 double thickness(const Polyhedron& polyhedron);

@@ -23,6 +23,17 @@ Vec3 area_vector(const std::vector<Vec3>& polygon) {
     return 0.5 * sum;
 }
 
+std::vector<Vec3> part_below(const std::vector<Vec3>& polygon, const Plane& plane) {
+    std::vector<Vec3> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double da = plane.distance(a), db = plane.distance(b);
+        if (da <= 0) part.push_back(a);
+        if ((da < 0 && db > 0) || (da > 0 && db < 0)) part.push_back(a + da / (da - db) * (b - a));
+    }
+    return part;
+}
+
 std::vector<Vec3> common_part(std::vector<Vec3> polygon, const std::vector<Vec3>& outline, const Vec3& normal) {
     for (std::size_t i = 0; i < outline.size() && polygon.size() > 2; ++i) {
         const Vec3& from = outline[i];
@@ -42,10 +53,11 @@ std::vector<Vec3> common_part(std::vector<Vec3> polygon, const std::vector<Vec3>
 bool faces_in_contact(const Polyhedron& a, const Polyhedron& b, double near) {
     const double opposite = -std::cos(3.14159265358979 / 180);
     for (const auto& face_a : a.faces) {
+        if (face_a.open) continue;
         const Vec3 normal = face_normal(a, face_a);
         const Vec3& base = a.vertices[face_a.vertices[0]];
         for (const auto& face_b : b.faces) {
-            if (face_normal(b, face_b).dot(normal) > opposite) continue;
+            if (face_b.open || face_normal(b, face_b).dot(normal) > opposite) continue;
             const bool far = std::any_of(face_b.vertices.begin(), face_b.vertices.end(),
                                          [&](int v) { return std::abs(normal.dot(b.vertices[v] - base)) > near; });
             if (far) continue;

@@ -11,6 +11,7 @@ struct Polyhedron {
     struct Face {
         std::vector<int> vertices; ///< anticlockwise seen from outside
         int joint_set = 0;         ///< the joint set that cut it, 0 for none
+        bool open = false;         ///< a joint even between blocks of one body
     };
     std::vector<Vec3> vertices;
     std::vector<Face> faces;

@@ -81,12 +81,6 @@ void cut_outside(std::vector<Piece>& pieces, const std::vector<Plane>& planes, i
     }
 }
 
-std::vector<Vec3> section_of(const Polyhedron& piece) {
-    std::vector<Vec3> section;
-    for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);
-    return section;
-}
-
 } // namespace
 
 CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t number) {

@@ -109,9 +109,9 @@ struct TieScratch {
     OverlayScratch overlay;
 };
 
-/// Ties two faces over their common area.
-void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
-               double near, TieScratch& scratch) {
+/// Finds the common area of two faces. False: there is none.
+bool overlay_faces(const Model& model, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
+                   double near, TieScratch& scratch) {
     Overlay& found = scratch.found;
     const double tolerance = coincidence * near;
     overlay(face1.mesh, face2.mesh, tolerance, 0, found, scratch.overlay);
@@ -122,7 +122,12 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
     });
     double common = 0;
     for (const auto& p : found.points) common += p.area;
-    if (!(common > least_area * std::min(face1.area, face2.area))) return;
+    return common > least_area * std::min(face1.area, face2.area);
+}
+
+/// Ties two faces over the common area that was found.
+void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, TieScratch& scratch) {
+    const Overlay& found = scratch.found;
     const bool same = std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
     auto& ties = model.ties;
     Row row = static_cast<Row>(ties.size());
@@ -142,7 +147,7 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
     model.tied_pairs.ties[pair].count += static_cast<Row>(found.points.size());
 }
 
-/// Ties the parallel faces of two blocks.
+/// Ties the parallel faces of two blocks. A pair whose common faces are open gets no row: it has a contact.
 void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
@@ -154,6 +159,7 @@ void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
     pairs.shape2[pair] = blocks.shape[block2];
     pairs.ties[pair] = {static_cast<Row>(model.ties.size()), 0};
     const double near = std::min(blocks.margin[block1], blocks.margin[block2]);
+    bool open = false;
     const auto reach = [&](Row face, const Vec3& n, double sign) { // of a face along a direction
         double most = -std::numeric_limits<double>::infinity();
         const Span span = model.faces.triangles[face];
@@ -171,10 +177,13 @@ void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
             // The nearest points of the two faces along the normal.
             if (-reach(f2, n, -1) - reach(f1, n, 1) > near || -reach(f1, n, -1) - reach(f2, n, 1) > near) continue;
             const Vec3 origin = blocks.centroid[block2]; // keeps coordinates small
-            tie_faces(model, pair, ProjectedFace(model, f1, origin, u, v), ProjectedFace(model, f2, origin, u, v), n,
-                      near, scratch);
+            const ProjectedFace face1(model, f1, origin, u, v), face2(model, f2, origin, u, v);
+            if (!overlay_faces(model, face1, face2, n, near, scratch)) continue;
+            if (model.faces.open[f1] || model.faces.open[f2]) open = true;
+            else tie_faces(model, pair, face1, face2, scratch);
         }
     }
+    if (open && pairs.ties[pair].count == 0) pairs.resize(pairs.size() - 1);
 }
 
 /// Pairs of near joined blocks where one has no ties yet.

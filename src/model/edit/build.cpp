@@ -170,6 +170,7 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassPro
         const auto triangles = fan(polyhedron, polyhedron.faces[f].vertices);
         model.faces.block[face] = b;
         model.faces.joint_set[face] = polyhedron.faces[f].joint_set;
+        model.faces.open[face] = polyhedron.faces[f].open;
         model.faces.normal[face] = face_normal(polyhedron, polyhedron.faces[f]);
         model.faces.triangles[face] = {first, static_cast<Row>(triangles.size())};
         for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -259,6 +260,7 @@ Polyhedron shape_of(const Model& model, Row block) {
             }
         Polyhedron::Face face;
         face.joint_set = model.faces.joint_set[f];
+        face.open = model.faces.open[f] != 0;
         if (edges.empty()) continue;
         const Row start = edges.front()[0];
         Row at = start;

@@ -165,6 +165,7 @@ class Faces : public Table<Faces> {
 public:
     Column<Row> block;
     Column<std::int32_t> joint_set; ///< 0: made with the block
+    Column<std::uint8_t> open;      ///< not tied to a face of the same body: a fracture that ends inside of the body
     Column<std::int32_t> group;     ///< of the face itself: index into Model::group_names, 0 is none
     Column<Span> triangles;
     Column<Vec3> normal; ///< outward, unit, in the block's own axes
@@ -172,6 +173,7 @@ public:
     template <class Visit> void columns(Visit&& visit) {
         visit("block", block, link<Blocks>());
         visit("joint_set", joint_set, Role::setting);
+        visit("open", open, Role::setting);
         visit("group", group, setting<Group>());
         visit("triangles", triangles, link<Triangles>());
         visit("normal", normal, Role::geometry);

@@ -152,7 +152,8 @@ std::string before(std::string_view example) {
         return "gravity 0 0 -10\nset @push = 0\napply xload 10 hist @push range region 1\n";
     if (example.starts_with("range delete")) return "range name low z 0 1\n";
     if (example.starts_with("fracture ") && example.find("create") == example.npos)
-        return "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n"
+        return "geometry set 'wall'\ngeometry polygon create by-positions (-9,0,-9) (9,0,-9) (9,0,9) (-9,0,9)\n"
+               "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n"
                "fracture template create 'a' size exponential 2\nfracture template create 'set-1' size exponential 2\n";
     if (example.find("cut dfn") != example.npos)
         return "fracture create position 0 0 0.5 size 1 dfn 'faults'\nfracture create position 0 0 0.5 size 1\n";

@@ -1,7 +1,7 @@
 #include "geometry/fractures/growth.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/read/read_discs.hpp"
+#include "geometry/read/read_fractures.hpp"
 #include "geometry/polyhedra/plane.hpp"
 #include "geometry/surface/block_cuts.hpp"
 #include "geometry/surface/shapes.hpp"
@@ -99,7 +99,7 @@ TEST(Fractures, LinesCrossDiscs) {
     EXPECT_TRUE(crosses(level, {1.9, 2, 0}, {1.9, 2, 9}));
     EXPECT_FALSE(crosses(level, {2.1, 2, 0}, {2.1, 2, 9}));
     EXPECT_FALSE(crosses(level, {1, 2, 0}, {1, 2, 2.9}));
-    EXPECT_DOUBLE_EQ(p10({level, level, {{1, 2, 30}, 0, 0, 2}}, {1, 2, 0}, {1, 2, 10}), 0.2);
+    EXPECT_DOUBLE_EQ(p10(std::vector{level, level, Disc{{1, 2, 30}, 0, 0, 2}}, {1, 2, 0}, {1, 2, 10}), 0.2);
 }
 
 /// The mean of the normals of Fisher's distribution has the length coth kappa - 1/kappa.
@@ -204,35 +204,6 @@ TEST(Fractures, DensitiesAreReached) {
     EXPECT_NEAR(p10(grow(law, growth, Random(22)), growth.begin, growth.end), 0.5, 0.5 / 60 + 1e-12);
 }
 
-/// Discs that are larger than the rock cut it as a joint set with the same planes does, to the last bit.
-TEST(Fractures, LargeDiscsAreAJointSet) {
-    Random random(23);
-    const std::vector<Polyhedron> rock{make_brick({0, 0, 0}, {10, 10, 10}), make_brick({10, 0, 0}, {20, 10, 10})};
-    for (int trial = 0; trial < 40; ++trial) {
-        JointSet set;
-        set.dip = 90 * random.uniform();
-        set.dip_direction = 360 * random.uniform();
-        set.spacing = 0.8 + random.uniform();
-        set.number = 7;
-        set.origin = {5 + random.uniform(), 5, 5};
-        set.id = 3;
-        std::vector<CuttingPolygon> cuts;
-        const Vec3 normal = normal_from_dip(set.dip, set.dip_direction);
-        for (int i = 0; i < set.number; ++i) { // the order of a joint set: 0, 1, -1, 2, -2, ...
-            const double place = (i % 2 ? (i + 1) / 2 : -(i / 2)) * set.spacing;
-            const Disc disc{set.origin + place * normal, set.dip, set.dip_direction, 1000};
-            cuts.push_back({rim_of(disc), {normal_of(disc), disc.centre}});
-        }
-        const CutBlocks by_set = cut_blocks(rock, set), by_discs = cut_by_polygons(rock, cuts, set.id);
-        ASSERT_GT(by_set.pieces.size(), rock.size());
-        ASSERT_EQ(by_set.pieces.size(), by_discs.pieces.size()) << trial;
-        for (std::size_t i = 0; i < by_set.pieces.size(); ++i) {
-            EXPECT_EQ(by_set.pieces[i].parent, by_discs.pieces[i].parent);
-            EXPECT_EQ(by_set.pieces[i].polyhedron.vertices, by_discs.pieces[i].polyhedron.vertices);
-        }
-    }
-}
-
 TEST(Fractures, SeedsAndStreams) {
     const FractureLaw law = sizes(FractureLaw::Size::uniform, 0, 0, {2, 6});
     EXPECT_EQ(grow(law, of_count(50), Random(1)), grow(law, of_count(50), Random(1)));
@@ -261,22 +232,95 @@ TEST(Fractures, LawsThatGiveNothingAreRefused) {
     EXPECT_EQ(message(law), "of 100000 values for the dip none is from 40 to 50");
 }
 
+namespace {
+
+std::vector<Fracture> read(std::string_view text, FractureFormat format = FractureFormat::discs) {
+    return read_fractures(text, "a.txt", format);
+}
+
+std::string refusal(std::string_view text, FractureFormat format = FractureFormat::discs) {
+    try {
+        read(text, format);
+    } catch (const Diagnostic& refused) { return refused.message; }
+    return "none";
+}
+
+} // namespace
+
 TEST(Fractures, FilesOfDiscs) {
-    const auto discs =
-        read_discs("x,y,z,dip,dd,diameter\n1, 2, 3, 30, 90, 4 # the first\n\n5;6;7;80;270;1.5\r\n", "a.txt");
-    ASSERT_EQ(discs.size(), 2u);
-    EXPECT_EQ(discs[0], (Disc{{1, 2, 3}, 30, 90, 4}));
-    EXPECT_EQ(discs[1], (Disc{{5, 6, 7}, 80, 270, 1.5}));
-    const auto message = [](std::string_view text) {
-        try {
-            read_discs(text, "a.txt");
-        } catch (const Diagnostic& refused) { return refused.message; }
-        return std::string("none");
-    };
-    EXPECT_EQ(message(""), "a.txt has no fractures");
-    EXPECT_EQ(message("x y z\n"), "a.txt has no fractures");
-    EXPECT_EQ(message("1 2 3 30 90\n"), "a.txt, line 1: 5 words where a fracture has six numbers");
-    EXPECT_EQ(message("1 2 3 30 90 nan\n"), "a.txt, line 1: 'nan' is not a number");
-    EXPECT_EQ(message("head\n1 2 3 30 90 -1\n"),
+    const auto fractures = read("x,y,z,dip,dd,diameter\n1, 2, 3, 30, 90, 4 # the first\n\n5;6;7;80;270;1.5\r\n");
+    ASSERT_EQ(fractures.size(), 2u);
+    EXPECT_EQ(fractures[0].disc, (Disc{{1, 2, 3}, 30, 90, 4}));
+    EXPECT_EQ(fractures[1].disc, (Disc{{5, 6, 7}, 80, 270, 1.5}));
+    EXPECT_EQ(refusal(""), "a.txt has no fractures");
+    EXPECT_EQ(refusal("x y z\n"), "a.txt has no fractures");
+    EXPECT_EQ(refusal("1 2 3 30 90\n"), "a.txt, line 1: 5 words where a fracture has six numbers");
+    EXPECT_EQ(refusal("1 2 3 30 90 nan\n"), "a.txt, line 1: 'nan' is not a number");
+    EXPECT_EQ(refusal("1 2 3 30 90 1e999\n"), "a.txt, line 1: '1e999' is not a number");
+    EXPECT_EQ(refusal("head\n1 2 3 30 90 -1\n"),
               "a.txt, line 2: the diameter of a fracture must be greater than 0, not -1");
+}
+
+TEST(Fractures, FilesOfPolygons) {
+    using enum FractureFormat;
+    const auto fractures =
+        read("# two polygons\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n\npolygon 2\n0 0 5 # a remark\n# another\n0 3 5\n"
+             "0 3 9\n",
+             polygons);
+    ASSERT_EQ(fractures.size(), 2u);
+    EXPECT_EQ(fractures[0].corners.size(), 4u);
+    EXPECT_NEAR(area_of(fractures[0]), 2, 1e-14);
+    EXPECT_EQ(fractures[0].disc.dip, 0);
+    EXPECT_EQ(fractures[1].corners.size(), 3u);
+    EXPECT_NEAR(area_of(fractures[1]), 6, 1e-14);
+    EXPECT_EQ(fractures[1].disc.dip, 90);
+    EXPECT_EQ(refusal("", polygons), "a.txt has no fractures");
+    EXPECT_EQ(refusal("0 0 0\n1 0 0\n", polygons),
+              "a.txt, the polygon that ends in line 2: a polygon has three corners or more, not 2");
+    EXPECT_EQ(refusal("0 0 0\n1 0 0 7\n", polygons), "a.txt, line 2: 4 words where a corner has three numbers");
+    EXPECT_EQ(refusal("0 0 0\n1 0 nan\n", polygons), "a.txt, line 2: 'nan' is not a number");
+    EXPECT_EQ(refusal("0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n\n1 1 1\n", polygons),
+              "a.txt, the polygon that ends in line 4: the polygon is not convex");
+}
+
+/// A trace is a diameter of its disc.
+TEST(Fractures, FilesOfTraces) {
+    using enum FractureFormat;
+    const auto fractures = read("x1 y1 z1 x2 y2 z2\n0 0 0 0 4 0\n0 0 1 0 2 1 30 90\n0 0 0 0 0 3 90 45\n", traces);
+    ASSERT_EQ(fractures.size(), 3u);
+    EXPECT_EQ(fractures[0].disc.centre, Vec3(0, 2, 0));
+    EXPECT_EQ(fractures[0].disc.diameter, 4);
+    EXPECT_NEAR(fractures[0].disc.dip, 90, 1e-12);
+    for (const Fracture& f : fractures) {
+        const Vec3 normal = normal_of(f.disc);
+        EXPECT_NEAR(normal.dot(f.disc.centre - Vec3(0, 0, f.disc.centre.z() == 1 ? 1 : 0)), 0, 1e-12);
+    }
+    EXPECT_NEAR(fractures[1].disc.dip, 30, 1e-12);
+    EXPECT_NEAR(fractures[1].disc.dip_direction, 90, 1e-12);
+    EXPECT_NEAR(std::fmod(fractures[2].disc.dip_direction, 180), 45, 1e-12);
+    EXPECT_EQ(refusal("0 0 0 0 0 0\n", traces), "a.txt, line 1: the trace has no length");
+    EXPECT_EQ(refusal("0 0 0 0 0 3\n", traces),
+              "a.txt, line 1: an upright trace needs the dip and the dip direction of its fracture");
+    EXPECT_EQ(refusal("0 0 0 0 4 0 30\n", traces), "a.txt, line 1: 7 words where a trace has six numbers or eight");
+    EXPECT_EQ(
+        refusal("0 0 0 4 0 0 90 90\n", traces),
+        "a.txt, line 1: a fracture of dip 90 and dip direction 90 does not pass along the trace: it is 90 degrees off");
+}
+
+/// Every cut of a good file is read in part or refused with its line, never more.
+TEST(Fractures, TruncatedFilesAreReadOrRefused) {
+    const std::string discs = "1 2 3 30 90 4\n5 6 7 80 270 1.5\n",
+                      polygons = "0 0 0\n2 0 0\n2 1 0\n\n0 0 5\n0 3 5\n0 3 9\n",
+                      traces = "0 0 0 0 4 0\n0 0 1 0 2 1 30 90\n";
+    int format = 0;
+    for (const std::string& whole : {discs, polygons, traces}) {
+        for (std::size_t end = 0; end < whole.size(); ++end) {
+            const std::string message = refusal(whole.substr(0, end), static_cast<FractureFormat>(format));
+            EXPECT_TRUE(message == "none" || message.starts_with("a.txt")) << message;
+        }
+        ++format;
+    }
+    std::string huge;
+    for (int i = 0; i < 100'000; ++i) huge += "1 2 3 30 90 4\n";
+    EXPECT_EQ(read(huge).size(), 100'000u);
 }
