@@ -68,8 +68,9 @@ void truncate_fractures(Session& session, const lang::FractureChange& command) {
 void group_fractures(Session& session, const lang::FractureChange& command) {
     std::size_t number = 0;
     change_chosen(session, command, [&](Fracture& fracture) {
+        number += !command.out || in_group(fracture, command.name);
         set_group(fracture, command.name, command.out);
-        return ++number;
+        return true;
     });
     session.program.output.say(
         fmt::format("{} {} group {}", fractures_text(number), command.out ? "taken out of" : "in", command.name));

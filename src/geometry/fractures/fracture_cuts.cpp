@@ -65,25 +65,29 @@ private:
     }
 
     void cut_piece(std::size_t i, const CuttingFracture& cutter) {
-        Cut parts = attempt(pieces_[i], cutter.plane, cutter.shape.joint_set);
+        // Without limits first: what is refused counts where the fracture reaches the piece only.
+        Cut parts = cut(pieces_[i], cutter.plane, cutter.shape.joint_set);
         if (parts.outcome != CutOutcome::cut) return;
         const std::vector<Vec3> section = section_of(parts.below);
         const double area = area_vector(section).norm();
         if (!(area_within(cutter.shape, section) > least_area * std::min(cutter.area, area))) return;
         if (how_.persistence < 1 && random_.uniform() >= how_.persistence) return;
         std::vector<Polyhedron> beyond;
-        if (how_.limited && !cut_beyond(i, cutter, section, parts, beyond)) return;
+        Polyhedron inner = pieces_[i];
+        if (how_.limited && !cut_beyond(inner, cutter, section, beyond)) return;
+        parts = attempt(inner, cutter.plane, cutter.shape.joint_set);
+        if (parts.outcome != CutOutcome::cut) return;
+        parts.above.faces.back().open = parts.below.faces.back().open = how_.limited;
         result_.of_joints += area_vector(section_of(parts.below)).norm();
         replace(i, std::move(parts.below));
         add(std::move(parts.above));
         for (Polyhedron& piece : beyond) add(std::move(piece));
     }
 
-    /// Cuts off what lies beyond the sides, and the rest by the fracture. False: the fracture does not cut after all.
-    bool cut_beyond(std::size_t i, const CuttingFracture& cutter, std::vector<Vec3> section, Cut& parts,
+    /// Cuts off what lies beyond the sides of the fracture. False: nothing is left between them.
+    bool cut_beyond(Polyhedron& inner, const CuttingFracture& cutter, std::vector<Vec3> section,
                     std::vector<Polyhedron>& beyond) {
         constexpr double nothing = 1e-12; // of the area
-        Polyhedron inner = pieces_[i];
         for (const Plane& side : cutter.sides) {
             std::vector<Vec3> rest = part_below(section, side);
             if (rest.size() < 3) return false;
@@ -94,9 +98,6 @@ private:
             inner = std::move(around.below);
             section = std::move(rest);
         }
-        if (!beyond.empty()) parts = attempt(inner, cutter.plane, cutter.shape.joint_set);
-        if (parts.outcome != CutOutcome::cut) return false;
-        parts.above.faces.back().open = parts.below.faces.back().open = true;
         return true;
     }
 
