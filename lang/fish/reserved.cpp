@@ -49,7 +49,7 @@ constexpr Group groups[] = {
     {true, "matrix.from.axis.angle matrix.from.euler matrix.to.axis.angle matrix.to.euler tensor.total",
      "their conventions are not published: write the matrix out, matrix(list(list(...), ...))"},
     {true, "string.csv.* list.insert.list", "use string.split, string.join, list.insert"},
-    {true, "fracture.* dfn.*", "there are no fracture networks yet"},
+    {true, "fracture.* dfn.*", "FISH does not know fractures: use the commands fracture list and fracture compute"},
     {true, "geom.*", "use the commands import and cut"},
     {true, "struct.*", "read structures in Lua"},
     {false, "flowknot.* flowplane.* fluid.*", "flow of fluids is not supported"},

@@ -37,14 +37,26 @@ Chart joint_net(const Model& model, const Shown& shown, bool slip) {
         const auto [x, y] = on_net(direction);
         curve.x.push_back(x), curve.y.push_back(y);
     }
+    constexpr std::size_t most_names = 12; // that fit beside the net
+    if (sets.size() > most_names) {
+        Curve all;
+        for (const auto& [set, curve] : sets) {
+            all.x.insert(all.x.end(), curve.x.begin(), curve.x.end());
+            all.y.insert(all.y.end(), curve.y.begin(), curve.y.end());
+        }
+        all.name = fmt::format("{} joint sets ({})", sets.size(), all.x.size());
+        sets = {{1, std::move(all)}};
+    } else {
+        for (auto& [set, curve] : sets)
+            curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size())
+                                  : fmt::format("joint set {} ({})", set, curve.x.size());
+    }
     Chart chart;
     chart.net = true;
     chart.title = slip ? "Directions of slip (north on top)" : "Poles of joints (north on top)";
     chart.x_label = "lower hemisphere, equal areas";
     for (auto& [set, curve] : sets) {
         curve.marks = true;
-        curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size())
-                              : fmt::format("joint set {} ({})", set, curve.x.size());
         chart.curves.push_back(std::move(curve));
     }
     return chart;

@@ -38,10 +38,10 @@ std::string list_of(const Network& fractures) {
 std::string list_of_intersections(const Network& fractures) {
     const std::string heading = fmt::format("{:>6} {:>6} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}", "id", "id",
                                             "x1", "y1", "z1", "x2", "y2", "z2", "length");
-    return first_hundred(heading, intersections_of(fractures), "intersections", [&](const Intersection& meeting) {
-        const Segment& line = meeting.line;
+    return first_hundred(heading, intersections_of(fractures), "intersections", [&](const Intersection& crossing) {
+        const Segment& line = crossing.line;
         return fmt::format("{:>6} {:>6} {:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g}",
-                           fractures[meeting.fractures[0]].id, fractures[meeting.fractures[1]].id, line.from.x(),
+                           fractures[crossing.fractures[0]].id, fractures[crossing.fractures[1]].id, line.from.x(),
                            line.from.y(), line.from.z(), line.to.x(), line.to.y(), line.to.z(), line.length());
     });
 }
@@ -49,7 +49,7 @@ std::string list_of_intersections(const Network& fractures) {
 std::string intersection_sums(const Network& fractures) {
     const auto intersections = intersections_of(fractures);
     double length = 0;
-    for (const Intersection& meeting : intersections) length += meeting.line.length();
+    for (const Intersection& crossing : intersections) length += crossing.line.length();
     const auto clusters = clusters_of(fractures.size(), intersections);
     return fmt::format("intersections = {}, length = {:.9g}, clusters = {}, fractures in the largest = {}",
                        intersections.size(), length, clusters.empty() ? 0 : 1 + *std::ranges::max_element(clusters),

@@ -178,7 +178,7 @@ Fracture& add_fracture(SurfaceSets& sets, const std::string& network, Fracture f
 
 std::string surfaces_text(const SurfaceSets& sets) {
     return text_of(sets.surfaces) + text_of(sets.networks) + name_text(sets.current) + '\n' + text_of(sets.laws) +
-           name_text(sets.last_law) + '\n' + details_text(sets);
+           name_text(sets.last_law) + '\n' + (sets.networks.empty() ? "" : details_text(sets));
 }
 
 SurfaceSets surfaces_from_text(const std::string& saved) {

@@ -31,8 +31,8 @@ Plane plane_of(const Fracture& fracture);
 double area_of(const Fracture& fracture);
 Box box_of(const Fracture& fracture);
 
-/// The corners of a polygon, anticlockwise about the upward normal; of a disc those of a regular polygon with as many sides and its area, one
-/// side of which is level if the sides are a multiple of four.
+/// The corners of a polygon, anticlockwise about the upward normal; of a disc those of a regular polygon with as many sides and its area, which
+/// has a level side if the sides are a multiple of four.
 std::vector<Vec3> outline_of(const Fracture& fracture, int sides);
 
 /// The part of the fracture inside of an outline in its plane, exact but for rounding. The outline of a polygon is convex.

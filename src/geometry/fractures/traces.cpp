@@ -135,8 +135,8 @@ std::vector<std::size_t> clusters_of(std::size_t fractures, const std::vector<In
         while (root[i] != i) i = root[i] = root[root[i]];
         return i;
     };
-    for (const Intersection& meeting : intersections) {
-        const std::size_t a = find(meeting.fractures[0]), b = find(meeting.fractures[1]);
+    for (const Intersection& crossing : intersections) {
+        const std::size_t a = find(crossing.fractures[0]), b = find(crossing.fractures[1]);
         root[std::max(a, b)] = std::min(a, b);
     }
     std::vector<std::size_t> size(fractures, 0), order;

@@ -17,7 +17,7 @@ enum class FractureFormat {
 };
 
 /// Lines of numbers with blanks, commas or semicolons between them. What stands behind # is a remark; so is a first line without numbers.
-/// A trace stands for the disc of which it is a diameter. Throws Diagnostic with the file and the line.
+/// A trace is a diameter of its disc. Throws Diagnostic with the file and the line.
 std::vector<Fracture> read_fractures(std::string_view text, const std::string& file, FractureFormat format);
 
 } // namespace kaya

@@ -198,7 +198,7 @@ TEST(FractureCuts, ThreeSetsCutACubeIntoCubes) {
     }
 }
 
-/// Six discs around a cube in the middle, 0.2 beyond its corners, make it a body of its own; smaller ones leave bridges.
+/// Six discs around a cube in the middle, 0.2 beyond its corners, make it a separate body; smaller ones leave bridges.
 TEST(FractureCuts, DiscsThatEncloseAPartCutItOut) {
     for (const bool closed : {true, false}) {
         std::vector<Fracture> discs;
