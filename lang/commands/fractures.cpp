@@ -66,7 +66,8 @@ CommandSpec create_fracture() {
                   "angle below the horizontal, 0 if not given");
     entry.keyword({"dip-direction", "dd"}, real("dd").unit("degrees"), &FractureCommand::dip_direction,
                   "direction of dip, clockwise from +y seen from above, 0 if not given");
-    entry.keyword({"size"}, real("d").unit("length").above(0), &FractureCommand::size, "diameter, 1 if not given");
+    entry.keyword({"size"}, real("d").unit("length").above(0).at_most(1e12), &FractureCommand::size,
+                  "diameter, 1 if not given");
     entry.keyword({"dfn"}, text("name"), &FractureCommand::network, "name of the network");
     add_group(entry);
     entry.not_yet({"intersection-set"}, "sets of intersections: fracture intersections computes those of fractures");

@@ -218,6 +218,31 @@ void block_id(Keywords<RangePhrase>& table) {
         "`block id n`: the same as bid");
 }
 
+/// `dfn NAME [distance d]`.
+void network(Keywords<RangePhrase>& table) {
+    const auto name = text("name").spec, far = real("d").unit("length").at_least(0).spec;
+    static const std::vector<KeywordSpec> words = [&] {
+        Keywords<RangeElement> list;
+        list.special(
+            {Spelling{"distance", 4}}, {far},
+            [far](Reader& reader, RangeElement& e) {
+                e.side = 1;
+                e.distance = reader.real(far);
+            },
+            "objects whose centre is within this distance of a fracture, whether it has cut them or not");
+        return std::move(list).list();
+    }();
+    table.special(
+        {"dfn"}, {name},
+        [=](Reader& reader, RangePhrase& phrase) {
+            add(reader, phrase, Kind::network);
+            phrase.elements.back().name = reader.text(name);
+            read_keywords(reader, words, &phrase.elements.back());
+            misspelt_part(reader, "dfn", words);
+        },
+        "contacts and faces that the fractures of a network have cut, and blocks with such a face", words);
+}
+
 /// Several names may follow one nrange; each is a separate element.
 void named_ranges(Keywords<RangePhrase>& table) {
     const auto name = text("name").spec;
@@ -247,6 +272,7 @@ void own_element(Keywords<RangePhrase>& table, Kind kind) {
     case Kind::block_id: return block_id(table);
     case Kind::named: return named_ranges(table);
     case Kind::id_list: return id_list(table);
+    case Kind::network: return network(table);
     default: break;
     }
 }

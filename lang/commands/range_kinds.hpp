@@ -49,7 +49,7 @@ enum class RangeKind {
     geometry_space, ///< a ray along normal crosses the surfaces of sets an odd (side 1) or even (-1) number of times, or `low` times (2)
     geometry_distance, ///< within distance of the surfaces of sets
     fracture,          ///< cut by the fracture of an id, or of one of several; 0: by none
-    network            ///< cut by the fractures of the network name
+    network            ///< cut by the fractures of the network name, or within distance of them where `side` is 1
 };
 
 /// How the element of a kind is written.
@@ -108,7 +108,7 @@ inline const std::vector<RangeWords>& range_words() {
         {RangeKind::face_area, limits, {Spelling{"face-area", 4}}, "area", "blocks whose smallest face is between two limits"},
         {RangeKind::leader, limits_of_numbers, {Spelling{"leader-id", 4}}, "", "blocks of bodies by the number of the body's first block; a block on its own is its own leader"},
         {RangeKind::fracture, number, {"fid", "fracture-id"}, "", "contacts and faces that a fracture has cut, and blocks with such a face; 0: those of no fracture"},
-        {RangeKind::network, name, {"dfn"}, "", "contacts and faces that the fractures of a network have cut, and blocks with such a face"},
+        {RangeKind::network, own, {}, "", ""},
         {RangeKind::polygon, own, {}, "", ""},
         // clang-format on
     };

@@ -18,9 +18,26 @@ std::array<double, 2> on_net(const Vec3& direction) {
     return {factor * down.x(), factor * down.y()};
 }
 
+Chart direction_net(const NamedDirections& sets, const std::string& title) {
+    Chart chart;
+    chart.net = true;
+    chart.title = title + " (north on top)";
+    chart.x_label = "lower hemisphere, equal areas";
+    for (const auto& [name, directions] : sets) {
+        Curve& curve = chart.curves.emplace_back();
+        curve.marks = true;
+        curve.name = fmt::format("{} ({})", name, directions.size());
+        for (const Vec3& direction : directions) {
+            const auto [x, y] = on_net(direction);
+            curve.x.push_back(x), curve.y.push_back(y);
+        }
+    }
+    return chart;
+}
+
 Chart joint_net(const Model& model, const Shown& shown, bool slip) {
     const auto& contacts = model.contacts;
-    std::map<std::int32_t, Curve> sets;
+    std::map<std::int32_t, std::vector<Vec3>> sets;
     for (Row contact = 0; contact < static_cast<Row>(contacts.size()); ++contact) {
         if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) continue;
         if (!std::ranges::binary_search(shown.blocks, contacts.block1[contact]) ||
@@ -33,33 +50,18 @@ Chart joint_net(const Model& model, const Shown& shown, bool slip) {
             for (Row row = span.first; row < span.end(); ++row) direction += model.sub_contacts.shear_displacement[row];
         }
         if (!direction.allFinite() || direction.norm() == 0) continue;
-        Curve& curve = sets[contacts.joint_set[contact]];
-        const auto [x, y] = on_net(direction);
-        curve.x.push_back(x), curve.y.push_back(y);
+        sets[contacts.joint_set[contact]].push_back(direction);
     }
     constexpr std::size_t most_names = 12; // that fit beside the net
-    if (sets.size() > most_names) {
-        Curve all;
-        for (const auto& [set, curve] : sets) {
-            all.x.insert(all.x.end(), curve.x.begin(), curve.x.end());
-            all.y.insert(all.y.end(), curve.y.begin(), curve.y.end());
-        }
-        all.name = fmt::format("{} joint sets ({})", sets.size(), all.x.size());
-        sets = {{1, std::move(all)}};
-    } else {
-        for (auto& [set, curve] : sets)
-            curve.name = set == 0 ? fmt::format("no joint set ({})", curve.x.size())
-                                  : fmt::format("joint set {} ({})", set, curve.x.size());
+    NamedDirections named;
+    if (sets.size() > most_names) named.push_back({fmt::format("{} joint sets", sets.size()), {}});
+    for (const auto& [set, directions] : sets) {
+        if (sets.size() <= most_names)
+            named.push_back({set == 0 ? "no joint set" : fmt::format("joint set {}", set), {}});
+        auto& in = named.back().second;
+        in.insert(in.end(), directions.begin(), directions.end());
     }
-    Chart chart;
-    chart.net = true;
-    chart.title = slip ? "Directions of slip (north on top)" : "Poles of joints (north on top)";
-    chart.x_label = "lower hemisphere, equal areas";
-    for (auto& [set, curve] : sets) {
-        curve.marks = true;
-        chart.curves.push_back(std::move(curve));
-    }
-    return chart;
+    return direction_net(named, slip ? "Directions of slip" : "Poles of joints");
 }
 
 } // namespace kaya

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kaya {
@@ -60,6 +61,10 @@ void add_iso_surfaces(Scene& scene, const Model& model, const Shown& shown, cons
 
 /// Directions in the lower hemisphere, by equal areas: x to the east, y to the north, in a circle of radius 1.
 std::array<double, 2> on_net(const Vec3& direction);
+/// Directions under the names of their sets.
+using NamedDirections = std::vector<std::pair<std::string, std::vector<Vec3>>>;
+/// A net with the directions of each set.
+Chart direction_net(const NamedDirections& sets, const std::string& title);
 /// Poles of the joints by their sets, or the directions in which joints have slipped. Only joints between the blocks shown.
 Chart joint_net(const Model& model, const Shown& shown, bool slip);
 

@@ -171,8 +171,20 @@ void add_histories(const Histories& histories, const PlotItem& item, Chart& char
     chart.x_label = versus != nullptr ? axis_name(*versus) : "time";
 }
 
+/// Poles of fractures by their networks.
+Chart fracture_net(const std::map<std::string, Network>& networks) {
+    NamedDirections poles;
+    for (const auto& [name, fractures] : networks) {
+        auto& normals = poles.emplace_back(name.empty() ? "no name" : name, std::vector<Vec3>{}).second;
+        for (const Fracture& fracture : fractures) normals.push_back(plane_of(fracture).normal);
+    }
+    if (poles.empty()) throw Diagnostic("there are no fractures to draw yet", "make them before: fracture create ...");
+    return direction_net(poles, "Poles of fractures");
+}
+
 Chart net_of(Session& session, const PlotView& view, const PlotItem& item) {
-    Chart chart = joint_net(session.engine.model, shown_by(session, item), item.field == "slip");
+    Chart chart = item.field == "dfn" ? fracture_net(session.deck.surface_sets.networks)
+                                      : joint_net(session.engine.model, shown_by(session, item), item.field == "slip");
     if (chart.curves.empty())
         throw Diagnostic(item.field == "slip" ? "no joint has slipped" : "there are no joints to draw yet",
                          item.field == "slip" ? "" : "contacts are found by 'cycle 0'");

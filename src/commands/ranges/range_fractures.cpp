@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <memory>
@@ -67,6 +68,10 @@ RangeTest by_network(const RangeElement& e, RangeContext& context) {
         throw Diagnostic(fmt::format("there is no network of fractures named '{}'", e.name),
                          "make it before: fracture create dfn 'name' ...")
             .at(e.place);
+    if (e.side == 1)
+        return on_place(context, [fractures = found->second, most = e.distance + context.tolerance](const Vec3& place) {
+            return std::ranges::any_of(fractures, [&](const Fracture& f) { return distance_to(f, place) <= most; });
+        });
     JointSets own;
     for (const Fracture& fracture : found->second)
         if (fracture.joint_set != 0) own.insert(fracture.joint_set);

@@ -205,6 +205,7 @@ private:
         if (take({"stereonet", "net", "schmidt"})) {
             begin(net);
             if (take({"slip"})) item().field = "slip";
+            else if (take({"dfn", "fracture", "fractures"})) item().field = "dfn";
             else take({"poles", "joint", "joints"});
             return true;
         }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace kaya {
@@ -116,6 +117,26 @@ double area_in_box(const Fracture& fracture, const Vec3& low, const Vec3& high) 
         if (part.size() > 2) part = part_below(part, {-Vec3::Unit(k), low});
     }
     return part.size() < 3 ? 0 : area_vector(part).norm();
+}
+
+double distance_to(const Fracture& fracture, const Vec3& place) {
+    const Plane plane = plane_of(fracture);
+    const double height = plane.distance(place);
+    const Vec3 foot = place - height * plane.normal;
+    const auto& corners = fracture.corners;
+    if (corners.empty()) {
+        const double beyond = (foot - plane.origin).norm() - 0.5 * fracture.disc.diameter;
+        return std::hypot(height, std::max(beyond, 0.0));
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    bool inside = true;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 side = corners[(i + 1) % corners.size()] - corners[i], arm = foot - corners[i];
+        inside = inside && side.cross(plane.normal).dot(arm) <= 0;
+        const double along = std::clamp(side.dot(arm) / side.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (arm - along * side).norm());
+    }
+    return std::hypot(height, inside ? 0.0 : nearest);
 }
 
 bool crosses(const Fracture& fracture, const Vec3& begin, const Vec3& end) {

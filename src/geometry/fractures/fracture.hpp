@@ -12,6 +12,9 @@
 
 namespace kaya {
 
+/// Diameters above this are typing errors.
+inline constexpr double largest_fracture = 1e12;
+
 struct Fracture {
     Disc disc;                            ///< of a polygon: the disc of its area in its plane, around its centroid
     std::vector<Vec3> corners = {};       ///< of a convex polygon, in order; empty: the fracture is the disc
@@ -38,6 +41,7 @@ std::vector<Vec3> outline_of(const Fracture& fracture, int sides);
 /// The part of the fracture inside of an outline in its plane, exact but for rounding. The outline of a polygon is convex.
 double area_within(const Fracture& fracture, const std::vector<Vec3>& outline);
 double area_in_box(const Fracture& fracture, const Vec3& low, const Vec3& high);
+double distance_to(const Fracture& fracture, const Vec3& place);
 bool crosses(const Fracture& fracture, const Vec3& begin, const Vec3& end);
 
 /// Where the fracture crosses a box it becomes the polygon inside; a disc is taken as a polygon of that many sides. False: nothing is left.

@@ -56,6 +56,8 @@ private:
 
     void disc(const std::vector<double>& v) {
         if (v.size() != 6) fail(fmt::format("{} words where a fracture has six numbers", v.size()));
+        if (v[5] > largest_fracture)
+            fail(fmt::format("the diameter of a fracture must be at most {:g}, not {:g}", largest_fracture, v[5]));
         if (!(v[5] > 0)) fail(fmt::format("the diameter of a fracture must be greater than 0, not {:g}", v[5]));
         fractures_.push_back({{{v[0], v[1], v[2]}, v[3], v[4], v[5]}});
     }

@@ -265,6 +265,11 @@ TEST(FractureCuts, PolygonsCutAsDiscsDo) {
     EXPECT_NEAR(cut.of_joints, 9, 1e-12);
     EXPECT_NEAR(cut.of_fractures, 9, 1e-12);
     EXPECT_EQ(cut.blocks.pieces.size(), 6u);
+    EXPECT_NEAR(distance_to(square, {4, 4, 7}), 2, 1e-14);
+    EXPECT_NEAR(distance_to(square, {0, 4, 9}), 5, 1e-14);
+    EXPECT_NEAR(distance_to(square, {9, 10, 5}), 5, 1e-14);
+    EXPECT_NEAR(distance_to(disc({1, 1, 1}, 0, 0, 2), {1, 5, 5}), 5, 1e-14);
+    EXPECT_NEAR(distance_to(disc({1, 1, 1}, 0, 0, 2), {1, 1.5, 3}), 2, 1e-14);
     EXPECT_TRUE(crosses(square, {4, 4, 0}, {4, 4, 9}));
     EXPECT_FALSE(crosses(square, {2, 4, 0}, {2, 4, 9}));
     EXPECT_NEAR(area_in_box(square, {0, 0, 0}, {4, 4, 9}), 1, 1e-14);

@@ -256,6 +256,8 @@ TEST(Fractures, FilesOfDiscs) {
     EXPECT_EQ(refusal("x y z\n"), "a.txt has no fractures");
     EXPECT_EQ(refusal("1 2 3 30 90\n"), "a.txt, line 1: 5 words where a fracture has six numbers");
     EXPECT_EQ(refusal("1 2 3 30 90 nan\n"), "a.txt, line 1: 'nan' is not a number");
+    EXPECT_EQ(refusal("1 2 3 30 90 1e300\n"),
+              "a.txt, line 1: the diameter of a fracture must be at most 1e+12, not 1e+300");
     EXPECT_EQ(refusal("1 2 3 30 90 1e999\n"), "a.txt, line 1: '1e999' is not a number");
     EXPECT_EQ(refusal("head\n1 2 3 30 90 -1\n"),
               "a.txt, line 2: the diameter of a fracture must be greater than 0, not -1");
