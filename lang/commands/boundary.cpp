@@ -27,53 +27,52 @@ Argument<double> velocity_argument(std::size_t component) {
 /// Kinds of `hist`: each reads the rest of the line as a factor that varies with time.
 std::vector<KeywordSpec> multiplier_kinds() {
     Keywords<Multiplier> kinds;
-    const auto frequency = real("f").unit("1/time").above(0);
-    const auto duration = real("t").unit("time").above(0).optional();
     const auto wave = [&](const char* word, Wave::Form form, std::string_view help) {
-        kinds.special(
-            {word}, {frequency.spec, duration.spec},
-            [=](Reader& reader, Multiplier& multiplier) {
-                Wave factor{form, reader.real(frequency.spec)};
-                if (reader.at_number()) factor.duration = reader.real(duration.spec);
-                multiplier.function = factor;
-            },
-            help);
+        kinds.keyword({word},
+                      Parts<Multiplier>().in(as<Wave>(&Multiplier::function),
+                                             Parts<Wave>()
+                                                 .set(&Wave::form, form)
+                                                 .then(real("f").unit("1/time").above(0), &Wave::frequency)
+                                                 .maybe(real("t").unit("time").above(0).optional(), &Wave::duration)),
+                      help);
     };
     using enum Wave::Form;
     wave("sine", sine, "sin(2 pi f time), for the time t or without end");
     wave("cosine", cosine, "cos(2 pi f time), for the time t or without end");
     wave("impulse", impulse, "(1 - cos(2 pi f time))/2, for the time t or without end");
-    const auto number = integer("n").at_least(0);
-    kinds.special(
-        {"table"}, {number.spec},
-        [=](Reader& reader, Multiplier& multiplier) { multiplier.function = TableValue{reader.integer(number.spec)}; },
-        "value of table n over time");
+    kinds.keyword({"table"},
+                  Parts<Multiplier>().in(as<TableValue>(&Multiplier::function),
+                                         Parts<TableValue>().then(integer("n").at_least(0), &TableValue::table)),
+                  "value of table n over time");
     return std::move(kinds).list();
 }
 
-void read_multiplier(Reader& reader, std::optional<Multiplier>& to, const std::vector<KeywordSpec>& kinds) {
-    Multiplier multiplier;
-    const Word* word = reader.peek();
-    if (!word) reader.missing({.name = "sine, cosine, impulse, table or @name", .kind = ArgumentKind::text});
-    multiplier.place = word->place;
-    if (word->kind == WordKind::symbol) {
-        multiplier.function = ScriptValue{reader.symbol(text("@name").spec)};
-    } else {
-        const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
-        if (!kind) reader.unknown("a kind of history", {"sine", "cosine", "impulse", "table", "@name"});
-        reader.take();
-        kind->read(reader, &multiplier);
-    }
-    to = std::move(multiplier);
+/// A kind with its numbers, or @name.
+Parts<Multiplier> multiplier_parts() {
+    const auto kind = Parts<Multiplier>().one_of(
+        multiplier_kinds(), {.name = "sine, cosine, impulse, table or @name", .kind = ArgumentKind::text},
+        "a kind of history", {"sine", "cosine", "impulse", "table", "@name"});
+    const auto read = [kind](Reader& reader, Multiplier& multiplier) {
+        const Word* word = reader.peek();
+        multiplier.place = word ? word->place : Place{};
+        if (word && word->kind == WordKind::symbol)
+            multiplier.function = ScriptValue{reader.symbol(text("@name").spec)};
+        else kind.read(reader, multiplier);
+    };
+    const auto write = [kind](Parts<Multiplier>::Form form, const Multiplier& wanted) {
+        const auto* script = std::get_if<ScriptValue>(&wanted.function);
+        if (script == nullptr) return kind.forms(std::move(form), wanted);
+        form.words.push_back({"@" + script->symbol});
+        form.after = wanted;
+        return Parts<Multiplier>::Forms{std::move(form)};
+    };
+    return Parts<Multiplier>().described(kind.keywords()).by(read, write);
 }
 
 template <class Command> void add_multiplier(Entry<Command>& entry) {
-    const auto kinds = multiplier_kinds();
-    entry.special(
-        {"hist", "history"}, {}, [kinds](Reader& reader, Command& c) { read_multiplier(reader, c.multiplier, kinds); },
-        "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
-        "@name: the value of a FISH function or variable in each cycle",
-        kinds);
+    entry.keyword({"hist", "history"}, Parts<Command>().in(made(&Command::multiplier), multiplier_parts()),
+                  "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
+                  "@name: the value of a FISH function or variable in each cycle");
 }
 
 /// The words xvel to rzvel.
@@ -86,17 +85,12 @@ template <class Command> void add_velocities(Entry<Command>& entry, std::string_
 
 /// A value along a direction; several values are added.
 template <class Command> void add_directed(Entry<Command>& entry, std::vector<Spelling> words,
-                                           const Argument<double>& value, std::vector<Directed> Command::*member,
+                                           const Argument<double>& value, std::vector<Directed> Command::*list,
                                            std::string_view help) {
-    const auto direction = vector("dx dy dz");
-    entry.special(
-        std::move(words), {value.spec, direction.spec},
-        [=](Reader& reader, Command& command) {
-            Directed one{reader.real(value.spec), {}};
-            one.direction = read_direction(reader, direction.spec);
-            (command.*member).push_back(one);
-        },
-        help);
+    const auto parts = Parts<Directed>()
+                           .then(value, &Directed::value)
+                           .in(member(&Directed::direction), direction(vector("dx dy dz").spec));
+    entry.keyword(std::move(words), Parts<Command>().in(next_of(list), parts), help);
 }
 
 template <class Values> bool any(const Values& values) {
@@ -270,11 +264,8 @@ template <class Command> Entry<Command> components(std::vector<Spelling> words) 
 }
 
 Entry<Fix> directions(Entry<Fix> entry) {
-    const auto direction = vector("dx dy dz");
-    entry.special(
-        {"direction"}, {direction.spec},
-        [=](Reader& reader, Fix& fix) { fix.directions.push_back(read_direction(reader, direction.spec)); },
-        "only translation along this direction; the word may be repeated");
+    entry.keyword({"direction"}, Parts<Fix>().in(next_of(&Fix::directions), direction(vector("dx dy dz").spec)),
+                  "only translation along this direction; the word may be repeated");
     return entry;
 }
 
@@ -288,13 +279,14 @@ CommandSpec table() {
                   "x and y when the step is 0");
     entry.action(
         {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "removes all pairs");
-    const auto x = real("x").spec, y = real("y").spec;
-    entry.otherwise({x, y}, [=](Reader& reader, TableCommand& t) {
-        if (!reader.at_number()) return false;
-        const double at = reader.real(x);
-        t.points.push_back({at, reader.real(y)});
-        return true;
-    });
+    using Point = std::array<double, 2>;
+    entry.values(Parts<TableCommand>().in(next_of(&TableCommand::points),
+                                          Parts<Point>()
+                                              .then(
+                                                  real("x"), [](Point & p) -> auto& { return p[0]; })
+                                              .then(
+                                                  real("y"), [](Point & p) -> auto& { return p[1]; })),
+                 [](Reader& reader, TableCommand&) { return reader.at_number(); });
     entry.finish([](const Reader& reader, TableCommand& t) {
         if (t.points.empty() && t.file.empty() && !t.clear)
             incomplete_line(reader, "table has no pairs", "expected: pairs x y, read and a file, or clear");
@@ -313,39 +305,30 @@ CommandSpec water() {
     Entry<WaterCommand> entry({"water"});
     entry.help("water pressure in joints and zones: below a table, or linear in space");
     entry.place(&WaterCommand::place);
-    const auto origin = vector("x y z").unit("length");
-    entry.special(
-        {"table"}, {origin.spec},
-        [=](Reader& reader, WaterCommand& w) {
-            w.kind = WaterCommand::Kind::table;
-            w.origin = reader.vector(origin.spec);
-        },
-        "hydrostatic pressure below a plane through this point; it follows gravity");
+    using Kind = WaterCommand::Kind;
+    // The last kind of a line counts.
+    const auto of_kind = [](Kind kind) {
+        return Parts<WaterCommand>().set([kind](WaterCommand& w) {
+            w.kind = kind;
+            w.pressure = 0;
+            w.file.clear();
+        });
+    };
+    entry.keyword({"table"}, of_kind(Kind::table).then(vector("x y z").unit("length"), &WaterCommand::origin),
+                  "hydrostatic pressure below a plane through this point; it follows gravity");
     entry.keyword({"normal"}, vector("nx ny nz"), &WaterCommand::normal,
                   "upward normal of the table; 0 0 1 if not given");
     entry.keyword({"density"}, real("d").unit("density").above(0), &WaterCommand::density,
                   "density of the water; 1000 if not given");
-    const auto pressure = real("p").unit("stress");
-    entry.special(
-        {"pressure", "pp"}, {pressure.spec},
-        [=](Reader& reader, WaterCommand& w) {
-            w.kind = WaterCommand::Kind::pressure;
-            w.pressure = reader.real(pressure.spec);
-        },
-        "pressure at the origin of coordinates; where it would be negative it is 0");
+    entry.keyword({"pressure", "pp"}, of_kind(Kind::pressure).then(real("p").unit("stress"), &WaterCommand::pressure),
+                  "pressure at the origin of coordinates; where it would be negative it is 0");
     entry.keyword({"gradient"}, vector("gx gy gz").unit("stress/length"), &WaterCommand::gradient,
                   "change of the pressure with x, y and z");
-    const auto file = text("file");
-    entry.special(
-        {"ground"}, {file.spec},
-        [file](Reader& reader, WaterCommand& w) {
-            w.kind = WaterCommand::Kind::ground;
-            w.file = reader.text(file.spec);
-        },
+    entry.keyword(
+        {"ground"}, of_kind(Kind::ground).then(text("file"), &WaterCommand::file),
         "hydrostatic pressure below the surface of a file, as `cut ground` reads it; beyond its edge it is level");
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &WaterCommand::origin, "moves that surface");
-    entry.action(
-        {"off"}, [](WaterCommand& w) { w.kind = WaterCommand::Kind::off; }, "removes the water");
+    entry.keyword({"off"}, of_kind(Kind::off), "removes the water");
     entry.finish([](const Reader& reader, WaterCommand& w) {
         if (!w.kind)
             incomplete_line(reader, "water has no table, ground or pressure",

@@ -3,82 +3,34 @@
 #pragma once
 
 #include "lang/commands/commands.hpp"
-#include "lang/interp/reader.hpp"
+#include "lang/commands/parts.hpp"
 
 #include <concepts>
 #include <functional>
-#include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace kaya::lang {
 
-/// Description of one argument, with the C++ type that it is read as.
-template <class T> struct Argument {
-    ArgumentSpec spec;
-
-    Argument unit(std::string_view name) && { return spec.unit = name, *this; }
-    Argument help(std::string_view text) && { return spec.help = text, *this; }
-    Argument optional() && { return spec.optional = true, *this; }
-    Argument above(double low) && { return spec.limits.low = low, spec.limits.low_excluded = true, *this; }
-    Argument below(double high) && { return spec.limits.high = high, spec.limits.high_excluded = true, *this; }
-    Argument at_least(double low) && { return spec.limits.low = low, *this; }
-    Argument at_most(double high) && { return spec.limits.high = high, *this; }
-};
-
-inline Argument<double> real(std::string_view name) { return {{.name = name}}; }
-inline Argument<std::int64_t> integer(std::string_view name) { return {{.name = name, .kind = ArgumentKind::integer}}; }
-inline Argument<std::string> text(std::string_view name) { return {{.name = name, .kind = ArgumentKind::text}}; }
-inline Argument<bool> on_off() { return {{.name = "switch", .kind = ArgumentKind::on_off}}; }
-inline Argument<Vec3> vector(std::string_view names) { return {{.name = names, .count = 3}}; }
-inline Argument<std::array<double, 2>> pair(std::string_view names) { return {{.name = names, .count = 2}}; }
-inline Argument<std::array<double, 6>> tensor(std::string_view names) { return {{.name = names, .count = 6}}; }
-
-namespace detail {
-
-template <class Member, class T>
-concept HoldsExactly = std::same_as<Member, T> || std::same_as<Member, std::optional<T>>;
-
-/// `target` is a member (pointer to member or lambda that gives a reference) or a function that takes
-/// the struct and the value. Conversions are refused: a whole number stays one.
-template <class Struct, class T, class Target>
-std::function<void(Reader&, void*)> reads(ArgumentSpec spec, Target target) {
-    return [spec, target](Reader& reader, void* at) {
-        auto& to = *static_cast<Struct*>(at);
-        if constexpr (std::invocable<const Target&, Struct&, T>) {
-            T value = reader.read<T>(spec);
-            try {
-                std::invoke(target, to, std::move(value));
-            } catch (Diagnostic& refused) {
-                refused.at(reader.previous().place); // of the value
-                throw;
-            }
-        } else {
-            using Member = std::remove_cvref_t<std::invoke_result_t<const Target&, Struct&>>;
-            static_assert(HoldsExactly<Member, T>, "the member has another type than the argument");
-            std::invoke(target, to) = reader.read<T>(spec);
-        }
-    };
-}
-
-} // namespace detail
-
 /// A list of keywords that act on one struct.
 template <class Struct> class Keywords {
 public:
-    /// One argument, stored in one member.
-    template <class T, class Target>
-    Keywords& keyword(std::vector<Spelling> words, Argument<T> argument, Target target, std::string_view help) {
-        list_.push_back({std::move(words), {argument.spec}, help, detail::reads<Struct, T>(argument.spec, target), {}});
+    /// A word and its parts.
+    Keywords& keyword(std::vector<Spelling> words, const Parts<Struct>& parts, std::string_view help) {
+        list_.push_back({std::move(words), parts.arguments(), help,
+                         [parts](Reader& reader, void* at) { parts.read(reader, *static_cast<Struct*>(at)); },
+                         parts.keywords()});
+        list_.back().write = parts.write();
         return *this;
     }
-
+    /// One argument, stored in one member.
+    template <class T, class Target>
+    Keywords& keyword(std::vector<Spelling> words, const Argument<T>& argument, Target target, std::string_view help) {
+        return keyword(std::move(words), Parts<Struct>().then(argument, target), help);
+    }
     /// No argument: calls a function on the struct.
     template <std::invocable<Struct&> Action>
     Keywords& action(std::vector<Spelling> words, Action action, std::string_view help) {
-        list_.push_back(
-            {std::move(words), {}, help, [action](Reader&, void* at) { action(*static_cast<Struct*>(at)); }, {}});
-        return *this;
+        return keyword(std::move(words), Parts<Struct>().set(action), help);
     }
 
     /// Any other form: `read` is called after the keyword; `arguments` describe what it reads.
@@ -91,11 +43,16 @@ public:
         return *this;
     }
 
+    /// The words added last are printed so.
+    Keywords& prints(Write write) { return list_.back().write = std::move(write), *this; }
+
     /// A keyword of another table, whose target is the same struct.
     Keywords& add(KeywordSpec keyword) { return list_.push_back(std::move(keyword)), *this; }
 
     /// The words added last are a spelling of these classic ones.
     Keywords& said(std::string_view classic) { return list_.back().classic = classic, *this; }
+    /// The words added last cannot end a line.
+    Keywords& between() { return list_.back().between = true, *this; }
     /// The words added last are read without effect.
     Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
 
@@ -133,6 +90,7 @@ public:
         spec_.index = index_of<Command>;
         spec_.make = [] { return std::any(Command{}); };
         spec_.address = [](std::any& command) -> void* { return std::any_cast<Command>(&command); };
+        spec_.hash = hash_struct<Command>;
     }
 
     /// One more word of its name.
@@ -149,10 +107,19 @@ public:
     }
 
     template <class T, class Target> Entry& argument(Argument<T> argument, Target target) {
-        spec_.arguments.push_back({argument.spec, detail::reads<Command, T>(argument.spec, target)});
+        return this->argument(Parts<Command>().then(argument, target));
+    }
+    Entry& argument(const Parts<Command>& parts) {
+        spec_.arguments.push_back(
+            {parts.arguments().front(),
+             [parts](Reader& reader, void* at) { parts.read(reader, *static_cast<Command*>(at)); }, parts.write()});
         return *this;
     }
 
+    Entry& keyword(std::vector<Spelling> words, const Parts<Command>& parts, std::string_view help) {
+        keywords_.keyword(std::move(words), parts, help);
+        return *this;
+    }
     template <class T, class Target>
     Entry& keyword(std::vector<Spelling> words, Argument<T> argument, Target target, std::string_view help) {
         keywords_.keyword(std::move(words), argument, target, help);
@@ -168,6 +135,7 @@ public:
         return *this;
     }
 
+    Entry& between() { return keywords_.between(), *this; }
     /// The keyword added last is read without effect.
     Entry& ignored() { return keywords_.ignored(), *this; }
     /// Keywords that are known and refused; `help` explains them.
@@ -185,6 +153,25 @@ public:
         return *this;
     }
 
+    /// Values that no word announces; `begins(reader, struct)`: the next word is one.
+    template <std::predicate<Reader&, Command&> Begins>
+    Entry& values(const Parts<Command>& parts, Begins begins, std::vector<ArgumentSpec> arguments = {}) {
+        otherwise(arguments.empty() ? parts.arguments() : std::move(arguments),
+                  [parts, begins](Reader& reader, Command& command) {
+                      if (!begins(reader, command)) return false;
+                      parts.read(reader, command);
+                      return true;
+                  });
+        return prints(parts);
+    }
+
+    /// What `otherwise` reads is printed so; `last`: after the keywords.
+    Entry& prints(const Parts<Command>& parts, bool last = false) {
+        spec_.values.write = parts.write();
+        spec_.values_last = last;
+        return *this;
+    }
+
     /// `needs_word`: range elements are read only after the word range, because the line may hold names of properties that are not known
     /// yet.
     Entry& range(RangePhrase Command::*phrase, bool needs_word = false,
@@ -194,6 +181,7 @@ public:
         spec_.read_range = [phrase, &grammar](Reader& reader, void* at) {
             read_range(reader, static_cast<Command*>(at)->*phrase, grammar);
         };
+        spec_.range_of = [phrase](const void* at) { return &(static_cast<const Command*>(at)->*phrase); };
         return *this;
     }
 
@@ -225,6 +213,11 @@ public:
         spec_.raw = true;
         return start([text](const Statement& s, Command& c) { c.*text = s.raw(1); });
     }
+    /// The line of a struct whose words are not those of a table.
+    template <std::invocable<const Command&> Line> Entry& whole_line(Line line) {
+        spec_.whole_line = [line](const void* at) { return line(*static_cast<const Command*>(at)); };
+        return *this;
+    }
     /// The lines up to the word `end`.
     Entry& body(std::string_view end, std::string Command::*text, Place Command::*place, bool needs_bare_line) {
         spec_.body_end = end;
@@ -246,10 +239,10 @@ protected:
     Keywords<Command> keywords_;
 };
 
-/// Takes the next word, one of `words`, which may be abbreviated, and returns its number. Throws Diagnostic when there is none, or another;
-/// `what` is their kind: "a law of sizes".
-std::size_t word_among(Reader& reader, const ArgumentSpec& spec, std::string_view what,
-                       const std::vector<std::string_view>& words);
+/// A name with @ or without: the name itself and not its value.
+std::string name_at(Reader& reader, const ArgumentSpec& name);
+/// `@name value`, or also `name value`.
+Parts<std::pair<std::string, Value>> fish_variable(bool needs_mark);
 
 /// An incomplete line: "change needs mat, cons, jmat or jcons".
 [[noreturn]] void incomplete_line(const Reader& reader, std::string message, std::string hint = {});

@@ -9,6 +9,20 @@
 
 namespace kaya::lang {
 
+Parts<std::pair<std::string, Value>> fish_variable(bool needs_mark) {
+    using Variable = std::pair<std::string, Value>;
+    return Parts<Variable>().by(
+        [](Reader& reader, Variable& variable) {
+            variable.first = name_at(reader, text("@name").spec);
+            variable.second = reader.any(real("value").spec);
+        },
+        [needs_mark](Parts<Variable>::Form form, const Variable& wanted) {
+            form.words.push_back({(needs_mark ? "@" : "") + wanted.first, !needs_mark});
+            form.after = wanted;
+            return print_any(form.words, wanted.second) ? Parts<Variable>::Forms{form} : Parts<Variable>::Forms{};
+        });
+}
+
 namespace {
 
 /// `3dec`, or `none`.
@@ -36,7 +50,12 @@ CommandSpec set() {
                   "time step as a fraction of the largest stable one");
     entry.keyword({"dt", "timestep"}, real("t").unit("time").at_least(0), &Set::time_step,
                   "time step; 0: a fraction of the largest stable one again");
-    entry.keyword({Spelling{"compatibility", 4}}, text("program"), read_compatibility,
+    entry.keyword({Spelling{"compatibility", 4}}, text("program"),
+                  Through{read_compatibility,
+                          [](const Set& set) {
+                              return set.as_3dec ? std::optional<std::string>(*set.as_3dec ? "3dec" : "none")
+                                                 : std::nullopt;
+                          }},
                   "3dec: joints of rigid blocks stand on their corners, and the time step is that of 3DEC where it is "
                   "shorter; none: the default");
     entry.keyword({"threads"}, integer("n").at_least(1), &Set::threads, "number of threads");
@@ -47,22 +66,15 @@ CommandSpec set() {
                   "on: writes a page for a browser at the end of the run, with the model over time");
     entry.keyword({"gravity"}, vector("gx gy gz").unit("acceleration"), &Set::gravity, "the same as gravity");
     const auto units = text("system");
-    entry.special(
-        {"units"}, {units.spec},
-        [=](Reader& reader, Set& set) {
-            set.units = reader.text(units.spec);
+    entry.keyword(
+        {"units"}, Parts<Set>().then(units, &Set::units).check([units](Reader& reader, Set& set) {
             // The units one by one: m kg s Pa.
             for (int i = 0; i < 3 && Units::begins_with(*set.units); ++i) *set.units += "-" + reader.text(units.spec);
-        },
+        }),
         "names the units of lists, pictures, histories and reports and checks values against them; converts nothing");
-    const auto seed = integer("n").at_least(0).optional();
-    entry.special(
-        {Spelling{"random", 3}}, {seed.spec},
-        [=](Reader& reader, Set& set) {
-            const bool given = reader.peek() && (reader.peek()->kind == WordKind::number || reader.peek()->late());
-            set.seed = given ? reader.integer(seed.spec) : 1;
-        },
-        "restarts the random numbers of FISH and Lua from this seed; 1 if not given");
+    entry.keyword({Spelling{"random", 3}},
+                  Parts<Set>().set(&Set::seed, 1).maybe(integer("n").at_least(0).optional(), &Set::seed),
+                  "restarts the random numbers of FISH and Lua from this seed; 1 if not given");
     for (const char* word : {"pagination", "atol", "btol", "ctol", "dtol", "etol", "nmech", "ncyc", "cust1", "cust2",
                              "messages", "warnings", "overwrite", "delcontact"})
         entry
@@ -86,12 +98,9 @@ CommandSpec set() {
                 {word}, {text("...").optional().spec}, [](Reader& reader, Set&) { (void)reader.take_raw(); },
                 "accepted with the rest of the line, without effect")
             .ignored();
-    entry.otherwise({text("@name value").optional().spec}, [](Reader& reader, Set& set) {
-        if (reader.peek()->kind != WordKind::symbol) return false;
-        const std::string name = reader.symbol(text("@name").spec);
-        set.fish.emplace_back(name, reader.any(real("value").spec));
-        return true;
-    });
+    entry.values(Parts<Set>().in(next_of(&Set::fish), fish_variable(true)),
+                 [](Reader& reader, Set&) { return reader.peek()->kind == WordKind::symbol; },
+                 {text("@name value").optional().spec});
     entry.finish([](const Reader& reader, Set&) {
         if (reader.statement().words.size() == 1)
             incomplete_line(reader, "set has no setting", "write for example: set dyn on");
@@ -146,6 +155,9 @@ CommandSpec title() {
         const auto& words = statement.words;
         title.text = words.size() == 2 && words[1].kind == WordKind::text ? words[1].text : statement.raw(1);
         if (words.size() == 1) title.text = statement.body; // on the line below
+    });
+    entry.whole_line([](const Title& title) {
+        return title.text.empty() ? "title" : "title " + joined({{title.text, true}}, true);
     });
     entry.help("names the model; the text is the rest of the line, or the next line if that is not a command");
     entry.right("title Direct shear test").right("title 'A wall, second try'").right("title").right("title It's late");

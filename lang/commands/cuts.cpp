@@ -10,28 +10,26 @@ namespace kaya::lang {
 namespace {
 
 /// A value and the half width of its scatter.
-void with_deviation(Entry<JointSetCommand>& entry, std::vector<Spelling> words, ArgumentSpec value,
-                    ArgumentSpec deviation, std::array<double, 2> JointSetCommand::*member, std::string_view help) {
-    entry.special(
-        std::move(words), {value, deviation},
-        [=](Reader& reader, JointSetCommand& set) {
-            (set.*member)[0] = reader.real(value);
-            if (reader.at_number()) (set.*member)[1] = reader.real(deviation);
-        },
-        help);
+void with_deviation(Entry<JointSetCommand>& entry, std::vector<Spelling> words, const Argument<double>& value,
+                    const Argument<double>& deviation, std::array<double, 2> JointSetCommand::*member,
+                    std::string_view help) {
+    const auto part = [member](std::size_t k) {
+        return [ member, k ](JointSetCommand & set) -> auto& { return (set.*member)[k]; };
+    };
+    entry.keyword(std::move(words), Parts<JointSetCommand>().then(value, part(0)).maybe(deviation, part(1)), help);
 }
 
 CommandSpec joint_set() {
     Entry<JointSetCommand> entry({"jset"});
     entry.help("cuts visible blocks by a set of parallel joints");
-    const ArgumentSpec deviation = real("deviation").unit("degrees").at_least(0).optional().spec;
-    with_deviation(entry, {"dip"}, real("dip").unit("degrees").spec, deviation, &JointSetCommand::dip,
+    const auto deviation = real("deviation").unit("degrees").at_least(0).optional();
+    with_deviation(entry, {"dip"}, real("dip").unit("degrees"), deviation, &JointSetCommand::dip,
                    "angle below the horizontal and half width of its scatter, 0 if not given");
-    with_deviation(entry, {"dd", "dip-direction"}, real("dd").unit("degrees").spec, deviation,
+    with_deviation(entry, {"dd", "dip-direction"}, real("dd").unit("degrees"), deviation,
                    &JointSetCommand::dip_direction,
                    "direction of dip, clockwise from +y seen from above, and its scatter");
-    with_deviation(entry, {"spacing"}, real("spacing").unit("length").at_least(0).spec,
-                   real("deviation").unit("length").at_least(0).optional().spec, &JointSetCommand::spacing,
+    with_deviation(entry, {"spacing"}, real("spacing").unit("length").at_least(0),
+                   real("deviation").unit("length").at_least(0).optional(), &JointSetCommand::spacing,
                    "distance between joints and its scatter");
     entry.keyword({"number"}, integer("n").at_least(1).at_most(1e6), &JointSetCommand::number,
                   "of joints, 1 if not given; the first passes through the origin, the others lie on both sides");
@@ -74,15 +72,7 @@ CommandSpec tunnel() {
     Entry<TunnelCommand> entry({"tunnel"});
     entry.help("cuts visible blocks along the outline of a tunnel; no block is removed");
     const auto polygon = [&](const char* word, std::vector<Vec3> TunnelCommand::*member, std::string_view help) {
-        ArgumentSpec spec = vector("x y z ...").unit("length").spec;
-        spec.repeated = true;
-        entry.special(
-            {word}, {spec},
-            [=](Reader& reader, TunnelCommand& command) {
-                do (command.*member).push_back(reader.vector(spec));
-                while (reader.at_number());
-            },
-            help);
+        entry.keyword({word}, Parts<TunnelCommand>().each(vector("x y z ...").unit("length"), member), help);
     };
     polygon("a", &TunnelCommand::first, "corners of the outline at one end, in order around it");
     polygon("b", &TunnelCommand::second, "corners at the other end, each opposite its partner");
@@ -127,8 +117,10 @@ CommandSpec densify() {
     Entry<Densify> entry({"densify", "density"});
     entry.help("cuts each block into equal parts along x, y and z");
     const auto parts = [&](std::string_view name, std::size_t k, std::string_view help) {
-        entry.argument(integer(name).at_least(1).at_most(1000).help(help),
-                       [k](Densify& command, std::int64_t n) { command.parts[k] = n; });
+        entry.argument(
+            integer(name).at_least(1).at_most(1000).help(help), [k](Densify & command) -> auto& {
+                return command.parts[k];
+            });
     };
     parts("nx", 0, "parts along x");
     parts("ny", 1, "parts along y");

@@ -18,6 +18,15 @@ Vec3 read_direction(Reader& reader, const ArgumentSpec& spec) {
     return direction;
 }
 
+Parts<Vec3> direction(const ArgumentSpec& spec) {
+    return Parts<Vec3>().argument(spec).by([spec](Reader& reader, Vec3& to) { to = read_direction(reader, spec); },
+                                           [](Parts<Vec3>::Form form, const Vec3& wanted) {
+                                               form.after = wanted;
+                                               return print_value(form.words, wanted) ? Parts<Vec3>::Forms{form}
+                                                                                      : Parts<Vec3>::Forms{};
+                                           });
+}
+
 void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>& tensors, const ArgumentSpec& first,
                      const ArgumentSpec& second) {
     const Vec3 a = read_direction(reader, first);

@@ -11,6 +11,9 @@ namespace kaya::lang {
 /// A vector of any length but 0.
 Vec3 read_direction(Reader& reader, const ArgumentSpec& spec);
 
+/// The same as a part of a line.
+Parts<Vec3> direction(const ArgumentSpec& spec);
+
 /// Reads two vectors that give the axes of the components of tensors (xx yy zz xy xz yz), and rotates the tensors into global axes: x is
 /// along the first vector, y in the plane of both. A tensor given after the vectors would not be rotated, and is refused.
 void read_local_axes(Reader& reader, const std::array<std::array<double, 6>*, 4>& tensors, const ArgumentSpec& first,

@@ -161,46 +161,72 @@ CommandSpec cluster_fractures() {
     return entry;
 }
 
-void read_orientation(Reader& reader, FractureTemplate& made) {
+auto angle_at(std::size_t k) {
+    return [k](FractureTemplate & made) -> auto& { return made.angles[k]; };
+}
+auto size_at(std::size_t k) {
+    return [k](FractureTemplate & made) -> auto& { return made.sizes[k]; };
+}
+
+Parts<FractureTemplate> orientation() {
     using enum FractureTemplate::Orientation;
-    static const ArgumentSpec law = text("law").spec, angle = real("angle").unit("degrees").spec,
-                              deviation = real("deviation").unit("degrees").at_least(0).spec,
-                              kappa = real("kappa").at_least(0).at_most(1e6).spec;
-    switch (word_among(reader, law, "a law of orientations", {"uniform", "fisher", "gauss"})) {
-    case 0: made.orientation = uniform; return;
-    case 1:
-        made.orientation = fisher;
-        made.angles = {reader.real(angle), reader.real(angle), reader.real(kappa), 0};
-        return;
-    default:
-        made.orientation = gauss;
-        made.angles = {reader.real(angle), reader.real(deviation), reader.real(angle), reader.real(deviation)};
-    }
+    const auto angle = real("angle").unit("degrees"), deviation = real("deviation").unit("degrees").at_least(0);
+    const auto law = [](FractureTemplate::Orientation orientation) {
+        return Parts<FractureTemplate>().set([orientation](FractureTemplate& made) {
+            made.orientation = orientation;
+            made.angles = {};
+        });
+    };
+    const auto around_a_mean = law(fisher)
+                                   .then(angle, angle_at(0))
+                                   .then(angle, angle_at(1))
+                                   .then(real("kappa").at_least(0).at_most(1e6), angle_at(2));
+    const auto of_angles = law(gauss)
+                               .then(angle, angle_at(0))
+                               .then(deviation, angle_at(1))
+                               .then(angle, angle_at(2))
+                               .then(deviation, angle_at(3));
+    return Parts<FractureTemplate>().one_of(
+        text("uniform|fisher dip dd kappa|gauss dip deviation dd deviation").spec, "a law of orientations",
+        {{"uniform", law(uniform)}, {"fisher", around_a_mean}, {"gauss", of_angles}});
 }
 
-void read_size(Reader& reader, FractureTemplate& made) {
-    static const ArgumentSpec law = text("law").spec, exponent = real("exponent").at_least(0).at_most(20).spec,
-                              mean = real("mean").unit("length").above(0).spec,
-                              deviation = real("deviation").unit("length").at_least(0).spec;
-    made.size = static_cast<FractureTemplate::Size>(
-        word_among(reader, law, "a law of sizes", {"power-law", "log-normal", "gauss", "exponential", "uniform"}));
-    switch (*made.size) {
-    case FractureTemplate::Size::power_law: made.sizes = {reader.real(exponent), 0}; return;
-    case FractureTemplate::Size::exponential: made.sizes = {reader.real(mean), 0}; return;
-    case FractureTemplate::Size::uniform: return;
-    default: made.sizes = {reader.real(mean), reader.real(deviation)};
-    }
+Parts<FractureTemplate> sizes() {
+    using enum FractureTemplate::Size;
+    const auto exponent = real("exponent").at_least(0).at_most(20), mean = real("mean").unit("length").above(0),
+               deviation = real("deviation").unit("length").at_least(0);
+    const auto law = [](FractureTemplate::Size size) {
+        return Parts<FractureTemplate>().set([size](FractureTemplate& made) {
+            made.size = size;
+            made.sizes = {};
+        });
+    };
+    const auto one = [&](FractureTemplate::Size size, const Argument<double>& number) {
+        return law(size).then(number, size_at(0));
+    };
+    const auto two = [&](FractureTemplate::Size size) {
+        return law(size).then(mean, size_at(0)).then(deviation, size_at(1));
+    };
+    return Parts<FractureTemplate>().one_of(
+        text("power-law exponent|log-normal mean deviation|gauss mean deviation|exponential mean|uniform").spec,
+        "a law of sizes",
+        {{"power-law", one(power_law, exponent)},
+         {"log-normal", two(log_normal)},
+         {"gauss", two(gauss)},
+         {"exponential", one(exponential, mean)},
+         {"uniform", law(uniform)}});
 }
 
-template <class Member>
-void add_limits(Entry<FractureTemplate>& entry, const char* word, ArgumentSpec spec, Member member, const char* help) {
-    entry.special(
-        {word}, {spec, spec},
-        [=](Reader& reader, FractureTemplate& made) {
-            const double low = reader.real(spec), high = reader.real(spec);
-            made.*member = {low, high};
-        },
-        help);
+void add_limits(Entry<FractureTemplate>& entry, const char* word, const Argument<double>& limit,
+                std::optional<std::array<double, 2>> FractureTemplate::*limits, const char* help) {
+    using Limits = std::array<double, 2>;
+    entry.keyword({word},
+                  Parts<FractureTemplate>().in(made(limits), Parts<Limits>()
+                                                                 .then(
+                                                                     limit, [](Limits & l) -> auto& { return l[0]; })
+                                                                 .then(
+                                                                     limit, [](Limits & l) -> auto& { return l[1]; })),
+                  help);
 }
 
 CommandSpec make_template() {
@@ -208,25 +234,19 @@ CommandSpec make_template() {
     entry.then({"create"});
     entry.help("names the orientations and sizes from which fractures are drawn").place(&FractureTemplate::place);
     entry.argument(text("name").help("name of the template"), &FractureTemplate::name);
-    entry.special(
-        {"orientation"}, {text("uniform|fisher dip dd kappa|gauss dip deviation dd deviation").spec}, read_orientation,
+    entry.keyword(
+        {"orientation"}, orientation(),
         "uniform on the sphere if not given; around a mean with Fisher's constant; or angles with normal distributions");
-    entry.special(
-        {"size"},
-        {text("power-law exponent|log-normal mean deviation|gauss mean deviation|exponential mean|uniform").spec},
-        read_size, "law of the diameters; values outside of size-limits are drawn again");
-    entry.special(
-        {"position"}, {text("uniform").spec},
-        [](Reader& reader, FractureTemplate&) {
-            word_among(reader, text("uniform").spec, "a law of positions", {"uniform"});
-        },
-        "centres are uniform in the box of fracture generate");
-    const ArgumentSpec angle = real("angle").unit("degrees").spec;
+    entry.keyword({"size"}, sizes(), "law of the diameters; values outside of size-limits are drawn again");
+    entry.keyword({"position"},
+                  Parts<FractureTemplate>().one_of(text("uniform").spec, "a law of positions", {{"uniform", {}}}),
+                  "centres are uniform in the box of fracture generate");
+    const auto angle = real("angle").unit("degrees");
     add_limits(entry, "dip-limits", angle, &FractureTemplate::dip_limits,
                "least and greatest dip, 0 and 90 if not given");
     add_limits(entry, "dip-direction-limits", angle, &FractureTemplate::dip_direction_limits,
                "least and greatest dip direction, 0 and 360 if not given");
-    add_limits(entry, "size-limits", real("diameter").unit("length").above(0).spec, &FractureTemplate::size_limits,
+    add_limits(entry, "size-limits", real("diameter").unit("length").above(0), &FractureTemplate::size_limits,
                "least and greatest diameter, 1 and no limit if not given");
     entry.finish([](const Reader& reader, FractureTemplate& made) {
         if (!made.size)
@@ -257,11 +277,10 @@ CommandSpec delete_template() {
 
 template <class Command> void add_line(Entry<Command>& entry) {
     entry.keyword(
-        {"begin"}, vector("x y z").unit("length"), [](Command& c, const Vec3& x) { c.line[0] = x; },
+        {"begin"}, vector("x y z").unit("length"), [](Command & c) -> auto& { return c.line[0]; },
         "of the line of p10");
     entry.keyword(
-        {"end"}, vector("x y z").unit("length"), [](Command& c, const Vec3& x) { c.line[1] = x; },
-        "of the line of p10");
+        {"end"}, vector("x y z").unit("length"), [](Command & c) -> auto& { return c.line[1]; }, "of the line of p10");
 }
 
 template <class Command> void check_line(const Reader& reader, const Command& command, bool needed) {

@@ -95,22 +95,18 @@ CommandSpec generate_quad() {
     Entry<GenerateQuad> entry({"generate"}, {"quad", "hexahedra"});
     entry.help("cuts blocks of six faces with four corners in cells, each of six tetrahedral zones");
     entry.place(&GenerateQuad::place);
-    const auto part = [](std::string_view name) { return integer(name).at_least(1).at_most(1000).spec; };
-    const auto ratio = [](std::string_view name) { return real(name).above(0).spec; };
-    const std::vector<ArgumentSpec> parts{part("n1"), part("n2"), part("n3")},
-        ratios{ratio("r1"), ratio("r2"), ratio("r3")};
-    entry.special(
-        {"ndivisions", "divisions"}, parts,
-        [parts](Reader& reader, GenerateQuad& g) {
-            for (std::size_t k = 0; k < 3; ++k) g.parts[k] = reader.integer(parts[k]);
-            g.given = true;
-        },
-        "cells along the block's edges that are nearest to x, y and z");
-    entry.special(
+    Parts<GenerateQuad> parts, ratios;
+    for (std::size_t k = 0; k < 3; ++k) {
+        constexpr std::array part{"n1", "n2", "n3"}, ratio{"r1", "r2", "r3"};
+        parts.then(
+            integer(part[k]).at_least(1).at_most(1000), [k](GenerateQuad & g) -> auto& { return g.parts[k]; });
+        ratios.then(
+            real(ratio[k]).above(0), [k](GenerateQuad & g) -> auto& { return g.ratio[k]; });
+    }
+    parts.set(&GenerateQuad::given, true);
+    entry.keyword({"ndivisions", "divisions"}, parts, "cells along the block's edges that are nearest to x, y and z");
+    entry.keyword(
         {"ratio"}, ratios,
-        [ratios](Reader& reader, GenerateQuad& g) {
-            for (std::size_t k = 0; k < 3; ++k) g.ratio[k] = reader.real(ratios[k]);
-        },
         "length of each cell over that of the one before it, in the direction of growing x, y and z; 1 if not given");
     entry.range(&GenerateQuad::range);
     entry.finish([](const Reader& reader, GenerateQuad& g) {

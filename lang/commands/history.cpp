@@ -82,6 +82,10 @@ const std::vector<Recorded>& recorded() {
     return words;
 }
 
+Parts<HistoryItem> recorded_as(const HistoryItem::Quantity& quantity) {
+    return Parts<HistoryItem>().mark(&HistoryItem::text).set([quantity](HistoryItem& item) { item.what = quantity; });
+}
+
 CommandSpec history_add() {
     Entry<HistoryAdd> entry({"history"});
     entry.help("records quantities from now on; a line may have several");
@@ -89,22 +93,17 @@ CommandSpec history_add() {
     for (const auto& item : recorded()) {
         const bool has_place = item.kind != ObjectKind::global;
         const HistoryItem::Quantity quantity{item.kind, item.field, item.rate};
-        entry.special(
-            item.words, has_place ? std::vector{place.spec} : std::vector<ArgumentSpec>{},
-            [=](Reader& reader, HistoryAdd& history) {
-                const Place at = reader.previous().place;
-                const Vec3 where = has_place ? reader.vector(place.spec) : Vec3(Vec3::Zero());
-                history.items.push_back({quantity, where, at});
-            },
-            item.help);
+        auto parts = recorded_as(quantity);
+        if (has_place) parts.then(place, &HistoryItem::place);
+        entry.keyword(item.words, Parts<HistoryAdd>().in(next_of(&HistoryAdd::items), parts), item.help);
     }
-    entry.special(
-        {"jprop", "jproperty"}, {text("name").spec, place.spec},
-        [=](Reader& reader, HistoryAdd& history) {
-            const Place at = reader.previous().place;
-            const std::string own = reader.text(text("name").spec);
-            history.items.push_back({HistoryItem::Own{own}, reader.vector(place.spec), at});
-        },
+    const auto own = Parts<HistoryItem>()
+                         .mark(&HistoryItem::text)
+                         .in(as<HistoryItem::Own>(&HistoryItem::what),
+                             Parts<HistoryItem::Own>().then(text("name"), &HistoryItem::Own::name))
+                         .then(place, &HistoryItem::place);
+    entry.keyword(
+        {"jprop", "jproperty"}, Parts<HistoryAdd>().in(next_of(&HistoryAdd::items), own),
         "value of the nearest sub-contact by that name: history of its joint model, a field, a property that its object holds");
     entry.keyword({"ncyc", "ncycle", Spelling{"nstep", 1}}, integer("n").at_least(1), &HistoryAdd::interval,
                   "cycles from one record to the next, for all histories");
@@ -120,6 +119,23 @@ CommandSpec history_add() {
         history.items.push_back({HistoryItem::Script{name}, Vec3::Zero(), reader.previous().place});
         return true;
     });
+    entry.prints(Parts<HistoryAdd>().by({}, [](Parts<HistoryAdd>::Form form, const HistoryAdd& wanted) {
+        Parts<HistoryAdd>::Forms forms;
+        auto& items = form.after.items;
+        if (wanted.number && !form.after.number && items.empty()) {
+            forms.push_back(form);
+            print_value(forms.back().words, *wanted.number);
+            forms.back().after.number = wanted.number;
+        }
+        if (items.size() >= wanted.items.size()) return forms;
+        const HistoryItem& next = wanted.items[items.size()];
+        if (const auto* script = std::get_if<HistoryItem::Script>(&next.what)) {
+            form.words.push_back({"@" + script->symbol});
+            items.push_back(next);
+            forms.push_back(std::move(form));
+        }
+        return forms;
+    }));
     entry.finish([](const Reader& reader, HistoryAdd& history) {
         if (history.items.empty() && !history.interval)
             incomplete_line(reader, "history has no quantity to record", "write for example: hist unbal");
@@ -147,9 +163,7 @@ CommandSpec history_write() {
     entry.place(&HistoryWrite::place);
     entry.keyword({"vs", "v"}, integer("m").at_least(1), &HistoryWrite::versus,
                   "number of the history that makes the first column, in place of the cycle");
-    entry.keyword(
-        {"file"}, text("file"), [](HistoryWrite& write, std::string name) { write.file = std::move(name); },
-        "name of the file; the word file may be left out");
+    entry.keyword({"file"}, text("file"), &HistoryWrite::file, "name of the file; the word file may be left out");
     const auto number = integer("n").at_least(1).optional();
     const auto file = text("file").optional();
     entry.otherwise({number.spec, file.spec}, [=](Reader& reader, HistoryWrite& write) {
@@ -161,6 +175,7 @@ CommandSpec history_write() {
         write.file = reader.text(file.spec);
         return true;
     });
+    entry.prints(Parts<HistoryWrite>().next(number, &HistoryWrite::numbers));
     entry.right("hist write")
         .right("hist write 2 3 4 vs 5 curves.csv")
         .right("hist write 'all curves.csv'")
@@ -188,12 +203,10 @@ CommandSpec history_delete() {
     Entry<HistoryDelete> entry({"history"}, {"delete"});
     entry.help("deletes histories, all if no number is given; the others keep their numbers");
     entry.place(&HistoryDelete::place);
-    const auto number = integer("n").at_least(1);
-    entry.otherwise({number.spec}, [number](Reader& reader, HistoryDelete& command) {
-        if (reader.peek()->kind != WordKind::number && reader.peek()->kind != WordKind::symbol) return false;
-        command.numbers.push_back(reader.integer(number.spec));
-        return true;
-    });
+    entry.values(Parts<HistoryDelete>().next(integer("n").at_least(1), &HistoryDelete::numbers),
+                 [](Reader& reader, HistoryDelete&) {
+                     return reader.peek()->kind == WordKind::number || reader.peek()->kind == WordKind::symbol;
+                 });
     entry.right("hist delete 2").right("history delete 1 3").right("history delete");
     entry.wrong("hist delete 0", "delete must be at least 1, not 0");
     entry.wrong("hist delete all", "unexpected 'all' after the end of the command");

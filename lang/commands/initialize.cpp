@@ -31,16 +31,9 @@ std::vector<KeywordSpec> gradients() {
 /// A word with the number at the origin of coordinates, and its gradients.
 template <class Target>
 void add_linear(Entry<Initialize>& entry, std::vector<Spelling> words, Target target, std::string_view help) {
-    const auto value = real("s").unit("stress");
-    const auto slopes = gradients();
-    entry.special(
-        std::move(words), {value.spec},
-        [=](Reader& reader, Initialize& c) {
-            LinearNumber& number = target(c).emplace();
-            number.at_origin = reader.real(value.spec);
-            read_keywords(reader, slopes, &number);
-        },
-        help, slopes);
+    const auto parts =
+        Parts<LinearNumber>().then(real("s").unit("stress"), &LinearNumber::at_origin).words(gradients());
+    entry.keyword(std::move(words), Parts<Initialize>().in(made_at<Initialize, LinearNumber>(target), parts), help);
 }
 
 template <class Values> bool any(const Values& values) {

@@ -6,19 +6,6 @@
 
 namespace kaya::lang {
 
-namespace {
-
-Topography& topography(InSitu& c) {
-    if (!c.topography) c.topography.emplace();
-    return *c.topography;
-}
-LinearNumber& pore_pressure(InSitu& c) {
-    if (!c.pore_pressure) c.pore_pressure.emplace();
-    return *c.pore_pressure;
-}
-
-} // namespace
-
 CommandSpec insitu() {
     Entry<InSitu> entry({"insitu"});
     entry.help("sets the initial stress of zones and joints, and the pore pressure of joints");
@@ -34,25 +21,23 @@ CommandSpec insitu() {
         .action(
             {"nodisplacements"}, [](InSitu&) {}, "joints keep their displacements, the default")
         .ignored();
-    const auto pressure = real("p").unit("stress"), ratio = real("k").at_least(0);
-    const auto slope = vector("gx gy gz").unit("stress/length");
-    entry.special(
-        {"pp", "pressure"}, {pressure.spec},
-        [=](Reader& reader, InSitu& c) { pore_pressure(c).at_origin = reader.real(pressure.spec); },
+    const auto pressure = kept(&InSitu::pore_pressure);
+    entry.keyword(
+        {"pp", "pressure"},
+        Parts<InSitu>().in(pressure, Parts<LinearNumber>().then(real("p").unit("stress"), &LinearNumber::at_origin)),
         "pore pressure at the origin of coordinates");
-    entry.special(
-        {"gradient"}, {slope.spec},
-        [=](Reader& reader, InSitu& c) { pore_pressure(c).gradient = reader.vector(slope.spec); },
-        "change of the pore pressure with x, y and z");
-    entry.action(
-        {"topography"}, [](InSitu& c) { topography(c); },
-        "vertical stress of the weight of the blocks above, and horizontal stress as a part of it");
-    entry.special(
-        {"kx"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).kx = reader.real(ratio.spec); },
-        "ratio of sxx to szz below the topography; 1 if not given");
-    entry.special(
-        {"ky"}, {ratio.spec}, [=](Reader& reader, InSitu& c) { topography(c).ky = reader.real(ratio.spec); },
-        "ratio of syy to szz below the topography; 1 if not given");
+    entry.keyword({"gradient"},
+                  Parts<InSitu>().in(pressure, Parts<LinearNumber>().then(vector("gx gy gz").unit("stress/length"),
+                                                                          &LinearNumber::gradient)),
+                  "change of the pore pressure with x, y and z");
+    const auto topography = kept(&InSitu::topography);
+    entry.keyword({"topography"}, Parts<InSitu>().in(topography, Parts<Topography>()),
+                  "vertical stress of the weight of the blocks above, and horizontal stress as a part of it");
+    const auto ratio = real("k").at_least(0);
+    entry.keyword({"kx"}, Parts<InSitu>().in(topography, Parts<Topography>().then(ratio, &Topography::kx)),
+                  "ratio of sxx to szz below the topography; 1 if not given");
+    entry.keyword({"ky"}, Parts<InSitu>().in(topography, Parts<Topography>().then(ratio, &Topography::ky)),
+                  "ratio of syy to szz below the topography; 1 if not given");
     entry.range(&InSitu::range);
     entry.finish([](const Reader& reader, InSitu& c) {
         const std::array<double, 6> none{};

@@ -28,34 +28,31 @@ bool read_property_item(Reader& reader, std::vector<Property::Item>& items) {
 
 namespace {
 
-template <class Command> void model_properties(Entry<Command>& entry, std::vector<Property::Item> Command::*items) {
-    entry.otherwise({real("property value").optional().spec},
-                    [items](Reader& reader, Command& command) { return read_property_item(reader, command.*items); });
-}
-
 CommandSpec prop() {
     Entry<Property> entry({"property"});
     entry.help("gives a material its properties: of blocks, of joints, of joint models");
     const auto number = integer("n").at_least(1);
-    entry.keyword(
-        {"material", "mat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = false; },
-        "number of the block material");
-    entry.keyword(
-        {"jmaterial", "jmat"}, number, [](Property& p, std::int64_t n) { p.number = n, p.joint = true; },
-        "number of the joint material");
+    entry.keyword({"material", "mat"}, number,
+                  Through{[](Property& p, std::int64_t n) { p.number = n, p.joint = false; },
+                          [](const Property& p) { return p.joint ? std::nullopt : std::optional(p.number); }},
+                  "number of the block material");
+    entry.keyword({"jmaterial", "jmat"}, number,
+                  Through{[](Property& p, std::int64_t n) { p.number = n, p.joint = true; },
+                          [](const Property& p) { return p.joint ? std::optional(p.number) : std::nullopt; }},
+                  "number of the joint material");
     for (const auto* table : {&block_property_words(), &joint_property_words()})
         for (const auto& known : *table) {
             auto value = real(known.words.front().word).unit(known.unit);
             if (table == &joint_property_words()) value.spec.limits.low = known.limits.low;
-            entry.special(
-                known.words, {value.spec},
-                [value](Reader& reader, Property& property) {
-                    const Place place = reader.previous().place;
-                    property.items.push_back({std::string(value.spec.name), reader.real(value.spec), place});
-                },
-                known.help);
+            entry.keyword(known.words,
+                          Parts<Property>().in(next_of(&Property::items),
+                                               Parts<Property::Item>()
+                                                   .mark(&Property::Item::place)
+                                                   .set(&Property::Item::word, std::string(value.spec.name))
+                                                   .then(value, &Property::Item::value)),
+                          known.help);
         }
-    model_properties(entry, &Property::items);
+    property_values(entry);
     entry.finish([](const Reader& reader, Property& property) {
         if (property.items.empty())
             incomplete_line(reader, "no property is given", "write for example: prop mat 1 dens 2600");
@@ -105,10 +102,7 @@ CommandSpec jmodel_load() {
     return Entry<JointModelCommand>({"jmodel"}, {Spelling{"load", 4}})
         .help("loads a joint model from a shared library")
         .argument(text("name").help("name of the model or path of its library"),
-                  [](JointModelCommand& c, std::string name) {
-                      c.action = JointModelCommand::Action::load;
-                      c.model = std::move(name);
-                  })
+                  named_model(JointModelCommand::Action::load))
         .finish([](const Reader& reader, JointModelCommand& c) { c.model_place = reader.previous().place; })
         .right("jmodel load barton-bandis")
         .wrong("jmodel load", "a word is missing after 'load'")
@@ -118,13 +112,12 @@ CommandSpec jmodel_load() {
 CommandSpec jmodel_test() {
     Entry<JointModelTest> entry({"jmodel"}, {Spelling{"test", 4}});
     entry.help("drives one sub-contact of a joint model along a path and writes the response");
-    entry.argument(text("name").help("name of the joint model"),
-                   [](JointModelTest& c, std::string name) { c.model = std::move(name); });
+    entry.argument(text("name").help("name of the joint model"), &JointModelTest::model);
     entry.argument(text("file").help("CSV file of the path"), &JointModelTest::path);
     entry.keyword({"steps"}, integer("n").at_least(1).at_most(1e8), &JointModelTest::steps,
                   "steps between two points of the path; 1000");
     entry.keyword({"area"}, real("a").above(0).unit("area"), &JointModelTest::area, "area of the sub-contact; 1");
-    model_properties(entry, &JointModelTest::items);
+    property_values(entry);
     entry.start([](const Statement& statement, JointModelTest& c) {
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
     });
@@ -145,7 +138,7 @@ CommandSpec jmodel_assign() {
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
     });
     entry.argument(text("name").help("name of the joint model"), &JointModelCommand::model);
-    model_properties(entry, &JointModelCommand::items);
+    property_values(entry);
     entry.range(&JointModelCommand::range, true);
     entry.right("jmodel model barton-bandis").right("jmodel model mohr jkn 1e5 jks 1e4 jfric 30 range z 0 1");
     entry.right("jmodel model softening-mohr jkn 1e5 jks 1e4 jfric 30 dc 0.01 healing off");
@@ -166,6 +159,7 @@ CommandSpec jmodel_properties() {
                 .at(reader.peek()->place);
         return read_property_item(reader, c.items);
     });
+    entry.prints(property_items(&JointModelCommand::items), true);
     entry.range(&JointModelCommand::range, true);
     entry.finish([](const Reader& reader, JointModelCommand& c) {
         if (c.items.empty())
@@ -185,10 +179,7 @@ CommandSpec zone_load() {
     return Entry<ZoneModelCommand>({Spelling{"zone", 4}}, {Spelling{"load", 4}})
         .help("loads a zone model from a shared library")
         .argument(text("name").help("name of the zone model or path of its library"),
-                  [](ZoneModelCommand& c, std::string name) {
-                      c.action = ZoneModelCommand::Action::load;
-                      c.model = std::move(name);
-                  })
+                  named_model(ZoneModelCommand::Action::load))
         .finish([](const Reader& reader, ZoneModelCommand& c) { c.model_place = reader.previous().place; })
         .right("zone load hoek-brown")
         .wrong("zone load", "a word is missing after 'load'");
@@ -202,7 +193,7 @@ CommandSpec zone_model() {
         if (statement.words.size() > 2) c.model_place = statement.words[2].place;
     });
     entry.argument(text("name").help("name of the zone model"), &ZoneModelCommand::model);
-    model_properties(entry, &ZoneModelCommand::items);
+    property_values(entry);
     entry.range(&ZoneModelCommand::range, true);
     entry.right("zone model mohr-coulomb").right("zone model mohr-coulomb cohesion 1e6 friction 35 range z 0 10");
     entry.right("zone model elastic range region 2");
@@ -214,7 +205,7 @@ CommandSpec zone_model() {
 CommandSpec zone_properties() {
     Entry<ZoneModelCommand> entry({Spelling{"zone", 4}}, {Spelling{"property", 4}});
     entry.help("sets properties of the zone model that blocks have");
-    model_properties(entry, &ZoneModelCommand::items);
+    property_values(entry);
     entry.range(&ZoneModelCommand::range, true);
     entry.finish([](const Reader& reader, ZoneModelCommand& c) {
         if (c.items.empty())

@@ -132,6 +132,13 @@ void refuse_after(const Word& word, const Listed& item) {
     throw d.at(word.place);
 }
 
+RangeElement element_of_number(std::int64_t number) {
+    RangeElement element;
+    element.kind = RangeElement::Kind::id;
+    element.low = element.high = static_cast<double>(number);
+    return element;
+}
+
 /// Reads what follows the name of a list.
 bool read_after(Reader& reader, List& command) {
     const Word& word = *reader.peek();
@@ -152,9 +159,7 @@ bool read_after(Reader& reader, List& command) {
     if (!number || item->follows == Follows::range || command.number || command.range.place) return false;
     command.number = reader.integer(integer("n").at_least(1).spec);
     if (item->follows != Follows::objects) return true;
-    RangeElement element;
-    element.kind = RangeElement::Kind::id;
-    element.low = element.high = static_cast<double>(*command.number);
+    RangeElement element = element_of_number(*command.number);
     element.place = command.range.place = reader.previous().place;
     command.range.elements.push_back(std::move(element));
     return true;
@@ -180,12 +185,46 @@ void read_subject(Reader& reader, List& command) {
     command.subjects.emplace_back(*found);
 }
 
+Parts<List>::Forms next_subject(Parts<List>::Form form, const List& wanted) {
+    auto& subjects = form.after.subjects;
+    if (subjects.size() >= wanted.subjects.size()) return {};
+    subjects.push_back(wanted.subjects[subjects.size()]);
+    form.words.push_back({subjects.back()});
+    return {std::move(form)};
+}
+
+/// What follows the name of a list, or @name in place of it.
+Parts<List>::Forms next_value(Parts<List>::Form form, const List& wanted) {
+    List& now = form.after;
+    if (!now.what && now.symbols.size() < wanted.symbols.size()) {
+        now.symbols.push_back(wanted.symbols[now.symbols.size()]);
+        form.words.push_back({"@" + now.symbols.back()});
+    } else if (now.part != wanted.part && now.what) {
+        now.part = wanted.part;
+        form.words.push_back({now.part == List::Part::blocks ? "mat" : "jmat"});
+    } else if (wanted.number && !now.number && now.what) {
+        now.number = wanted.number;
+        print_value(form.words, *now.number);
+        if (std::ranges::find(listed(), *now.what, &Listed::what)->follows == Follows::objects)
+            now.range.elements.push_back(element_of_number(*now.number));
+    } else {
+        return {};
+    }
+    return {std::move(form)};
+}
+
 CommandSpec list() {
     Entry<List> entry({"list", "print"});
     entry.help("shows parts of the model, or the value of a variable");
     for (const auto& item : listed()) {
-        entry.special(
-            item.words, arguments_after(item.follows),
+        const auto write = [what = item.what](Parts<List>::Form form, const List& wanted) {
+            if (wanted.what != what || form.after.what) return Parts<List>::Forms{};
+            form.after.what = what;
+            return Parts<List>::Forms{std::move(form)};
+        };
+        Parts<List> parts;
+        for (const ArgumentSpec& argument : arguments_after(item.follows)) parts.argument(argument);
+        parts.by(
             [what = item.what](Reader& reader, List& command) {
                 if (what == List::What::quality && command.what == List::What::blocks) command.what.reset();
                 if (command.what && read_element(reader, command)) return;
@@ -194,10 +233,11 @@ CommandSpec list() {
                         .at(reader.previous().place);
                 command.what = what;
             },
-            item.help);
+            write);
+        entry.keyword(item.words, parts, item.help);
     }
-    entry.special(
-        {"show"}, {text("subject").spec}, read_subject,
+    entry.keyword(
+        {"show"}, Parts<List>().argument(text("subject").spec).by(read_subject, next_subject),
         "what the columns of blocks, contacts, subcontacts, gridpoints, zones or faces are about: velocity, ...");
     entry.otherwise({text("@name").optional().spec}, [](Reader& reader, List& command) {
         if (command.what) return read_after(reader, command);
@@ -205,6 +245,7 @@ CommandSpec list() {
         command.symbols.push_back(reader.symbol(text("@name").spec));
         return true;
     });
+    entry.prints(Parts<List>().by({}, next_value), true);
     entry.range(&List::range, true); // print x is more likely meant as print @x; after a list its word may be left out
     entry.finish([](const Reader& reader, List& command) {
         if (!command.what && command.symbols.empty())
@@ -252,7 +293,8 @@ CommandSpec find() {
 CommandSpec ignored(const char* word, const char* help, const char* instead) {
     Entry<Ignored> entry({word});
     entry.help(help);
-    entry.raw(&Ignored::word).support(Support::ignored);
+    entry.raw(&Ignored::word).whole_line([](const Ignored& command) { return command.word; });
+    entry.support(Support::ignored);
     entry.start([word, instead](const Statement&, Ignored& command) { command = {word, instead}; });
     return entry;
 }
@@ -272,6 +314,17 @@ std::vector<Plot::Item> plot_words(const Statement& statement, std::string* rang
     return words;
 }
 
+/// The words as a line holds them.
+std::string line_of_words(const char* name, const std::vector<Plot::Item>& words, const std::string& range) {
+    std::string line = name;
+    for (const Plot::Item& word : words) {
+        const bool plain = word.text.find_first_of(" ()[]") == std::string::npos;
+        if (word.script) line += plain ? " @" + word.text : " [" + word.text + "]";
+        else line += " " + (word.quoted ? joined({{word.text, true}}, true) : word.text);
+    }
+    return range.empty() ? line : line + " " + range;
+}
+
 CommandSpec movie() {
     Entry<Movie> entry({"movie"});
     entry.help("makes a picture of the current plot every so many cycles, the frames of a film");
@@ -279,6 +332,7 @@ CommandSpec movie() {
         command.place = statement.words.front().place;
         command.words = plot_words(statement, nullptr);
     });
+    entry.whole_line([](const Movie& movie) { return line_of_words("movie", movie.words, {}); });
     entry.right("movie on file a.avi").right("movie on interval 200 file slide").right("movie off");
     return entry;
 }
@@ -290,6 +344,7 @@ CommandSpec plot() {
         command.place = statement.words.front().place;
         command.words = plot_words(statement, &command.range);
     });
+    entry.whole_line([](const Plot& plot) { return line_of_words("plot", plot.words, plot.range); });
     entry.right("pl block").right("plot hist 1 vs 2 &\n  hold").right("plot set dip 10 dd 'open");
     entry.right("plot block disp cut origin 0 0 0 normal 1 0 0 file cut.png").right("plot joint slip size 1600 1200");
     entry.right("plot principal cut dip 90 dd 0").right("plot iso sig1 -1e6 -2e6 block").right("plot stereonet");

@@ -8,12 +8,18 @@
 
 namespace kaya::lang {
 
-RangeElement& add(Reader& reader, RangePhrase& phrase, RangeElement::Kind kind) {
-    RangeElement element;
-    element.kind = kind;
-    element.place = reader.previous().place;
-    phrase.elements.push_back(std::move(element));
-    return phrase.elements.back();
+Parts<RangePhrase> element(RangeElement::Kind kind, const Parts<RangeElement>& parts) {
+    const auto next = next_of(&RangePhrase::elements);
+    const Lens<RangePhrase, RangeElement> of_kind{[=](RangePhrase& phrase) -> RangeElement& {
+                                                      RangeElement& made = next.open(phrase);
+                                                      made.kind = kind;
+                                                      return made;
+                                                  },
+                                                  [=](const RangePhrase& wanted, const RangePhrase& present) {
+                                                      const RangeElement* found = next.wanted(wanted, present);
+                                                      return found != nullptr && found->kind == kind ? found : nullptr;
+                                                  }};
+    return Parts<RangePhrase>().in(of_kind, Parts<RangeElement>().mark(&RangeElement::place).then(parts));
 }
 
 void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words) {
@@ -36,163 +42,94 @@ namespace {
 
 using Kind = RangeElement::Kind;
 
-/// One or two numbers; one alone is both limits.
-void read_limits(Reader& reader, RangeElement& element, const ArgumentSpec& low, const ArgumentSpec& high) {
-    const bool whole = low.kind == ArgumentKind::integer;
-    const auto number = [&](const ArgumentSpec& a) {
-        return whole ? static_cast<double>(reader.integer(a)) : reader.real(a);
-    };
-    element.low = element.high = number(low);
-    if (!reader.at_number()) return;
-    element.high = number(high);
-    if (element.low > element.high && !reader.wildcards())
-        throw Diagnostic(
-            fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low, element.high),
-            "write the smaller one first")
+/// A whole number in a member that holds any number.
+auto whole(double RangeElement::*member) {
+    return Through{[member](RangeElement& e, std::int64_t n) { e.*member = static_cast<double>(n); },
+                   [member](const RangeElement& e) { return std::optional(static_cast<std::int64_t>(e.*member)); }};
+}
+
+void check_order(Reader& reader, const RangeElement& e) {
+    if (e.low > e.high && !reader.wildcards())
+        throw Diagnostic(fmt::format("the lower limit {:g} is greater than the upper limit {:g}", e.low, e.high),
+                         "write the smaller one first")
             .at(reader.previous().place);
 }
 
-void add_coordinate(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto low = real("low").unit("length").spec;
-    const auto high = real("high").unit("length").optional().spec;
-    table.special(
-        std::move(words), {low, high},
-        [=](Reader& reader, RangePhrase& phrase) { read_limits(reader, add(reader, phrase, kind), low, high); }, help);
+/// One or two numbers; one alone is both limits.
+Parts<RangeElement> one_or_two_limits(std::string_view unit) {
+    return Parts<RangeElement>()
+        .then(real("low").unit(unit), Through{[](RangeElement& e, double value) { e.low = e.high = value; },
+                                              [](const RangeElement& e) { return std::optional(e.low); }})
+        .maybe(real("high").unit(unit).optional(), &RangeElement::high)
+        .check(check_order);
 }
-
-void numbers(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto low = integer("n").spec;
-    const auto high = integer("m").optional().spec;
-    table.special(
-        std::move(words), {low, high},
-        [=](Reader& reader, RangePhrase& phrase) { read_limits(reader, add(reader, phrase, kind), low, high); }, help);
+Parts<RangeElement> whole_limits() {
+    return Parts<RangeElement>()
+        .then(integer("n"), Through{[](RangeElement& e, std::int64_t n) { e.low = e.high = static_cast<double>(n); },
+                                    whole(&RangeElement::low).get})
+        .maybe(integer("m").optional(), whole(&RangeElement::high))
+        .check(check_order);
 }
-
-void named(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto name = text("name").spec;
-    table.special(
-        std::move(words), {name},
-        [=](Reader& reader, RangePhrase& phrase) {
-            add(reader, phrase, kind);
-            phrase.elements.back().name = reader.text(name);
-        },
-        help);
-}
-
-void add_flag(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    table.special(
-        std::move(words), {},
-        [=](Reader& reader, RangePhrase& phrase) {
-            add(reader, phrase, kind);
-            const Word* word = reader.peek();
-            const bool on = word && word->folded == "on", off = word && word->folded == "off";
-            if (on || off) reader.take();
-            phrase.elements.back().negated = off;
-        },
-        help);
+/// Two limits, both of which must be given.
+Parts<RangeElement> both_limits(std::string_view unit) {
+    return Parts<RangeElement>()
+        .then(real("low").unit(unit).at_least(0), &RangeElement::low)
+        .then(real("high").unit(unit), &RangeElement::high)
+        .check(check_order);
 }
 
 /// A number, or several numbers: one of them is enough.
-void numbered(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
+Parts<RangeElement> any_of_numbers() {
     ArgumentSpec number = integer("n").spec;
     number.repeated = true;
-    table.special(
-        std::move(words), {number},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, kind);
-            element.low = element.high = static_cast<double>(reader.integer(number));
+    return Parts<RangeElement>().argument(number).by(
+        [number](Reader& reader, RangeElement& e) {
+            e.low = e.high = static_cast<double>(reader.integer(number));
             if (!reader.at_number()) return;
-            element.numbers.push_back(static_cast<std::int64_t>(element.low));
-            while (reader.at_number()) element.numbers.push_back(reader.integer(number));
+            e.numbers.push_back(static_cast<std::int64_t>(e.low));
+            while (reader.at_number()) e.numbers.push_back(reader.integer(number));
         },
-        help);
+        [](Parts<RangeElement>::Form form, const RangeElement& e) {
+            form.after.low = form.after.high = e.low;
+            form.after.numbers = e.numbers;
+            if (e.numbers.empty()) print_value(form.words, static_cast<std::int64_t>(e.low));
+            for (const std::int64_t n : e.numbers) print_value(form.words, n);
+            return Parts<RangeElement>::Forms{std::move(form)};
+        });
 }
 
-void both_sides(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view help) {
-    const auto first = integer("n").spec, second = integer("m").spec;
-    table.special(
-        std::move(words), {first, second},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, kind);
-            element.low = static_cast<double>(reader.integer(first));
-            element.high = static_cast<double>(reader.integer(second));
-        },
-        help);
+/// Nothing, on or off.
+Parts<RangeElement> on_or_off() {
+    return Parts<RangeElement>().perhaps(
+        {{"on", {}}, {"off", Parts<RangeElement>().set(&RangeElement::negated, true)}});
 }
 
 /// `group NAME [slot s] [matches n]`, or NAME alone with its slot in it.
 void group(Keywords<RangePhrase>& table) {
-    const auto name = text("name").spec;
-    const auto matches = integer("n").at_least(1).at_most(2).spec;
+    const auto name = text("name");
     static const std::vector<KeywordSpec> words = [&] {
         Keywords<RangeElement> list;
-        list.special(
-            {Spelling{"matches", 3}}, {matches},
-            [matches](Reader& reader, RangeElement& e) { e.both = reader.integer(matches) == 2; },
-            "of contacts: 1, one of the two blocks is enough (if not given); 2, both must belong");
+        list.keyword({Spelling{"matches", 3}}, integer("n").at_least(1).at_most(2),
+                     Through{[](RangeElement& e, std::int64_t n) { e.both = n == 2; },
+                             [](const RangeElement& e) { return std::optional<std::int64_t>(e.both ? 2 : 1); }},
+                     "of contacts: 1, one of the two blocks is enough (if not given); 2, both must belong");
         list.action(
                 {Spelling{"only", 3}}, [](RangeElement&) {}, "a block is in one group only: without effect")
             .ignored();
         list.special(
-            {Spelling{"slot", 3}}, {name},
+            {Spelling{"slot", 3}}, {name.spec},
             [](Reader& reader, RangeElement& e) { slot_words().front().read(reader, &e.name); },
             "the slot of the group, or `any`; the default one if it has the group, else any");
         return std::move(list).list();
     }();
-    table.special(
-        {"group"}, {name},
-        [=](Reader& reader, RangePhrase& phrase) {
-            add(reader, phrase, Kind::group);
-            phrase.elements.back().name = reader.text(name);
-            read_keywords(reader, words, &phrase.elements.back());
-            misspelt_part(reader, "group", words);
-        },
-        "members of a group", words);
-}
-
-void group_intersection(Keywords<RangePhrase>& table) {
-    const auto first = text("name").spec, second = text("other").spec;
-    table.special(
-        {"gintersection", "group-intersection"}, {first, second},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, Kind::group_intersection);
-            element.name = reader.text(first);
-            element.second_name = reader.text(second);
-        },
-        "contacts between blocks of two groups");
-}
-
-/// Two limits, both of which must be given.
-void between_limits(Keywords<RangePhrase>& table, std::vector<Spelling> words, Kind kind, std::string_view unit,
-                    std::string_view help) {
-    const auto low = real("low").unit(unit).at_least(0).spec, high = real("high").unit(unit).spec;
-    table.special(
-        std::move(words), {low, high},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, kind);
-            if (reader.at_end()) reader.missing(low);
-            element.low = reader.real(low);
-            element.high = reader.real(high);
-            if (element.low > element.high && !reader.wildcards())
-                throw Diagnostic(
-                    fmt::format("the lower limit {:g} is greater than the upper limit {:g}", element.low, element.high),
-                    "write the smaller one first")
-                    .at(reader.previous().place);
-        },
-        help);
-}
-
-void id_list(Keywords<RangePhrase>& table) {
-    ArgumentSpec number = integer("n").spec;
-    number.repeated = true;
-    table.special(
-        {"id-list", "idlist"}, {number},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, Kind::id_list);
-            do element.numbers.push_back(reader.integer(number));
-            while (reader.at_number());
-        },
-        "identity numbers, one by one");
+    table.keyword(
+        {"group"},
+        element(
+            Kind::group,
+            Parts<RangeElement>().then(name, &RangeElement::name).words(words).check([](Reader& reader, RangeElement&) {
+                misspelt_part(reader, "group", words);
+            })),
+        "members of a group");
 }
 
 /// Elements of 3DEC that have no meaning in this engine yet.
@@ -203,19 +140,17 @@ void elements_to_come(Keywords<RangePhrase>& table) {
     for (const auto& [word, help] : known) table.not_yet({Spelling{word, 4}}, help);
 }
 
-/// `block id 5`: the old long form of `bid 5`.
+/// `block id 5`: the old long form of `bid 5`, as which it is printed.
 void block_id(Keywords<RangePhrase>& table) {
-    const auto low = integer("n").spec, high = integer("m").optional().spec;
-    table.special(
-        {Spelling{"block", 3}}, {low, high},
-        [=](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = add(reader, phrase, Kind::block_id);
-            const Word* word = reader.peek();
-            if (word && word->folded != "id") reader.unknown("the word 'id' of block id", {"id"});
-            if (word) reader.take();
-            read_limits(reader, element, low, high);
-        },
-        "`block id n`: the same as bid");
+    const auto parts = element(Kind::block_id, Parts<RangeElement>()
+                                                   .check([](Reader& reader, RangeElement&) {
+                                                       const Word* word = reader.peek();
+                                                       if (word && word->folded != "id")
+                                                           reader.unknown("the word 'id' of block id", {"id"});
+                                                       if (word) reader.take();
+                                                   })
+                                                   .then(whole_limits()));
+    table.keyword({Spelling{"block", 3}}, parts, "`block id n`: the same as bid").prints({});
 }
 
 /// `dfn NAME [distance d]`.
@@ -245,71 +180,88 @@ void network(Keywords<RangePhrase>& table) {
 
 /// Several names may follow one nrange; each is a separate element.
 void named_ranges(Keywords<RangePhrase>& table) {
-    const auto name = text("name").spec;
-    table.special(
-        {"nrange", "name"}, {name},
-        [=](Reader& reader, RangePhrase& phrase) {
-            add(reader, phrase, Kind::named);
-            phrase.elements.back().name = reader.text(name);
-            while (const Word* word = reader.peek()) {
-                const bool another = word->kind == WordKind::text ||
-                                     (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
-                if (!another) return;
-                reader.take();
-                add(reader, phrase, Kind::named).name = word->text;
-            }
-        },
-        "a range that was given a name with range name");
+    const auto parts = element(Kind::named, Parts<RangeElement>().then(text("name"), &RangeElement::name));
+    const auto further = [](Reader& reader, RangePhrase& phrase) {
+        while (const Word* word = reader.peek()) {
+            const bool another = word->kind == WordKind::text ||
+                                 (word->kind == WordKind::word && !find_keyword(range_elements(), word->folded));
+            if (!another) return;
+            reader.take();
+            RangeElement& next = phrase.elements.emplace_back();
+            next.kind = Kind::named;
+            next.place = word->place;
+            next.name = word->text;
+        }
+    };
+    table.keyword({"nrange", "name"}, Parts<RangePhrase>(parts).check(further),
+                  "a range that was given a name with range name");
 }
 
-/// Elements whose parts need a special reader; some of them cover all kinds of a group.
+/// Elements whose parts are those of no form; some of them cover all kinds of a group.
 void own_element(Keywords<RangePhrase>& table, Kind kind) {
+    const auto number = integer("n");
     switch (kind) {
     case Kind::box: return space_elements(table);
     case Kind::polygon: return figure_elements(table);
     case Kind::group: return group(table);
-    case Kind::group_intersection: return group_intersection(table);
+    case Kind::group_intersection:
+        table.keyword({"gintersection", "group-intersection"},
+                      element(kind, Parts<RangeElement>()
+                                        .then(text("name"), &RangeElement::name)
+                                        .then(text("other"), &RangeElement::second_name)),
+                      "contacts between blocks of two groups");
+        return;
     case Kind::block_id: return block_id(table);
     case Kind::named: return named_ranges(table);
-    case Kind::id_list: return id_list(table);
+    case Kind::id_list:
+        table.keyword({"id-list", "idlist"}, element(kind, Parts<RangeElement>().each(number, &RangeElement::numbers)),
+                      "identity numbers, one by one");
+        return;
     case Kind::network: return network(table);
     default: break;
     }
 }
 
-void add_element(Keywords<RangePhrase>& table, const RangeWords& row) {
+/// What stands after the word of an element.
+Parts<RangeElement> parts_of(const RangeWords& row) {
     using enum RangeWords::Form;
     switch (row.form) {
-    case coordinate: return add_coordinate(table, row.words, row.kind, row.help);
-    case number: return numbered(table, row.words, row.kind, row.help);
-    case limits_of_numbers: return numbers(table, row.words, row.kind, row.help);
-    case two_numbers: return both_sides(table, row.words, row.kind, row.help);
-    case limits: return between_limits(table, row.words, row.kind, row.unit, row.help);
-    case name: return named(table, row.words, row.kind, row.help);
-    case flag: return add_flag(table, row.words, row.kind, row.help);
-    case own: return own_element(table, row.kind);
+    case coordinate: return one_or_two_limits("length");
+    case number: return any_of_numbers();
+    case limits_of_numbers: return whole_limits();
+    case two_numbers:
+        return Parts<RangeElement>()
+            .then(integer("n"), whole(&RangeElement::low))
+            .then(integer("m"), whole(&RangeElement::high));
+    case limits: return both_limits(row.unit);
+    case name: return Parts<RangeElement>().then(text("name"), &RangeElement::name);
+    case flag: return on_or_off();
+    case own: break;
     }
+    return {};
 }
 
 std::vector<KeywordSpec> all_elements() {
     Keywords<RangePhrase> table;
-    for (const RangeWords& row : range_words()) add_element(table, row);
+    for (const RangeWords& row : range_words()) {
+        if (row.form == RangeWords::own) own_element(table, row.kind);
+        else table.keyword(row.words, element(row.kind, parts_of(row)), row.help);
+    }
     table.action(
         {"extent"}, [](RangePhrase& phrase) { phrase.whole = true; },
         "all corners of a block, a face or a zone must lie inside, not only its centroid");
     table.action(
         {"union"}, [](RangePhrase& phrase) { phrase.any = true; }, "one element is enough, not all are needed");
-    table.special(
-        {Spelling{"not", 3}}, {},
-        [](Reader& reader, RangePhrase& phrase) {
-            if (!phrase.elements.empty()) {
-                phrase.elements.back().negated = true;
-                return;
-            }
+    const auto after_an_element = [](Reader& reader, RangePhrase& phrase) {
+        if (phrase.elements.empty())
             throw Diagnostic("'not' stands before the element that it negates", "write it after: range z 0 1 not")
                 .at(reader.previous().place);
-        },
-        "negates the element before it");
+    };
+    table.keyword({Spelling{"not", 3}},
+                  Parts<RangePhrase>()
+                      .check(after_an_element)
+                      .in(last_of(&RangePhrase::elements), Parts<RangeElement>().set(&RangeElement::negated, true)),
+                  "negates the element before it");
     elements_to_come(table);
     return std::move(table).list();
 }

@@ -5,8 +5,11 @@
 
 namespace kaya::lang {
 
-/// A new element of the phrase; its place is that of the word read last.
-RangeElement& add(Reader& reader, RangePhrase& phrase, RangeElement::Kind kind);
+/// A new element of the phrase with its parts; its place is that of the word before them.
+Parts<RangePhrase> element(RangeElement::Kind kind, const Parts<RangeElement>& parts = {});
+
+/// The element orientation, whose default of the tolerance belongs to the dialect.
+Parts<RangePhrase> orientation_element(double default_tolerance);
 
 /// Throws when the next word is not an element and is close to a word of the present element.
 void misspelt_part(const Reader& reader, std::string_view element, const std::vector<KeywordSpec>& words);

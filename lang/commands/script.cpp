@@ -15,6 +15,7 @@ CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
     Entry<FishDefinition> entry(std::move(words), std::move(form));
     entry.help("defines a FISH function; its lines go up to a line with the word end");
     entry.body("end", &FishDefinition::text, &FishDefinition::place, false);
+    entry.whole_line([](const FishDefinition& definition) { return definition.text; });
     entry.argument(text("name").help("name of the function"), [](FishDefinition&, const std::string&) {});
     // Arguments of the function: the FISH compiler reads them from the text.
     entry.otherwise({text("argument").optional().spec}, [](Reader& reader, FishDefinition&) {
@@ -49,33 +50,38 @@ FishCallback::When read_event(Reader& reader, const ArgumentSpec& name) {
 }
 
 CommandSpec callback() {
-    const auto name = text("name").help("name of a function without arguments").spec;
-    const auto location = real("location").optional().spec;
-    const auto event = text("name").spec;
+    using When = FishCallback::When;
+    // Later versions number the parts of a cycle.
+    constexpr double forces_are_known = 40;
+    const Through location{[](FishCallback& callback, double at) {
+                               callback.when = at < forces_are_known ? When::before_cycle : When::after_forces;
+                           },
+                           [](const FishCallback& callback) -> std::optional<double> {
+                               if (callback.when == When::before_cycle) return 1;
+                               if (callback.when == When::after_forces) return forces_are_known;
+                               return std::nullopt;
+                           }};
+    const auto function = Parts<FishCallback>()
+                              .then(text("name").help("name of a function without arguments"), &FishCallback::function)
+                              .mark(&FishCallback::place)
+                              .maybe(real("location").optional(), location);
     Entry<FishCallback> entry({"fish"}, {"callback"});
     entry.help("runs a FISH function in every cycle, in every n-th, or at an event");
-    const auto read = [=](Reader& reader, FishCallback& callback) {
-        callback.function = reader.text(name);
-        callback.place = reader.previous().place;
-        if (!reader.at_number()) return;
-        // Later versions number the parts of a cycle.
-        constexpr double forces_are_known = 40;
-        callback.when = reader.real(location) < forces_are_known ? FishCallback::When::before_cycle
-                                                                 : FishCallback::When::after_forces;
-    };
-    entry.special({"add"}, {name, location}, read,
+    entry.keyword({"add"}, function,
                   "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
-    entry.special(
-        {"remove"}, {name, location},
-        [read](Reader& reader, FishCallback& callback) {
-            callback.remove = true;
-            read(reader, callback);
-        },
-        "stops running the function, at that place if one is given");
-    entry.special(
-        {"event"}, {event},
-        [event](Reader& reader, FishCallback& callback) { callback.when = read_event(reader, event); },
-        "in place of a location: solve_start or solve_complete, before and after each `solve`");
+    entry.keyword({"remove"}, Parts<FishCallback>().set(&FishCallback::remove, true).then(function),
+                  "stops running the function, at that place if one is given");
+    const auto name = text("name");
+    entry.keyword({"event"},
+                  Parts<FishCallback>().argument(name.spec).by(
+                      [name](Reader& reader, FishCallback& callback) { callback.when = read_event(reader, name.spec); },
+                      [](Parts<FishCallback>::Form form, const FishCallback& wanted) {
+                          if (wanted.when < When::solve_start) return Parts<FishCallback>::Forms{};
+                          form.words.push_back({*wanted.when == When::solve_start ? "solve_start" : "solve_complete"});
+                          form.after.when = wanted.when;
+                          return Parts<FishCallback>::Forms{std::move(form)};
+                      }),
+                  "in place of a location: solve_start or solve_complete, before and after each `solve`");
     entry.keyword({"interval"}, integer("n").at_least(1), &FishCallback::interval, "in every n-th cycle only");
     entry.action(
         {"process"}, [](FishCallback&) {}, "accepted, with `mechanical` or `dynamic`");
@@ -107,21 +113,22 @@ CommandSpec fishcall() {
     entry.help("runs a FISH function in every cycle");
     entry.place(&FishCallback::place);
     entry.argument(integer("n").help("0: before the cycle; 1: when its forces are known; 2: after it"),
-                   [](FishCallback& callback, std::int64_t n) {
-                       using enum FishCallback::When;
-                       static constexpr std::array places{before_cycle, after_forces, after_cycle};
-                       if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
-                           throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
-                                            "0: before the cycle, 1: when its forces are known, 2: after it");
-                       callback.when = places[static_cast<std::size_t>(n)];
-                   });
-    entry.keyword(
-        {Spelling{"remove", 6}}, text("name"),
-        [](FishCallback& callback, std::string function) {
-            callback.remove = true;
-            callback.function = std::move(function);
-        },
-        "stops running the function");
+                   Through{[](FishCallback& callback, std::int64_t n) {
+                               using enum FishCallback::When;
+                               static constexpr std::array places{before_cycle, after_forces, after_cycle};
+                               if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
+                                   throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
+                                                    "0: before the cycle, 1: when its forces are known, 2: after it");
+                               callback.when = places[static_cast<std::size_t>(n)];
+                           },
+                           [](const FishCallback& callback) -> std::optional<std::int64_t> {
+                               if (!callback.when) return 0;
+                               const auto place = static_cast<std::int64_t>(*callback.when);
+                               return place <= 2 ? std::optional(place) : std::nullopt;
+                           }});
+    entry.keyword({Spelling{"remove", 6}},
+                  Parts<FishCallback>().set(&FishCallback::remove, true).then(text("name"), &FishCallback::function),
+                  "stops running the function");
     entry.otherwise({name}, [name](Reader& reader, FishCallback& callback) {
         if (!callback.function.empty()) return false;
         const Word& word = *reader.peek();
@@ -130,6 +137,7 @@ CommandSpec fishcall() {
         callback.function = word.kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
         return true;
     });
+    entry.prints(Parts<FishCallback>().then(text("name"), &FishCallback::function));
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
             incomplete_line(reader, "set fishcall needs the name of a function", "write: set fishcall 2 NAME");
@@ -142,15 +150,10 @@ CommandSpec fishcall() {
     return entry;
 }
 
-/// A name, with @ or without: the name itself and not its value.
-std::string name_at(Reader& reader, const ArgumentSpec& name) {
-    return reader.peek()->kind == WordKind::symbol ? reader.symbol(name) : reader.text(name);
-}
-
 CommandSpec automatic_create() {
     Entry<FishSetting> entry({"fish"}, {"automatic-create"});
     entry.help("off: a variable of FISH must be declared by global or local before it is used");
-    entry.argument(on_off(), [](FishSetting& setting, bool on) { setting.automatic_create = on; });
+    entry.argument(on_off(), &FishSetting::automatic_create);
     entry.place(&FishSetting::place);
     entry.right("fish automatic-create off").right("fish automatic-create on");
     entry.wrong("fish automatic-create", "a word is missing after 'automatic-create'");
@@ -163,25 +166,21 @@ CommandSpec fish_structure() {
     entry.help("names the members of a kind of structure, which `struct NAME` makes in FISH");
     entry.place(&FishSetting::place);
     entry.argument(text("name").help("name of the structure"), &FishSetting::structure);
-    const auto member = text("member").optional().spec;
-    entry.otherwise({member}, [member](Reader& reader, FishSetting& setting) {
-        setting.members.push_back(fold(reader.text(member)));
-        return true;
-    });
+    const auto member = Parts<std::string>().then(
+        text("member").optional(), Through{[](std::string& to, const std::string& name) { to = fold(name); },
+                                           [](const std::string& name) { return std::optional(name); }});
+    entry.values(Parts<FishSetting>().in(next_of(&FishSetting::members), member),
+                 [](Reader&, FishSetting&) { return true; });
     entry.right("fish structure bolt(length, angle)").right("fish structure empty");
     entry.wrong("fish structure", "a word is missing after 'structure'");
     return entry;
 }
 
 CommandSpec fish_set() {
-    const auto name = text("@name").spec;
     Entry<Set> entry({"fish"}, {"set"});
     entry.help("gives variables of FISH a value");
-    entry.otherwise({name, real("value").spec}, [name](Reader& reader, Set& set) {
-        const std::string variable = name_at(reader, name);
-        set.fish.emplace_back(variable, reader.any(real("value").spec));
-        return true;
-    });
+    entry.values(Parts<Set>().in(next_of(&Set::fish), fish_variable(false)), [](Reader&, Set&) { return true; },
+                 {text("@name").spec, real("value").spec});
     entry.finish([](const Reader& reader, Set& set) {
         if (set.fish.empty()) incomplete_line(reader, "fish set has no variable", "write: fish set @load 5e6");
     });
@@ -204,6 +203,12 @@ CommandSpec fish_list() {
                                                                : name_at(reader, name));
         return true;
     });
+    entry.prints(Parts<List>().in(next_of(&List::symbols), Parts<std::string>().by({}, [](Parts<std::string>::Form form,
+                                                                                          const std::string& symbol) {
+        form.words.push_back({symbol, !symbol.starts_with('[')});
+        form.after = symbol;
+        return Parts<std::string>::Forms{std::move(form)};
+    })));
     entry.finish([](const Reader&, List& command) {
         if (command.symbols.empty()) command.what = List::What::symbols;
     });
@@ -247,6 +252,12 @@ CommandSpec parameter() {
         parameter.value = reader.any(value);
         return true;
     });
+    entry.prints(Parts<Parameter>().by({}, [](Parts<Parameter>::Form form, const Parameter& wanted) {
+        form.words.push_back({wanted.name, true});
+        form.after = wanted;
+        const bool said = form.after.name.empty() || print_any(form.words, wanted.value);
+        return said ? Parts<Parameter>::Forms{form} : Parts<Parameter>::Forms{};
+    }));
     entry.finish([](const Reader& reader, Parameter& parameter) {
         if (parameter.name.empty())
             incomplete_line(reader, "param needs a name and a value", "write: param friction = 30");
@@ -258,6 +269,11 @@ CommandSpec parameter() {
 }
 
 } // namespace
+
+std::string name_at(Reader& reader, const ArgumentSpec& name) {
+    const bool symbol = reader.peek() && reader.peek()->kind == WordKind::symbol;
+    return symbol ? reader.symbol(name) : reader.text(name);
+}
 
 Family script() {
     CommandSpec plain = define({Spelling{"define", 3}}, {});
@@ -287,12 +303,18 @@ Family script() {
                     .help("runs a function or shows a value: @name or @name(arguments) alone on a line")
                     .raw()
                     .start(read_call)
+                    .whole_line([](const FishCall& call) {
+                        std::string line = "[" + call.expression + "]";
+                        for (const auto& [expression, place] : call.further) line += " [" + expression + "]";
+                        return line;
+                    })
                     .right("@build_wall")
                     .right("@place(1, 2)")
                     .right("[stiffness * 2]"),
                 Entry<LuaChunk>({"lua"})
                     .help("lines of Lua up to a line with the word endlua")
                     .body("endlua", &LuaChunk::text, &LuaChunk::place, true)
+                    .whole_line([](const LuaChunk& chunk) { return "lua\n" + chunk.text + "endlua"; })
                     .right("lua\n  x = 1\nendlua")
                     .wrong("lua\n  x = 1", "lua is never ended"),
                 Entry<LuaFile>({"lua"})

@@ -26,22 +26,14 @@ template <class Poly> void block_options(Entry<Poly>& entry) {
     entry.place(&Poly::place);
 }
 
-ArgumentSpec corners(std::string_view help) {
-    ArgumentSpec spec = vector("x y z ...").unit("length").help(help).spec;
-    spec.repeated = true;
-    return spec;
-}
-
-void read_corners(Reader& reader, std::vector<Vec3>& to, const ArgumentSpec& spec) {
-    do to.push_back(reader.vector(spec));
-    while (reader.at_number());
-}
+Argument<Vec3> corners(std::string_view help) { return vector("x y z ...").unit("length").help(help); }
 
 CommandSpec poly_brick() {
     Entry<PolyBrick> entry({"poly"}, {"brick"});
     entry.help("makes a block with six faces along the axes");
     entry.argument(pair("x1 x2").unit("length").help("limits in x"),
-                   [](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; });
+                   Through{[](PolyBrick& brick, std::array<double, 2> x) { brick.x = brick.y = brick.z = x; },
+                           [](const PolyBrick& brick) { return std::optional(brick.x); }});
     entry.argument(pair("y1 y2").unit("length").optional().help("limits in y; those of x if not given"), &PolyBrick::y);
     entry.argument(pair("z1 z2").unit("length").optional().help("limits in z; those of x if not given"), &PolyBrick::z);
     block_options(entry);
@@ -77,10 +69,7 @@ CommandSpec poly_prism() {
     Entry<PolyPrism> entry({"poly"}, {"prism"});
     entry.help("joins two polygons with matching corners side by side; sides may be warped");
     const auto polygon = [&](std::vector<Spelling> words, std::vector<Vec3> PolyPrism::*member, std::string_view help) {
-        const ArgumentSpec spec = corners(help);
-        entry.special(
-            std::move(words), {spec},
-            [=](Reader& reader, PolyPrism& prism) { read_corners(reader, prism.*member, spec); }, help);
+        entry.keyword(std::move(words), Parts<PolyPrism>().each(corners(help), member), help);
     };
     polygon({"a", "face1", "face-1"}, &PolyPrism::first, "corners of the first polygon, in order around it");
     polygon({"b", "face2", "face-2"}, &PolyPrism::second, "corners of the second, each opposite its partner");
@@ -102,36 +91,28 @@ CommandSpec poly_prism() {
 CommandSpec poly_face() {
     Entry<PolyFace> entry({"poly"}, {"face"});
     entry.help("makes any polyhedron from its faces");
-    const ArgumentSpec spec = corners("corners of a face, in order around it");
-    const ArgumentSpec id = integer("k").at_least(0).spec;
-    const auto vertices = [spec](Reader& reader, PolyFace& poly) {
-        read_corners(reader, poly.faces.back().corners, spec);
-    };
+    const auto corner = corners("corners of a face, in order around it");
     block_options(entry);
     // The word of the form opens the first face, the same word as a keyword each further one.
     entry.start([](const Statement& statement, PolyFace& poly) {
         poly.place = statement.words.front().place;
         poly.faces.resize(1);
     });
-    entry.special(
-        {"face"}, {spec},
-        [vertices](Reader& reader, PolyFace& poly) {
-            poly.faces.emplace_back();
-            if (reader.at_number()) vertices(reader, poly);
-        },
-        "the next face");
-    entry.special(
-        {"id"}, {id},
-        [=](Reader& reader, PolyFace& poly) {
-            poly.faces.back().joint_set = reader.integer(id);
-            if (reader.at_number()) vertices(reader, poly);
-        },
-        "joint set that made the face, 0 if not given; stands before the corners");
-    entry.otherwise({spec}, [vertices](Reader& reader, PolyFace& poly) {
-        if (!reader.at_number() || !poly.faces.back().corners.empty()) return false;
-        vertices(reader, poly);
-        return true;
-    });
+    using Face = PolyFace::Face;
+    const auto last = last_of(&PolyFace::faces);
+    entry.keyword({"face"},
+                  Parts<PolyFace>().in(next_of(&PolyFace::faces), Parts<Face>().each(corner, &Face::corners, 0)),
+                  "the next face");
+    entry.keyword({"id"},
+                  Parts<PolyFace>()
+                      .in(last, Parts<Face>().then(integer("k").at_least(0), &Face::joint_set))
+                      .check([corner](Reader& reader, PolyFace& poly) {
+                          while (reader.at_number()) poly.faces.back().corners.push_back(reader.vector(corner.spec));
+                      }),
+                  "joint set that made the face, 0 if not given; stands before the corners");
+    entry.values(
+        Parts<PolyFace>().in(last, Parts<Face>().each(corner, &Face::corners)),
+        [](Reader& reader, PolyFace& poly) { return reader.at_number() && poly.faces.back().corners.empty(); });
     entry.finish([](const Reader& reader, PolyFace& poly) {
         if (poly.faces.size() < 4)
             incomplete_line(reader,
@@ -160,16 +141,10 @@ CommandSpec poly_face() {
 CommandSpec poly_tet() {
     Entry<PolyTet> entry({"poly"}, {"tet", "tetrahedron"});
     entry.help("makes a tetrahedron from its four corners, in any order");
-    const ArgumentSpec spec = vector("x y z").unit("length").help("a corner").spec;
-    entry.otherwise({vector("x1 y1 z1 ... x4 y4 z4").unit("length").spec}, [spec](Reader& reader, PolyTet& tet) {
-        if (!reader.at_number() || tet.corners.size() == 4) return false;
-        tet.corners.push_back(reader.vector(spec));
-        return true;
-    });
-    for (const char* word : {"a", "b", "c", "d"})
-        entry.special(
-            {word}, {spec}, [spec](Reader& reader, PolyTet& tet) { tet.corners.push_back(reader.vector(spec)); },
-            "the same");
+    const auto corner = Parts<PolyTet>().next(vector("x y z").unit("length").help("a corner"), &PolyTet::corners);
+    entry.values(corner, [](Reader& reader, PolyTet& tet) { return reader.at_number() && tet.corners.size() < 4; },
+                 {vector("x1 y1 z1 ... x4 y4 z4").unit("length").spec});
+    for (const char* word : {"a", "b", "c", "d"}) entry.keyword({word}, corner, "the same");
     block_options(entry);
     entry.finish([](const Reader& reader, PolyTet& tet) {
         if (!reader.wildcards() && tet.corners.size() != 4)
@@ -203,36 +178,35 @@ CommandSpec poly_drum() {
                   "centre of one end");
     entry.keyword({"end2", "end-2", "center2", "center-2", "b"}, vector("x y z").unit("length"), &PolyDrum::end2,
                   "centre of the other");
-    const ArgumentSpec radius1 = real("radius1").unit("length").at_least(0).spec;
-    const ArgumentSpec radius2 = real("radius2").unit("length").at_least(0).optional().spec;
-    entry.special(
-        {"radius"}, {radius1, radius2},
-        [=](Reader& reader, PolyDrum& drum) {
-            drum.radius1 = drum.radius2 = reader.real(radius1);
-            if (reader.at_number()) drum.radius2 = reader.real(radius2);
-        },
-        "of both ends, or of each; 0 makes a cone");
-    entry.keyword(
-        {"radius1", "radius-1"}, real("radius1").unit("length").at_least(0),
-        [](PolyDrum& drum, double r) {
-            drum.radius1 = r;
-            if (!drum.radius2) drum.radius2 = r;
-        },
-        "of the first end");
+    const auto radius1 = real("radius1").unit("length").at_least(0);
+    const auto radius2 = real("radius2").unit("length").at_least(0).optional();
+    const auto first = [](const PolyDrum& drum) { return drum.radius1; };
+    entry.keyword({"radius"},
+                  Parts<PolyDrum>()
+                      .then(radius1, Through{[](PolyDrum& drum, double r) { drum.radius1 = drum.radius2 = r; }, first})
+                      .maybe(radius2, &PolyDrum::radius2),
+                  "of both ends, or of each; 0 makes a cone");
+    entry.keyword({"radius1", "radius-1"}, radius1,
+                  Through{[](PolyDrum& drum, double r) {
+                              drum.radius1 = r;
+                              if (!drum.radius2) drum.radius2 = r;
+                          },
+                          first},
+                  "of the first end");
     entry.keyword({"radius2", "radius-2"}, real("radius2").unit("length").at_least(0), &PolyDrum::radius2,
                   "of the other");
     const auto edges = integer("n").at_least(3).at_most(10000);
     entry.keyword({"edges", "sides"}, edges, &PolyDrum::sides, "flat sides, 8 if not given");
     // Without words: both ends, both radii, the number of sides.
     const auto end = vector("x y z").unit("length").spec;
-    entry.otherwise({vector("x1 y1 z1").unit("length").spec, vector("x2 y2 z2").unit("length").spec, radius1, radius2,
-                     integer("n").optional().spec},
+    entry.otherwise({vector("x1 y1 z1").unit("length").spec, vector("x2 y2 z2").unit("length").spec, radius1.spec,
+                     radius2.spec, integer("n").optional().spec},
                     [=](Reader& reader, PolyDrum& drum) {
                         if (!reader.at_number() || drum.radius1) return false;
                         if (!drum.end1) return drum.end1 = reader.vector(end), true;
                         if (!drum.end2) return drum.end2 = reader.vector(end), true;
-                        drum.radius1 = drum.radius2 = reader.real(radius1);
-                        if (reader.at_number()) drum.radius2 = reader.real(radius2);
+                        drum.radius1 = drum.radius2 = reader.real(radius1.spec);
+                        if (reader.at_number()) drum.radius2 = reader.real(radius2.spec);
                         if (reader.at_number()) drum.sides = reader.integer(edges.spec);
                         return true;
                     });
@@ -278,18 +252,11 @@ CommandSpec poly_tunnel() {
     cores.keyword({"region"}, integer("n").at_least(0), &PolyTunnel::core_region,
                   "region number of the core, that of the rings if not given");
     cores.keyword({"group"}, text("name"), &PolyTunnel::core_group, "group of the core");
-    const auto kinds = std::move(cores).list();
-    entry.special(
-        {"core"}, {},
-        [kinds](Reader& reader, PolyTunnel& tunnel) {
-            const Word* word = reader.peek();
-            if (!word) reader.missing({.name = "off, region or group", .kind = ArgumentKind::text});
-            const KeywordSpec* kind = word->kind == WordKind::word ? find_keyword(kinds, word->folded) : nullptr;
-            if (!kind) reader.unknown("a word of the core", {"off", "region", "group"});
-            reader.take();
-            kind->read(reader, &tunnel);
-        },
-        "the rock in the hole, one block for each along the axis", kinds);
+    entry.keyword({"core"},
+                  Parts<PolyTunnel>().one_of(std::move(cores).list(),
+                                             {.name = "off, region or group", .kind = ArgumentKind::text},
+                                             "a word of the core", {"off", "region", "group"}),
+                  "the rock in the hole, one block for each along the axis");
     block_options(entry);
     entry.right("poly tunnel").right("poly tunnel radius 2 length 0 5 radial 4 tangential 2 axial 3 ratio 1.5");
     entry.right("poly region 1 tunnel dip 10 dd 90 org 0 0 -20 radius 3 boundary 6").right("poly tunnel core off");
@@ -336,18 +303,10 @@ CommandSpec import_file() {
         {"y"}, [](Import& command) { command.up = 'y'; }, "y of the file becomes z, and z becomes -y");
     axes.action(
         {"z"}, [](Import& command) { command.up = 'z'; }, "as it is");
-    const auto list = std::move(axes).list();
-    entry.special(
-        {"up"}, {},
-        [list](Reader& reader, Import& command) {
-            const Word* word = reader.peek();
-            if (!word) reader.missing({.name = "x, y or z", .kind = ArgumentKind::text});
-            const KeywordSpec* axis = word->kind == WordKind::word ? find_keyword(list, word->folded) : nullptr;
-            if (!axis) reader.unknown("an axis", {"x", "y", "z"});
-            reader.take();
-            axis->read(reader, &command);
-        },
-        "axis of the file that points up, z if not given", list);
+    entry.keyword({"up"},
+                  Parts<Import>().one_of(std::move(axes).list(), {.name = "x, y or z", .kind = ArgumentKind::text},
+                                         "an axis", {"x", "y", "z"}),
+                  "axis of the file that points up, z if not given");
     entry.place(&Import::place);
     entry.right("import 'vault.stl'")
         .right("import wall.3dgrid mat 2")

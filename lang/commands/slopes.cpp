@@ -28,16 +28,14 @@ void add_methods(Entry<Limit>& entry) {
 void add_surfaces(Entry<Limit>& entry) {
     entry.keyword({"circle"}, vector("s z r").unit("length"), &Limit::circle,
                   "this circle: distance and height of its centre, radius");
-    const auto s = real("s").unit("length").spec, z = real("z").unit("length").spec;
-    entry.special(
-        {"surface"}, {s, z},
-        [=](Reader& reader, Limit& c) {
-            do {
-                const double distance = reader.real(s);
-                c.surface.push_back({distance, reader.real(z)});
-            } while (reader.at_number());
-        },
-        "this polyline: pairs of distance and height; both ends on the ground");
+    using Point = std::array<double, 2>;
+    const auto point = Parts<Point>()
+                           .then(
+                               real("s").unit("length"), [](Point & p) -> auto& { return p[0]; })
+                           .then(
+                               real("z").unit("length"), [](Point & p) -> auto& { return p[1]; });
+    entry.keyword({"surface"}, Parts<Limit>().each_of(&Limit::surface, point),
+                  "this polyline: pairs of distance and height; both ends on the ground");
     entry.action(
         {"circles"}, [](Limit& c) { c.search = Limit::Surfaces::circles; },
         "searches the weakest circle, as when no surface is given");

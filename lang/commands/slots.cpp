@@ -17,10 +17,4 @@ const std::vector<KeywordSpec>& slot_words() {
     return words;
 }
 
-std::string read_group_name(Reader& reader, const ArgumentSpec& name) {
-    std::string group = reader.text(name);
-    read_keywords(reader, slot_words(), &group);
-    return group;
-}
-
 } // namespace kaya::lang

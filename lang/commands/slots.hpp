@@ -8,9 +8,6 @@ namespace kaya::lang {
 /// The word `slot` after the name of a group. Its target is the name, which becomes `slot=name`.
 const std::vector<KeywordSpec>& slot_words();
 
-/// The name of a group, and its slot if it follows.
-std::string read_group_name(Reader& reader, const ArgumentSpec& name);
-
 /// `slot` as a keyword of a command: `name(command)` is the name of its group.
 template <class Command, class Name> void add_slot(Entry<Command>& entry, Name name) {
     const KeywordSpec& slot = slot_words().front();

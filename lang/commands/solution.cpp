@@ -12,32 +12,27 @@ CommandSpec damp() {
     Entry<Damp> entry({"damp", "damping"});
     entry.help("how motion is damped");
     using enum Damp::Kind;
-    const auto ratio = real("ratio").above(0).below(1).optional().spec;
+    // The last kind of a line counts.
+    const auto begin = [](Damp::Kind kind) {
+        return [kind](Damp& d) {
+            d.kind = kind;
+            d.value.reset();
+            d.fraction = d.frequency = 0;
+        };
+    };
+    const auto of_kind = [begin](Damp::Kind kind, const Argument<double>& value) {
+        return Parts<Damp>().set(begin(kind)).maybe(value, &Damp::value);
+    };
     for (const char* word : {"auto", "global"})
-        entry.special(
-            {word}, {ratio},
-            [=](Reader& reader, Damp& d) {
-                d.kind = global;
-                if (reader.at_number()) d.value = reader.real(ratio);
-            },
-            "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
-            "given");
-    entry.special(
-        {"local"}, {real("factor").at_least(0).at_most(1).optional().spec},
-        [](Reader& reader, Damp& d) {
-            d.kind = local;
-            if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
-        },
-        "a force against the motion, a part of the unbalanced force; 0.8 if not given");
-    entry.special(
-        {"combined"}, {real("factor").at_least(0).at_most(1).optional().spec},
-        [](Reader& reader, Damp& d) {
-            d.kind = combined;
-            if (reader.at_number()) d.value = reader.real(real("factor").at_least(0).at_most(1).spec);
-        },
-        "local damping for motion that is mostly one way; 0.8 if not given");
-    entry.action(
-        {"none", "off"}, [](Damp& d) { d.kind = none; }, "no damping and no dashpots of contacts");
+        entry.keyword({word}, of_kind(global, real("ratio").above(0).below(1).optional()),
+                      "viscous damping that follows the kinetic energy: how strong, as the ratio in 3DEC; 0.5 if not "
+                      "given");
+    const auto factor = real("factor").at_least(0).at_most(1).optional();
+    entry.keyword({"local"}, of_kind(local, factor),
+                  "a force against the motion, a part of the unbalanced force; 0.8 if not given");
+    entry.keyword({"combined"}, of_kind(combined, factor),
+                  "local damping for motion that is mostly one way; 0.8 if not given");
+    entry.action({"none", "off"}, begin(none), "no damping and no dashpots of contacts");
     entry.action(
         {"mass"}, [](Damp& d) { d.stiffness = false; }, "of Rayleigh damping: only the mass part");
     entry.action(
@@ -45,23 +40,12 @@ CommandSpec damp() {
     entry.keyword(
         {"contact"}, real("fraction").at_least(0).below(1), &Damp::contact,
         "a dashpot at every contact, with that fraction of critical damping, in addition to the other damping of the line; alone it is the only damping, and 0 removes the dashpots");
-    const auto fraction = real("fraction").at_least(0);
-    const auto frequency = real("frequency").unit("1/time").at_least(0);
-    entry.special(
-        {"rayleigh"}, {fraction.spec, frequency.spec},
-        [=](Reader& reader, Damp& d) {
-            d.kind = rayleigh;
-            d.fraction = reader.real(fraction.spec);
-            d.frequency = reader.real(frequency.spec);
-        },
-        "the same as fraction and frequency alone");
-    entry.otherwise({fraction.spec, frequency.spec}, [=](Reader& reader, Damp& d) {
-        if (!reader.at_number() || d.kind) return false;
-        d.kind = rayleigh;
-        d.fraction = reader.real(fraction.spec);
-        d.frequency = reader.real(frequency.spec);
-        return true;
-    });
+    const auto numbers = Parts<Damp>()
+                             .set(begin(rayleigh))
+                             .then(real("fraction").at_least(0), &Damp::fraction)
+                             .then(real("frequency").unit("1/time").at_least(0), &Damp::frequency);
+    entry.keyword({"rayleigh"}, numbers, "the same as fraction and frequency alone");
+    entry.values(numbers, [](Reader& reader, Damp& d) { return reader.at_number() && !d.kind; });
     entry.finish([](const Reader& reader, Damp& d) {
         if (!d.kind && !d.contact)
             incomplete_line(reader, "damp does not say how to damp",
@@ -100,8 +84,7 @@ CommandSpec damp() {
 CommandSpec cycle() {
     Entry<CycleCommand> entry({"cycle", "step"});
     entry.help("runs a number of cycles or a span of time");
-    entry.argument(integer("n").at_least(0).optional().help("number of cycles"),
-                   [](CycleCommand& c, std::int64_t n) { c.cycles = n; });
+    entry.argument(integer("n").at_least(0).optional().help("number of cycles"), &CycleCommand::cycles);
     entry.keyword({"time"}, real("t").unit("time").at_least(0), &CycleCommand::time, "time to be covered");
     entry.finish([](const Reader& reader, CycleCommand& c) {
         if (!c.cycles && !c.time)
@@ -117,10 +100,15 @@ CommandSpec cycle() {
 }
 
 /// One of the words after include and exclude.
-Solve::Reduced reduced_word(Reader& reader) {
-    return static_cast<Solve::Reduced>(word_among(reader, text("joints|zones|friction|cohesion|tension").spec,
-                                                  "a strength that fos reduces",
-                                                  {"joints", "zones", "friction", "cohesion", "tension"}));
+Parts<Solve> reduced(std::vector<Solve::Reduced> Solve::*list) {
+    using enum Solve::Reduced;
+    std::vector<Parts<Solve>::Choice> choices;
+    for (const auto& [word, which] :
+         {std::pair("joints", joints), std::pair("zones", zones), std::pair("friction", friction),
+          std::pair("cohesion", cohesion), std::pair("tension", tension)})
+        choices.push_back({word, Parts<Solve>().set([list, which](Solve& s) { (s.*list).push_back(which); })});
+    return Parts<Solve>().one_of(text("joints|zones|friction|cohesion|tension").spec, "a strength that fos reduces",
+                                 std::move(choices));
 }
 
 CommandSpec solve() {
@@ -140,6 +128,7 @@ CommandSpec solve() {
         .keyword({"time-total"}, real("t").unit("time").at_least(0), &Solve::total_time, "time of the model")
         .action(
             {"and"}, [](Solve& s) { s.all = true; }, "the run ends when all limits are reached, not at the first")
+        .between()
         .action(
             {"or"}, [](Solve&) {}, "the run ends at the first limit, as always")
         .action(
@@ -154,14 +143,8 @@ CommandSpec solve() {
         .keyword({"resolution"}, real("f").above(0).below(1), &Solve::resolution,
                  "with fos: relative difference of the two factors at the end; 0.005 if not given")
         .keyword({"file"}, text("file"), &Solve::file, "with fos: file for the failed state")
-        .special(
-            {"include"}, {text("joints|zones|friction|cohesion|tension").spec},
-            [](Reader& reader, Solve& s) { s.included.push_back(reduced_word(reader)); },
-            "with fos: only this is divided; may stand several times")
-        .special(
-            {"exclude"}, {text("joints|zones|friction|cohesion|tension").spec},
-            [](Reader& reader, Solve& s) { s.excluded.push_back(reduced_word(reader)); },
-            "with fos: this is not divided; may stand several times")
+        .keyword({"include"}, reduced(&Solve::included), "with fos: only this is divided; may stand several times")
+        .keyword({"exclude"}, reduced(&Solve::excluded), "with fos: this is not divided; may stand several times")
         .action(
             {"keep"}, [](Solve& s) { s.keep = true; },
             "with fos: the model keeps the state at the end of the last failed trial")

@@ -22,20 +22,13 @@ CommandSpec cable() {
                   "number of its properties; 1 if not given");
     entry.keyword({"tension"}, real("t").unit("force").at_least(0), &StructureCable::tension,
                   "force in the bars when it is made");
-    entry.special(
-        {"anchor"}, {text("first|last|both").spec},
-        [](Reader& reader, StructureCable& c) {
-            static constexpr std::array<std::string_view, 3> ends{"first", "last", "both"};
-            const std::string end = reader.text(text("first|last|both").spec);
-            const auto found =
-                std::ranges::find_if(ends, [&](std::string_view word) { return word.starts_with(fold(end)); });
-            if (end.empty() || found == ends.end())
-                throw Diagnostic("'" + end + "' is not an end of a cable", "expected: first, last or both")
-                    .at(reader.previous().place);
-            c.anchor_first = c.anchor_first || *found != "last";
-            c.anchor_last = c.anchor_last || *found != "first";
-        },
-        "ends that cannot slip in the rock, as behind a plate or in an anchor");
+    const auto first = Parts<StructureCable>().set(&StructureCable::anchor_first, true);
+    const auto last = Parts<StructureCable>().set(&StructureCable::anchor_last, true);
+    entry.keyword({"anchor"},
+                  Parts<StructureCable>().one_of(
+                      text("first|last|both").spec, "an end of a cable",
+                      {{"first", first}, {"last", last}, {"both", Parts<StructureCable>(first).then(last)}}),
+                  "ends that cannot slip in the rock, as behind a plate or in an anchor");
     entry.finish([](const Reader& reader, StructureCable& c) {
         if (!reader.wildcards() && c.first == c.last)
             incomplete_line(reader, "both ends of the cable are at the same place", "give two places");
@@ -55,32 +48,27 @@ using Grip = StructureBeam::Grip;
 
 /// anchor first, clamp both: ends of a beam that are held.
 void add_grip(Entry<StructureBeam>& entry, const char* word, Grip grip, const char* help) {
-    const auto which = text("first|last|both|all").spec;
-    entry.special(
-        {word}, {which},
-        [=](Reader& reader, StructureBeam& beam) {
-            static constexpr std::array<std::string_view, 4> ends{"first", "last", "both", "all"};
-            const std::string end = reader.text(which);
-            const auto found =
-                std::ranges::find_if(ends, [&](std::string_view known) { return known.starts_with(fold(end)); });
-            if (end.empty() || found == ends.end())
-                throw Diagnostic("'" + end + "' is not a part of a beam", "expected: first, last, both or all")
-                    .at(reader.previous().place);
-            if (*found == "all") beam.all = grip;
-            if (*found == "first" || *found == "both") beam.first = grip;
-            if (*found == "last" || *found == "both") beam.last = grip;
-        },
-        help);
+    const auto first = Parts<StructureBeam>().set(&StructureBeam::first, grip);
+    const auto last = Parts<StructureBeam>().set(&StructureBeam::last, grip);
+    entry.keyword({word},
+                  Parts<StructureBeam>().one_of(text("first|last|both|all").spec, "a part of a beam",
+                                                {{"first", first},
+                                                 {"last", last},
+                                                 {"both", Parts<StructureBeam>(first).then(last)},
+                                                 {"all", Parts<StructureBeam>().set(&StructureBeam::all, grip)}}),
+                  help);
 }
 
 CommandSpec beam() {
     Entry<StructureBeam> entry(structure_word(), {"beam"});
     entry.help("puts a beam on the rock: elements that stretch, bend and twist, on a line of straight parts");
     entry.place(&StructureBeam::place);
-    const auto add = [](StructureBeam& beam, Vec3 place) { beam.places.push_back(place); };
-    entry.argument(vector("x1 y1 z1").unit("length").help("first end"), add);
-    entry.argument(vector("x2 y2 z2").unit("length").help("last end, or the next corner; as many may follow as it has"),
-                   add);
+    const auto place = [](const Argument<Vec3>& argument) {
+        return Parts<StructureBeam>().next(argument, &StructureBeam::places);
+    };
+    entry.argument(place(vector("x1 y1 z1").unit("length").help("first end")));
+    entry.argument(
+        place(vector("x2 y2 z2").unit("length").help("last end, or the next corner; as many may follow as it has")));
     entry.keyword({"segments"}, integer("n").at_least(1).at_most(100000), &StructureBeam::segments,
                   "number of elements of each straight part; 10 if not given");
     entry.keyword({"property"}, integer("n").at_least(1), &StructureBeam::property,
@@ -92,11 +80,9 @@ CommandSpec beam() {
     add_grip(entry, "clamp", Grip::clamp, "nodes that move and rotate with a rigid block");
     entry.keyword({"tolerance"}, real("t").unit("length").at_least(0), &StructureBeam::tolerance,
                   "how far outside of the rock a node still lies on it; a millionth of the block if not given");
-    entry.otherwise({vector("x y z").optional().spec}, [](Reader& reader, StructureBeam& beam) {
+    entry.values(place(vector("x y z").optional()), [](Reader& reader, StructureBeam&) {
         const WordKind kind = reader.peek()->kind;
-        if (kind != WordKind::number && kind != WordKind::symbol) return false;
-        beam.places.push_back(reader.vector(vector("x y z").spec));
-        return true;
+        return kind == WordKind::number || kind == WordKind::symbol;
     });
     entry.finish([](const Reader& reader, StructureBeam& beam) {
         if (reader.wildcards()) return;
@@ -224,22 +210,32 @@ CommandSpec property() {
     for (const auto& known : property_words()) {
         auto value = real(known.words.front().word).unit(known.unit).at_least(0);
         if (known.most > 0) value.spec.limits.high = known.most;
-        entry.special(
-            known.words, {value.spec},
-            [value](Reader& reader, StructureProperty& p) {
-                p.items.push_back({std::string(value.spec.name), reader.real(value.spec)});
-            },
+        entry.keyword(
+            known.words,
+            Parts<StructureProperty>().in(next_of(&StructureProperty::items),
+                                          Parts<StructureProperty::Item>()
+                                              .set(&StructureProperty::Item::name, std::string(value.spec.name))
+                                              .then(value, &StructureProperty::Item::value)),
             known.help);
     }
-    const auto moment = real("plastic-moment").unit("moment").at_least(0).spec;
-    entry.special(
-        {"plastic-moment"}, {moment},
-        [moment](Reader& reader, StructureProperty& p) {
-            const double value = reader.real(moment);
-            p.items.push_back({"plastic-moment-y", value});
-            p.items.push_back({"plastic-moment-z", value});
-        },
-        "plastic-moment-y and plastic-moment-z at once");
+    using Items = Parts<StructureProperty>;
+    const auto moment = real("plastic-moment").unit("moment").at_least(0);
+    const auto both = [](StructureProperty& p, double value) {
+        p.items.push_back({"plastic-moment-y", value});
+        p.items.push_back({"plastic-moment-z", value});
+    };
+    entry.keyword({"plastic-moment"},
+                  Items()
+                      .argument(moment.spec)
+                      .by([=](Reader& reader, StructureProperty& p) { both(p, reader.real(moment.spec)); },
+                          [=](Items::Form form, const StructureProperty& wanted) {
+                              const std::size_t at = form.after.items.size();
+                              if (at >= wanted.items.size() || !print_value(form.words, wanted.items[at].value))
+                                  return Items::Forms{};
+                              both(form.after, wanted.items[at].value);
+                              return Items::Forms{std::move(form)};
+                          }),
+                  "plastic-moment-y and plastic-moment-z at once");
     entry.finish([](const Reader& reader, StructureProperty& p) {
         if (p.items.empty())
             incomplete_line(reader, "no property is given",
@@ -263,11 +259,9 @@ CommandSpec remove() {
     Entry<StructureDelete> entry(structure_word(), {"delete"});
     entry.help(
         "deletes cables, beams and liners: one by its number, or those with a node in the range; all if neither is given");
-    entry.otherwise({integer("n").at_least(1).optional().spec}, [](Reader& reader, StructureDelete& c) {
-        if (c.number || reader.peek()->kind != WordKind::number) return false;
-        c.number = reader.integer(integer("n").at_least(1).spec);
-        return true;
-    });
+    entry.values(
+        Parts<StructureDelete>().then(integer("n").at_least(1).optional(), &StructureDelete::number),
+        [](Reader& reader, StructureDelete& c) { return !c.number && reader.peek()->kind == WordKind::number; });
     entry.range(&StructureDelete::range);
     entry.right("structure delete 1").right("structure delete range z 0 1").right("struct delete");
     entry.wrong("structure delete 1.5", "delete takes a whole number, not 1.5");

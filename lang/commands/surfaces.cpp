@@ -46,15 +46,9 @@ CommandSpec import_surface() {
 CommandSpec create_polygon() {
     auto entry = geometry_line({"polygon"}, GeometryCommand::Action::polygon);
     entry.then({"create"}).help("adds a plane polygon to a set");
-    ArgumentSpec corner = vector("x y z").unit("length").spec;
-    corner.repeated = true;
-    entry.special(
-        {"by-positions", "by-position"}, {corner},
-        [corner](Reader& reader, GeometryCommand& command) {
-            do command.corners.push_back(reader.vector(corner));
-            while (reader.at_number());
-        },
-        "the corners, in order around it");
+    entry.keyword({"by-positions", "by-position"},
+                  Parts<GeometryCommand>().each(vector("x y z").unit("length"), &GeometryCommand::corners),
+                  "the corners, in order around it");
     entry.keyword({"extrude"}, vector("dx dy dz").unit("length"), &GeometryCommand::extrude,
                   "closes a prism: adds the polygon moved by this, and the sides between them");
     entry.keyword({"set"}, text("name"), &GeometryCommand::set, of_set);

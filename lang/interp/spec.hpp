@@ -4,6 +4,7 @@
 
 #include "base/abbreviation.hpp"
 #include "lang/interp/lexer.hpp"
+#include "lang/interp/printed.hpp"
 
 #include <any>
 #include <functional>
@@ -16,6 +17,9 @@
 namespace kaya::lang {
 
 class Reader;
+struct RangePhrase;
+struct MemberHash;
+using MemberHashes = std::vector<MemberHash>;
 
 enum class ArgumentKind {
     real,    ///< a number
@@ -78,12 +82,15 @@ struct KeywordSpec {
     /// Of a modern keyword: the classic word of the same meaning, "" when there is none. Several words: each takes one of the values. A
     /// blank: the values alone say it.
     std::string classic = {};
+    Write write = {};     ///< what may follow the word; not set: the word is never printed
+    bool between = false; ///< is not the last word of a line
 };
 
 /// The arguments before the keywords, in order.
 struct PositionalSpec {
     ArgumentSpec argument;
     std::function<void(Reader&, void* target)> read;
+    Write write = {};
 };
 
 /// Right when `message` is empty, else the line gives exactly this message.
@@ -133,6 +140,13 @@ struct CommandSpec {
     std::vector<ArgumentSpec> otherwise_arguments;
     std::function<void(const Reader&, void*)> finish;        ///< checks of the whole line
     std::function<std::string(const std::any&)> called_file; ///< of Flow::call
+
+    // The links for printing.
+    std::function<MemberHashes(const void*)> hash;
+    std::function<const RangePhrase*(const void*)> range_of;
+    KeywordSpec values;                                 ///< prints what `otherwise` reads
+    bool values_last = false;                           ///< after the keywords
+    std::function<std::string(const void*)> whole_line; ///< of a command that takes its line unparsed
 
     std::string name() const; ///< "poly brick"
 };

@@ -74,18 +74,23 @@ CommandSpec fill_blocks() {
 CommandSpec copy_blocks() {
     Leaf<Copy> leaf("block copy", "copy");
     leaf.word("translate", "offset");
-    const ArgumentSpec id = integer("i").at_least(1).spec;
-    leaf.special(
-        {"id"}, {id},
-        [id](Reader& reader, Copy& command) {
-            RangeElement element;
-            element.kind = RangeElement::Kind::id;
-            element.place = reader.previous().place;
-            command.range.place = element.place;
-            element.low = element.high = static_cast<double>(reader.integer(id));
-            command.range.elements = {element};
-        },
-        "number of the block");
+    const auto id = integer("i").at_least(1);
+    const Through only_element{[](RangePhrase& range, std::int64_t number) {
+                                   RangeElement element;
+                                   element.kind = RangeElement::Kind::id;
+                                   element.low = element.high = static_cast<double>(number);
+                                   range.elements = {element};
+                               },
+                               [](const RangePhrase& range) {
+                                   return range.elements.size() == 1
+                                              ? std::optional(static_cast<std::int64_t>(range.elements.front().low))
+                                              : std::nullopt;
+                               }};
+    const auto number =
+        Parts<RangePhrase>().mark(&RangePhrase::place).then(id, only_element).check([](Reader&, RangePhrase& range) {
+            range.elements.front().place = range.place;
+        });
+    leaf.keyword({"id"}, Parts<Copy>().in(member(&Copy::range), number), "number of the block");
     leaf.not_yet({"near", "scale", "fix", "hide"}, "other copies: give id and translate");
     leaf.finish([](const Reader& reader, Copy& command) {
         if (!command.offset || !command.range.place)
@@ -122,13 +127,12 @@ CommandSpec free_blocks() {
     const auto with_value = [&](const char* words, const char* classic) {
         KeywordSpec keyword = classic_keyword(classic_command("free"), classic);
         const ArgumentSpec number = real("v").optional().spec;
-        leaf.special(
-            tree_words(words).front(), {number},
-            [keyword, number](Reader& reader, Free& command) {
-                keyword.read(reader, &command);
-                while (reader.at_number()) (void)reader.real(number); // 3DEC ignores them as well
-            },
-            keyword.help);
+        const auto read = [keyword, number](Reader& reader, Free& command) {
+            keyword.read(reader, &command);
+            while (reader.at_number()) (void)reader.real(number); // 3DEC ignores them as well
+        };
+        leaf.keyword(tree_words(words).front(), Parts<Free>().argument(number).by(read, {}), keyword.help);
+        leaf.prints(keyword.write);
     };
     with_value("velocity", "velocity");
     for (const auto& component : velocity_components) with_value(component.words, component.classic);

@@ -20,14 +20,19 @@ constexpr std::array<ComponentWords, 3> velocity_components{
 template <class Command, class Member> void vector_words(Leaf<Command>& leaf, const char* word,
                                                          const std::array<ComponentWords, 3>& components,
                                                          const char* unit, Member member, std::string_view help) {
-    const ArgumentSpec three = vector("x y z").unit(unit).spec;
-    leaf.special(
-        {word}, {three},
-        [=](Reader& reader, Command& command) {
-            const Vec3 value = reader.vector(three);
-            for (std::size_t k = 0; k < 3; ++k) member(command, k) = value[static_cast<Eigen::Index>(k)];
-        },
-        help);
+    const Through each{[member](Command& command, const Vec3& value) {
+                           for (std::size_t k = 0; k < 3; ++k) member(command, k) = value[static_cast<Eigen::Index>(k)];
+                       },
+                       [member](const Command& command) -> std::optional<Vec3> {
+                           Vec3 value;
+                           for (std::size_t k = 0; k < 3; ++k) {
+                               const auto& component = member(const_cast<Command&>(command), k);
+                               if (!component) return std::nullopt;
+                               value[static_cast<Eigen::Index>(k)] = *component;
+                           }
+                           return value;
+                       }};
+    leaf.keyword({word}, vector("x y z").unit(unit), each, help);
     std::string all;
     for (const auto& component : components) all += (all.empty() ? "" : " ") + std::string(component.classic);
     leaf.said(all);
@@ -53,29 +58,34 @@ inline TableValue table_named(std::string name) {
     return table;
 }
 
+/// The name of a table, in the place of its number.
+inline const Through name_of_table{[](TableValue& table, std::string name) { table = table_named(std::move(name)); },
+                                   [](const TableValue& table) {
+                                       return std::optional(table.name.empty() ? std::to_string(table.table)
+                                                                               : table.name);
+                                   }};
+
 /// `table s` or `fish s` after the values of a line: their factor over time.
 template <class Command> void multiplier_words(Leaf<Command>& leaf) {
-    const ArgumentSpec name = text("name").spec;
-    leaf.special(
-        {"table"}, {name},
-        [name](Reader& reader, Command& command) {
-            Multiplier multiplier;
+    const auto name = text("name");
+    const auto factor = [](const auto& kind, const auto& parts) {
+        const auto place = [](Reader& reader, Multiplier& multiplier) {
             multiplier.place = reader.peek() ? reader.peek()->place : Place{};
-            multiplier.function = table_named(reader.text(name));
-            command.multiplier = std::move(multiplier);
-        },
-        "the values of the line are multiplied by this table over time");
-    leaf.special(
-        {"fish"}, {name},
-        [name](Reader& reader, Command& command) {
-            Multiplier multiplier;
-            const Word* word = reader.peek();
-            multiplier.place = word ? word->place : Place{};
-            const bool symbol = word && word->kind == WordKind::symbol;
-            multiplier.function = ScriptValue{symbol ? reader.symbol(name) : reader.text(name)};
-            command.multiplier = std::move(multiplier);
-        },
-        "the values of the line are multiplied by this FISH function or variable in each cycle");
+        };
+        return Parts<Command>().in(made(&Command::multiplier), Parts<Multiplier>().check(place).in(kind, parts));
+    };
+    leaf.keyword({"table"},
+                 factor(as<TableValue>(&Multiplier::function), Parts<TableValue>().then(name, name_of_table)),
+                 "the values of the line are multiplied by this table over time");
+    const auto symbol = Parts<ScriptValue>().argument(name.spec).by(
+        [name](Reader& reader, ScriptValue& value) { value.symbol = name_at(reader, name.spec); },
+        [](Parts<ScriptValue>::Form form, const ScriptValue& value) {
+            form.words.push_back({value.symbol, true});
+            form.after = value;
+            return Parts<ScriptValue>::Forms{std::move(form)};
+        });
+    leaf.keyword({"fish"}, factor(as<ScriptValue>(&Multiplier::function), symbol),
+                 "the values of the line are multiplied by this FISH function or variable in each cycle");
 }
 
 /// A line with a range that it needs.

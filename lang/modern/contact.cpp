@@ -7,19 +7,18 @@ namespace kaya::lang {
 
 namespace {
 
-/// Names of properties and their values up to the range.
-template <class Command> void property_values(Leaf<Command>& leaf) {
-    leaf.otherwise({real("property value").optional().spec},
-                   [](Reader& reader, Command& command) { return read_property_item(reader, command.items); });
+/// The name of a joint model, and its place.
+template <class Command> Parts<Command> joint_model() {
+    const auto place = [](Reader& reader, Command& command) {
+        command.model_place = reader.peek() ? reader.peek()->place : Place{};
+    };
+    return Parts<Command>().check(place).then(text("name"), &Command::model);
 }
 
 CommandSpec contact_assign(std::string_view words, std::string_view example) {
     Leaf<JointModelCommand> leaf(words);
     leaf.means("jmodel model").help("assigns a joint model to contacts");
-    leaf.argument(text("name").help("name of the joint model"), [](JointModelCommand& command, std::string name) {
-        command.action = JointModelCommand::Action::assign;
-        command.model = std::move(name);
-    });
+    leaf.argument(text("name").help("name of the joint model"), named_model(JointModelCommand::Action::assign));
     const std::size_t name_at = tree_words(words).size();
     leaf.start([name_at](const Statement& statement, JointModelCommand& command) {
         if (statement.words.size() > name_at) command.model_place = statement.words[name_at].place;
@@ -74,14 +73,7 @@ CommandSpec contact_property() {
 CommandSpec contact_defaults() {
     Leaf<NewContacts> leaf("block contact material-table default");
     leaf.help("joint model and properties of contacts that are found from now on");
-    const ArgumentSpec name = text("name").spec;
-    leaf.special(
-        {"jmodel"}, {name},
-        [name](Reader& reader, NewContacts& command) {
-            command.model_place = reader.peek() ? reader.peek()->place : Place{};
-            command.model = reader.text(name);
-        },
-        "the joint model; unchanged, or mohr, if not given");
+    leaf.keyword({"jmodel"}, joint_model<NewContacts>(), "the joint model; unchanged, or mohr, if not given");
     leaf.action(
         {"property"}, [](NewContacts&) {}, "names of properties and their values follow");
     property_values(leaf);
@@ -101,13 +93,8 @@ CommandSpec contact_defaults() {
 
 /// The joint model and the properties of an entry of the material table.
 void entry_words(Leaf<JointRuleCommand>& leaf) {
-    const ArgumentSpec name = text("name").spec;
-    leaf.special(
-        {"jmodel"}, {name},
-        [name](Reader& reader, JointRuleCommand& command) {
-            command.model_place = reader.peek() ? reader.peek()->place : Place{};
-            command.model = reader.text(name);
-        },
+    leaf.keyword(
+        {"jmodel"}, joint_model<JointRuleCommand>(),
         "the joint model; with it, values that are not given are those of the model, else those of the default");
     leaf.action(
         {"property"}, [](JointRuleCommand&) {}, "names of properties and their values follow");
@@ -160,12 +147,8 @@ CommandSpec table_remove() {
     leaf.help("removes one entry of the material table, or all of them");
     leaf.action(
         {"all"}, [](JointRuleCommand& command) { command.number.reset(); }, "all entries, as without a number");
-    const ArgumentSpec number = entry_number().spec;
-    leaf.otherwise({number}, [number](Reader& reader, JointRuleCommand& command) {
-        if (!reader.at_number() || command.number) return false;
-        command.number = reader.integer(number);
-        return true;
-    });
+    leaf.values(Parts<JointRuleCommand>().then(entry_number(), &JointRuleCommand::number),
+                [](Reader& reader, JointRuleCommand& command) { return reader.at_number() && !command.number; });
     leaf.right("block contact material-table remove").right("block contact material-table remove all");
     leaf.right("block contact material-table remove 1");
     leaf.wrong("block contact material-table remove al1",

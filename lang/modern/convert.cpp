@@ -2,6 +2,7 @@
 
 #include "lang/commands/commands.hpp"
 #include "lang/commands/language.hpp"
+#include "lang/commands/print.hpp"
 #include "lang/commands/struct_text.hpp"
 #include "lang/interp/bare_names.hpp"
 #include "lang/interp/command_words.hpp"
@@ -288,26 +289,6 @@ std::string note_text(To to) {
     return fmt::format("; kept: no {} words for the command below", to == To::modern ? "modern" : "classic");
 }
 
-/// Lines of the tables that both dialects have: of commands whose words differ too much for a word by word exchange.
-std::optional<std::string> known_line(const std::string& meaning, To to) {
-    struct Pair {
-        std::string modern, classic;
-    };
-    static const std::map<std::string, Pair> lines = [] {
-        std::map<std::string, Pair> all;
-        for_each_command(modern(), [&](const CommandSpec& command) {
-            for (const Example& example : command.right)
-                if (!example.classic.empty())
-                    if (const auto means = meaning_of({std::string(example.text)}, modern()))
-                        all.try_emplace(*means, Pair{std::string(example.text), std::string(example.classic)});
-        });
-        return all;
-    }();
-    const auto found = lines.find(meaning);
-    if (found == lines.end()) return std::nullopt;
-    return to == To::modern ? found->second.modern : found->second.classic;
-}
-
 class Converter {
 public:
     Converter(const Source& source, To to)
@@ -381,8 +362,6 @@ private:
 
     std::optional<std::vector<std::string>> in_other_words(const Line& line, const std::string& meaning) const {
         std::optional<std::vector<std::string>> found;
-        if (const auto known = line.bound.late ? std::nullopt : known_line(meaning, to_))
-            return line_instead(line.statement, *known);
         const auto attempt = [&](std::vector<std::string> lines) {
             if (!found && meaning_of(lines, target_) == meaning) found = std::move(lines);
         };
@@ -405,6 +384,10 @@ private:
             else if (lines) attempt(std::move(*lines));
             return found.has_value();
         });
+        if (found || line.bound.late) return found;
+        if (const auto printed = line_of(line.bound.command, target_))
+            if (auto lines = line_instead(line.statement, *printed); meaning_of(lines, language()) == meaning)
+                attempt(std::move(lines));
         return found;
     }
 

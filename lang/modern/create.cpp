@@ -15,10 +15,10 @@ namespace {
 
 /// The group of the new block, before or after its shape.
 template <class Poly> void group_option(Leaf<Poly>& leaf) {
-    const ArgumentSpec name = text("name").spec;
-    leaf.special(
-        {"group"}, {name}, [name](Reader& reader, Poly& poly) { poly.options.group = read_group_name(reader, name); },
-        "group of the new blocks", slot_words());
+    const auto name = [](Poly & poly) -> auto& { return poly.options.group; };
+    const auto slot = [name](Reader& reader, Poly& poly) { read_keywords(reader, slot_words(), &name(poly)); };
+    leaf.keyword({"group"}, Parts<Poly>().then(text("name"), name).check(slot).described(slot_words()),
+                 "group of the new blocks");
     leaf.options_before_form();
 }
 
@@ -57,16 +57,17 @@ CommandSpec create_polyhedron() {
     Leaf<PolyFace> leaf("block create polyhedron|poly", "poly face");
     leaf.start([](const Statement& statement, PolyFace& poly) { poly.place = statement.words.front().place; });
     leaf.word("face", "face", "corners of a face, in order around it").checks_of_meaning();
-    const ArgumentSpec corner = vector("x y z").unit("length").spec, id = integer("k").at_least(0).spec;
-    leaf.special(
-        {"joint-set", "joint-set-id"}, {id},
-        [id](Reader& reader, PolyFace& poly) {
-            if (poly.faces.empty())
-                throw Diagnostic("joint-set belongs to a face", "write it after the word face")
-                    .at(reader.previous().place);
-            poly.faces.back().joint_set = reader.integer(id);
-        },
-        "joint set that made the face, 0 if not given");
+    const ArgumentSpec corner = vector("x y z").unit("length").spec;
+    const auto after_a_face = [](Reader& reader, PolyFace& poly) {
+        if (poly.faces.empty())
+            throw Diagnostic("joint-set belongs to a face", "write it after the word face").at(reader.previous().place);
+    };
+    leaf.keyword({"joint-set", "joint-set-id"},
+                 Parts<PolyFace>()
+                     .check(after_a_face)
+                     .in(last_of(&PolyFace::faces),
+                         Parts<PolyFace::Face>().then(integer("k").at_least(0), &PolyFace::Face::joint_set)),
+                 "joint set that made the face, 0 if not given");
     leaf.otherwise({corner}, [corner](Reader& reader, PolyFace& poly) {
         if (!reader.at_number() || poly.faces.empty()) return false;
         poly.faces.back().corners.push_back(reader.vector(corner));
@@ -185,16 +186,25 @@ CommandSpec densify_blocks() {
     leaf.means("densify");
     leaf.help("cuts each block into equal parts along x, y and z");
     const ArgumentSpec part = integer("n").at_least(1).at_most(1000).spec;
-    leaf.special(
-        {"segments"}, {integer("nx").at_least(1).spec, integer("ny").optional().spec, integer("nz").optional().spec},
-        [part](Reader& reader, Densify& command) {
-            command.parts.fill(reader.integer(part));
-            for (std::size_t k = 1; k < 3 && reader.at_number(); ++k) {
-                command.parts[k] = reader.integer(part);
-                command.parts[2] = command.parts[k];
-            }
-        },
-        "parts along x, y and z; one number: along each");
+    leaf.keyword({"segments"},
+                 Parts<Densify>()
+                     .argument(integer("nx").at_least(1).spec)
+                     .argument(integer("ny").optional().spec)
+                     .argument(integer("nz").optional().spec)
+                     .by(
+                         [part](Reader& reader, Densify& command) {
+                             command.parts.fill(reader.integer(part));
+                             for (std::size_t k = 1; k < 3 && reader.at_number(); ++k) {
+                                 command.parts[k] = reader.integer(part);
+                                 command.parts[2] = command.parts[k];
+                             }
+                         },
+                         [](Parts<Densify>::Form form, const Densify& wanted) {
+                             for (const std::int64_t n : wanted.parts) print_value(form.words, n);
+                             form.after.parts = wanted.parts;
+                             return Parts<Densify>::Forms{std::move(form)};
+                         }),
+                 "parts along x, y and z; one number: along each");
     leaf.action(
         {"join"}, [](Densify& command) { command.join = true; }, "the parts remain one body");
     leaf.not_yet({"maximum-length", "repeat", "gradient-limit", "tetrahedra", "hexahedra", "joint-set"},
@@ -215,15 +225,11 @@ CommandSpec densify_blocks() {
 CommandSpec from_file(std::string_view words, const char* suffix) {
     Leaf<Import> leaf(words);
     leaf.help("makes blocks of the closed surfaces or blocks in a file");
-    const ArgumentSpec file = text("file").spec;
-    leaf.special(
-        {"filename"}, {file},
-        [file, suffix](Reader& reader, Import& command) {
-            command.file = reader.text(file);
-            const bool has_suffix = command.file.find('.', command.file.find_last_of("/\\") + 1) != std::string::npos;
-            if (!has_suffix) command.file += suffix;
-        },
-        "name of the file");
+    const auto add_suffix = [suffix](Reader&, Import& command) {
+        const bool has_suffix = command.file.find('.', command.file.find_last_of("/\\") + 1) != std::string::npos;
+        if (!has_suffix) command.file += suffix;
+    };
+    leaf.keyword({"filename"}, Parts<Import>().then(text("file"), &Import::file).check(add_suffix), "name of the file");
     leaf.no_effect("binary", "kaya finds out");
     leaf.not_yet({"break-angle"}, "merging faces that are nearly in one plane");
     leaf.finish([](const Reader& reader, Import& command) {

@@ -78,22 +78,21 @@ CommandSpec gridpoint_initialize() {
     vector_words(
         leaf, "velocity", velocity_components, "velocity",
         [](Initialize & command, std::size_t k) -> auto& { return command.velocity[k]; }, "velocity");
-    const ArgumentSpec pressure = real("p").unit("stress").spec, slope = vector("gx gy gz").unit("stress/length").spec;
-    leaf.special(
-        {"pore-pressure"}, {pressure},
-        [pressure](Reader& reader, Initialize& command) {
-            command.pore_pressure.emplace().at_origin = reader.real(pressure);
-        },
-        "pore pressure at the origin of coordinates");
-    leaf.special(
-        {"gradient"}, {slope},
-        [slope](Reader& reader, Initialize& command) {
-            if (!command.pore_pressure)
-                throw Diagnostic("gradient belongs to pore-pressure", "write it after the pressure")
-                    .at(reader.previous().place);
-            command.pore_pressure->gradient = reader.vector(slope);
-        },
-        "change of the pore pressure with x, y and z");
+    const auto after_the_pressure = [](Reader& reader, Initialize& command) {
+        if (!command.pore_pressure)
+            throw Diagnostic("gradient belongs to pore-pressure", "write it after the pressure")
+                .at(reader.previous().place);
+    };
+    leaf.keyword({"pore-pressure"},
+                 Parts<Initialize>().in(made(&Initialize::pore_pressure),
+                                        Parts<LinearNumber>().then(real("p").unit("stress"), &LinearNumber::at_origin)),
+                 "pore pressure at the origin of coordinates");
+    leaf.keyword({"gradient"},
+                 Parts<Initialize>()
+                     .check(after_the_pressure)
+                     .in(there(&Initialize::pore_pressure),
+                         Parts<LinearNumber>().then(vector("gx gy gz").unit("stress/length"), &LinearNumber::gradient)),
+                 "change of the pore pressure with x, y and z");
     leaf.not_yet({"extra", "ratio-target", "temperature", "temperature-analytical"}, "other values of gridpoints");
     leaf.not_yet({"add", "multiply", "vary", "local", "origin"}, "changes of the values that are there");
     leaf.ranged(&Initialize::range);

@@ -12,18 +12,18 @@ namespace {
 CommandSpec damping() {
     Leaf<Damp> leaf("block mechanical damping", "damp");
     using enum Damp::Kind;
-    const ArgumentSpec ratio = real("ratio").at_least(0).below(1).optional().spec;
-    leaf.special(
-        {"global"}, {ratio},
-        [ratio](Reader& reader, Damp& damp) {
-            damp.kind = global;
-            if (!reader.at_number()) return;
-            damp.value = reader.real(ratio);
-            if (*damp.value > 0) return;
-            damp.kind = none;
-            damp.value.reset();
-        },
-        "viscous damping that follows the kinetic energy; 0.5 if not given, 0: no damping");
+    const Through value{[](Damp& damp, double ratio) {
+                            damp.kind = ratio > 0 ? global : none;
+                            if (ratio > 0) damp.value = ratio;
+                        },
+                        [](const Damp& damp) { return damp.kind == none ? std::optional(0.0) : damp.value; }};
+    const auto begin = [](Damp& damp) {
+        damp.kind = global;
+        damp.value.reset();
+        damp.fraction = damp.frequency = 0;
+    };
+    leaf.keyword({"global"}, Parts<Damp>().set(begin).maybe(real("ratio").at_least(0).below(1).optional(), value),
+                 "viscous damping that follows the kinetic energy; 0.5 if not given, 0: no damping");
     leaf.word("local", "local").word("combined", "combined").word("rayleigh", "rayleigh");
     leaf.word("mass", "mass").word("stiffness", "stiffness").checks_of_meaning();
     leaf.not_yet({"maxwell"}, "Maxwell damping");
@@ -98,11 +98,10 @@ CommandSpec water_plane() {
     leaf.action(
         {"clear"}, [](WaterCommand& water) { water.kind = WaterCommand::Kind::off; }, "removes the water");
     leaf.keyword({"origin"}, vector("x y z").unit("length"), &WaterCommand::origin, "a point of the plane");
-    const ArgumentSpec normal = vector("nx ny nz").spec;
-    leaf.special(
-        {"normal"}, {normal},
-        [normal](Reader& reader, WaterCommand& water) { water.normal = Vec3::Zero() - reader.vector(normal); },
-        "normal of the plane, towards rising pressure: downward");
+    const Through downward{
+        [](WaterCommand& water, const Vec3& normal) { water.normal = Vec3::Zero() - normal; },
+        [](const WaterCommand& water) -> std::optional<Vec3> { return Vec3::Zero() - water.normal; }};
+    leaf.keyword({"normal"}, vector("nx ny nz"), downward, "normal of the plane, towards rising pressure: downward");
     leaf.word("density", "density");
     leaf.not_yet({"set", "skip", "effective", "list"}, "water between surfaces");
     leaf.finish([](const Reader& reader, WaterCommand& water) {
@@ -146,30 +145,31 @@ CommandSpec face_apply() {
     Leaf<Boundary> leaf("block face apply", "boundary");
     leaf.word("stress", "stress");
     constexpr std::array words{"stress-xx", "stress-yy", "stress-zz", "stress-xy", "stress-xz", "stress-yz"};
-    const ArgumentSpec value = real("s").unit("stress").spec;
-    const ArgumentSpec slope = vector("gx gy gz").unit("stress/length").spec;
-    for (std::size_t k = 0; k < words.size(); ++k)
-        leaf.special(
-            {words[k]}, {value},
-            [=](Reader& reader, Boundary& b) {
+    const auto value = real("s").unit("stress");
+    const auto slope = vector("gx gy gz").unit("stress/length");
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const Through component{
+            [k](Boundary& b, double stress) {
                 if (!b.stress) b.stress.emplace();
-                (*b.stress)[k] = reader.real(value);
-                const Word* next = reader.peek();
-                if (!next || next->folded != "gradient") return;
-                reader.take();
-                const Vec3 gradient = reader.vector(slope);
-                b.x_gradient[k] = gradient.x();
-                b.y_gradient[k] = gradient.y();
-                b.z_gradient[k] = gradient.z();
+                (*b.stress)[k] = stress;
             },
+            [k](const Boundary& b) { return b.stress ? std::optional((*b.stress)[k]) : std::nullopt; }};
+        const Through gradient{[k](Boundary& b, const Vec3& g) {
+                                   b.x_gradient[k] = g.x();
+                                   b.y_gradient[k] = g.y();
+                                   b.z_gradient[k] = g.z();
+                               },
+                               [k](const Boundary& b) -> std::optional<Vec3> {
+                                   return Vec3(b.x_gradient[k], b.y_gradient[k], b.z_gradient[k]);
+                               }};
+        leaf.keyword(
+            {words[k]},
+            Parts<Boundary>().then(value, component).perhaps({{"gradient", Parts<Boundary>().then(slope, gradient)}}),
             "one component of the stress; `gradient gx gy gz` may follow");
-    leaf.special(
-        {"stress-normal"}, {value},
-        [value](Reader& reader, Boundary& b) {
-            const double normal = reader.real(value);
-            b.stress = {normal, normal, normal, 0, 0, 0};
-        },
-        "stress along the normal of each face, compression negative");
+    }
+    const Through normal{[](Boundary& b, double stress) { b.stress = {stress, stress, stress, 0, 0, 0}; },
+                         [](const Boundary& b) { return b.stress ? std::optional((*b.stress)[0]) : std::nullopt; }};
+    leaf.keyword({"stress-normal"}, value, normal, "stress along the normal of each face, compression negative");
     leaf.word("gradient-x", "xgradient").word("gradient-y", "ygradient").word("gradient-z", "zgradient");
     leaf.word("velocity-normal", "nvel");
     multiplier_words(leaf);

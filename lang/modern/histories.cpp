@@ -74,29 +74,24 @@ constexpr Quantity of_contacts[] = {
 
 /// The words that name a history before its quantity, or after its place.
 void names(Leaf<HistoryAdd>& leaf) {
-    const ArgumentSpec name = text("name").spec;
     for (const char* word : {"name", "label"})
-        leaf.special(
-            {word}, {name},
-            [name](Reader& reader, HistoryAdd& history) {
-                if (history.items.empty()) history.items.emplace_back();
-                history.items.back().name = reader.text(name);
-            },
-            "name of the history in files; the number of the history if not given");
+        leaf.keyword({word},
+                     Parts<HistoryAdd>().in(only_of(&HistoryAdd::items),
+                                            Parts<HistoryItem>().then(text("name"), &HistoryItem::name)),
+                     "name of the history in files; the number of the history if not given");
 }
 
 void record(Leaf<HistoryAdd>& leaf, const char* words, const HistoryItem::Quantity& quantity, const char* help) {
-    leaf.special(
-        tree_words(words).front(), {},
-        [quantity](Reader& reader, HistoryAdd& history) {
-            const Place at = reader.previous().place;
-            if (!history.items.empty() && history.items.front().text)
-                throw Diagnostic("a history records one quantity", "write a second line for this one").at(at);
-            if (history.items.empty()) history.items.emplace_back();
-            history.items.front().what = quantity;
-            history.items.front().text = at;
-        },
-        help);
+    const auto one_quantity = [](Reader& reader, HistoryItem& item) {
+        if (item.text)
+            throw Diagnostic("a history records one quantity", "write a second line for this one")
+                .at(reader.previous().place);
+    };
+    const auto item =
+        Parts<HistoryItem>().check(one_quantity).mark(&HistoryItem::text).set([quantity](HistoryItem& made) {
+            made.what = quantity;
+        });
+    leaf.keyword(tree_words(words).front(), Parts<HistoryAdd>().in(only_of(&HistoryAdd::items), item), help);
 }
 
 void record(Leaf<HistoryAdd>& leaf, const Quantity& row) {
@@ -141,14 +136,10 @@ CommandSpec model_history() {
 }
 
 void location(Leaf<HistoryAdd>& leaf) {
-    const ArgumentSpec place = vector("x y z").unit("length").spec;
-    leaf.special(
-        {"position"}, {place},
-        [place](Reader& reader, HistoryAdd& history) {
-            if (history.items.empty()) history.items.emplace_back();
-            history.items.front().place = reader.vector(place);
-        },
-        "the nearest object is recorded; the origin if not given");
+    leaf.keyword({"position"},
+                 Parts<HistoryAdd>().in(only_of(&HistoryAdd::items),
+                                        Parts<HistoryItem>().then(vector("x y z").unit("length"), &HistoryItem::place)),
+                 "the nearest object is recorded; the origin if not given");
     leaf.said(" "); // hist xdis 0 0 1
 }
 
@@ -213,26 +204,29 @@ CommandSpec history_delete() {
 CommandSpec history_export() {
     Leaf<HistoryWrite> leaf("history export");
     leaf.help("writes histories as a table with a line of names on top");
-    const ArgumentSpec name = text("name").optional().spec;
+    const auto name = text("name").optional();
     const ArgumentSpec versus = text("name").spec;
-    leaf.special(
-        {"vs"}, {versus},
-        [versus](Reader& reader, HistoryWrite& write) {
-            const Word* word = reader.peek();
-            const bool cycle = word != nullptr && word->kind == WordKind::word && word->folded == "step";
-            std::string name = reader.text(versus);
-            if (!cycle) write.versus_name = std::move(name);
-        },
-        "the history that makes the first column; `step`: the cycle, as without the word");
+    leaf.keyword({"vs"},
+                 Parts<HistoryWrite>().argument(versus).by(
+                     [versus](Reader& reader, HistoryWrite& write) {
+                         const Word* word = reader.peek();
+                         const bool cycle = word != nullptr && word->kind == WordKind::word && word->folded == "step";
+                         std::string first = reader.text(versus);
+                         if (!cycle) write.versus_name = std::move(first);
+                     },
+                     [](Parts<HistoryWrite>::Form form, const HistoryWrite& wanted) {
+                         form.words.push_back({wanted.versus_name, true});
+                         form.after.versus_name = wanted.versus_name;
+                         return Parts<HistoryWrite>::Forms{std::move(form)};
+                     }),
+                 "the history that makes the first column; `step`: the cycle, as without the word");
     leaf.keyword({"file", "filename"}, text("file"), &HistoryWrite::file,
                  "name of the file; that of the deck with .csv if not given");
     leaf.no_effect("truncate", "the file is replaced, as always");
     leaf.not_yet({"append", "reverse", "begin", "end", "skip", "table"}, "parts of histories in files");
-    leaf.otherwise({name}, [name](Reader& reader, HistoryWrite& write) {
+    leaf.values(Parts<HistoryWrite>().next(name, &HistoryWrite::names), [](Reader& reader, HistoryWrite&) {
         const WordKind kind = reader.peek()->kind;
-        if (kind != WordKind::text && kind != WordKind::number && !reader.peek()->late()) return false;
-        write.names.push_back(reader.text(name));
-        return true;
+        return kind == WordKind::text || kind == WordKind::number || reader.peek()->late();
     });
     leaf.right("history export '1' '2' vs '3' file 'curves.csv'").right("history export 1 file 'curves'");
     leaf.right("history export 'crown' vs step file 'crown.csv'");

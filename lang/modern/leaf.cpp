@@ -59,6 +59,7 @@ const KeywordSpec& classic_keyword(const CommandSpec& command, std::string_view 
 CommandSpec ignored_line(std::string_view words, std::string_view help, const char* instead, std::string_view example) {
     Leaf<Ignored> leaf(words);
     leaf.help(help).raw().support(Support::ignored);
+    leaf.whole_line([](const Ignored& command) { return command.word; });
     std::string name;
     for (const auto& spellings : tree_words(words))
         name += (name.empty() ? "" : " ") + std::string(spellings.front().word);

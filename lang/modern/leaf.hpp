@@ -56,19 +56,25 @@ public:
     /// The argument of a keyword of the meaning follows the name.
     Leaf& argument_of(std::string_view classic) {
         const KeywordSpec& keyword = classic_keyword(*meaning_, classic);
-        this->spec_.arguments = {{keyword.arguments.front(), keyword.read}};
+        this->spec_.arguments = {{keyword.arguments.front(), keyword.read, keyword.write}};
         return *this;
     }
     /// So are the values that no word announces.
     Leaf& values_of_meaning() {
         this->spec_.otherwise = meaning_->otherwise;
         this->spec_.otherwise_arguments = meaning_->otherwise_arguments;
+        this->spec_.values = meaning_->values;
+        this->spec_.values_last = meaning_->values_last;
         return *this;
     }
     /// So are the checks of the whole line.
     Leaf& checks_of_meaning() { return this->spec_.finish = meaning_->finish, *this; }
 
     Leaf& ranged(RangePhrase Command::*phrase) { return Base::range(phrase, true, modern_ranges()), *this; }
+
+    using Base::prints;
+    /// The keyword added last is printed as another one.
+    Leaf& prints(Write write) { return this->keywords_.prints(std::move(write)), *this; }
 
     /// The keyword added last has these classic words.
     Leaf& said(std::string_view classic) { return this->keywords_.said(classic), *this; }

@@ -72,7 +72,9 @@ CommandSpec model_configure() {
 CommandSpec large_strain() {
     Leaf<Set> leaf("model large-strain");
     leaf.help("on: the geometry follows the motion, the default of kaya; off: it is not updated");
-    leaf.argument(on_off(), [](Set& set, bool on) { set.small = !on; });
+    leaf.argument(on_off(),
+                  Through{[](Set& set, bool on) { set.small = !on; },
+                          [](const Set& set) { return set.small ? std::optional(!*set.small) : std::nullopt; }});
     leaf.right("model large-strain on", "set small off").right("model large-strain off", "set small on");
     leaf.wrong("model large-strain", "a word is missing after 'large-strain'");
     leaf.wrong("model large-strain maybe", "expected on or off, found 'maybe'");
@@ -107,6 +109,7 @@ CommandSpec model_gravity() {
                 .at(words[2].place);
         return true;
     });
+    leaf.prints(Parts<Gravity>().then(vector("gx gy gz"), &Gravity::value));
     leaf.finish([](const Reader& reader, Gravity&) {
         if (reader.statement().words.size() == 2)
             incomplete_line(reader, "a number is missing after 'gravity'", "write: model gravity 0 0 -9.81");
@@ -191,7 +194,8 @@ CommandSpec dynamic_time() {
     Leaf<Reset> leaf("model dynamic|mechanical time-total");
     leaf.help("sets the time of the model back to 0");
     leaf.argument(real("t").at_least(0).at_most(0).unit("time"),
-                  [](Reset& reset, double) { reset.what = {Reset::What::time}; });
+                  Through{[](Reset& reset, double) { reset.what = {Reset::What::time}; },
+                          [](const Reset&) { return std::optional(0.0); }});
     leaf.right("model dynamic time-total 0", "reset time").right("model mechanical time-total 0.0", "reset time");
     leaf.wrong("model dynamic time-total", "a number is missing after 'time-total'");
     leaf.wrong("model dynamic time-total 5", "time-total must be at most 0, not 5");
@@ -213,9 +217,12 @@ CommandSpec mechanical_active() {
     leaf.start([](const Statement&, Ignored& command) {
         command = {"model mechanical active", "kaya has no other process"};
     });
-    leaf.argument(on_off(), [](Ignored&, bool on) {
-        if (!on) throw Diagnostic("motion cannot be switched off", "kaya has no other process");
-    });
+    leaf.argument(on_off(), Through{[](Ignored&, bool on) {
+                                        if (!on)
+                                            throw Diagnostic("motion cannot be switched off",
+                                                             "kaya has no other process");
+                                    },
+                                    [](const Ignored&) { return std::optional(true); }});
     leaf.right("model mechanical active on");
     leaf.wrong("model mechanical active off", "motion cannot be switched off");
     return leaf;

@@ -11,26 +11,26 @@ CommandSpec named_table() {
     Leaf<TableCommand> leaf("table");
     leaf.help("a table by its name: pairs (x, y), with linear interpolation");
     leaf.argument(text("name").help("name of the table, or its number as a text"),
-                  [](TableCommand& table, std::string name) {
-                      TableValue named = table_named(std::move(name));
-                      table.number = named.table;
-                      table.name = std::move(named.name);
-                  });
+                  Through{[](TableCommand& table, std::string name) {
+                              TableValue named = table_named(std::move(name));
+                              table.number = named.table;
+                              table.name = std::move(named.name);
+                          },
+                          [](const TableCommand& table) {
+                              return name_of_table.get({.table = table.number, .name = table.name});
+                          }});
     leaf.keyword({"import"}, text("file"), &TableCommand::file,
                  "replaces the table by that of a file: a line of title, a line `count step`, then the values");
     leaf.action(
         {"clear", "delete"}, [](TableCommand& t) { t.clear = true; }, "removes all pairs");
-    const ArgumentSpec x = real("x").spec, y = real("y").spec;
+    using Point = std::array<double, 2>;
+    const auto point = Parts<Point>()
+                           .then(
+                               real("x"), [](Point & p) -> auto& { return p[0]; })
+                           .then(
+                               real("y"), [](Point & p) -> auto& { return p[1]; });
     for (const char* word : {"add", "insert"})
-        leaf.special(
-            {word}, {x, y},
-            [=](Reader& reader, TableCommand& t) {
-                do {
-                    const double at = reader.real(x);
-                    t.points.push_back({at, reader.real(y)});
-                } while (reader.at_number());
-            },
-            "pairs, in their place by x");
+        leaf.keyword({word}, Parts<TableCommand>().each_of(&TableCommand::points, point), "pairs, in their place by x");
     leaf.no_effect("sort", "tables are always sorted");
     leaf.not_yet({"position", "label", "list", "export"}, "other commands of tables");
     leaf.finish([](const Reader& reader, TableCommand& t) {
@@ -50,10 +50,9 @@ CommandSpec fish_history() {
     Leaf<HistoryAdd> leaf("fish history");
     leaf.help("records a FISH function or variable from now on");
     const ArgumentSpec name = text("name").spec;
-    leaf.special(
-        {"name"}, {name},
-        [name](Reader& reader, HistoryAdd& history) { history.items.emplace_back().name = reader.text(name); },
-        "name of the history in files");
+    const auto only = only_of(&HistoryAdd::items);
+    leaf.keyword({"name"}, Parts<HistoryAdd>().in(only, Parts<HistoryItem>().then(text("name"), &HistoryItem::name)),
+                 "name of the history in files");
     leaf.otherwise({name}, [name](Reader& reader, HistoryAdd& history) {
         if (!history.items.empty() && history.items.front().text) return false;
         if (history.items.empty()) history.items.emplace_back();
@@ -63,6 +62,10 @@ CommandSpec fish_history() {
         item.what = HistoryItem::Script{symbol ? reader.symbol(name) : reader.text(name)};
         return true;
     });
+    leaf.prints(Parts<HistoryAdd>().in(only, Parts<HistoryItem>().in(as<HistoryItem::Script>(&HistoryItem::what),
+                                                                     Parts<HistoryItem::Script>().then(
+                                                                         text("name"), &HistoryItem::Script::symbol))),
+                true);
     leaf.finish([](const Reader& reader, HistoryAdd& history) {
         if (history.items.empty() || !history.items.front().text)
             incomplete_line(reader, "the history has no function to record", "write for example: fish history thrust");

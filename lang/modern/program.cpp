@@ -50,16 +50,18 @@ CommandSpec threads() {
 CommandSpec automatic_save() {
     Leaf<Set> leaf("program automatic-model-save");
     leaf.help("saves the model at intervals while it cycles");
-    const ArgumentSpec hours = real("h").unit("hours").at_least(0).at_most(24).spec;
+    const auto hours = real("h").unit("hours").at_least(0).at_most(24);
+    leaf.keyword({"active"}, on_off(),
+                 Through{[](Set& set, bool on) {
+                             if (!on) set.autosave = 0;
+                             else if (!set.autosave) set.autosave = 60;
+                         },
+                         [](const Set& set) { return set.autosave ? std::optional(*set.autosave > 0) : std::nullopt; }},
+                 "off: none; on: each hour");
     leaf.keyword(
-        {"active"}, on_off(),
-        [](Set& set, bool on) {
-            if (!on) set.autosave = 0;
-            else if (!set.autosave) set.autosave = 60;
-        },
-        "off: none; on: each hour");
-    leaf.special(
-        {"interval"}, {hours}, [hours](Reader& reader, Set& set) { set.autosave = 60 * reader.real(hours); },
+        {"interval"}, hours,
+        Through{[](Set& set, double h) { set.autosave = 60 * h; },
+                [](const Set& set) { return set.autosave ? std::optional(*set.autosave / 60) : std::nullopt; }},
         "hours between two saves");
     leaf.not_yet({"directory"}, "another folder for these saves");
     leaf.right("program automatic-model-save active off", "set autosave 0");

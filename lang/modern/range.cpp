@@ -1,4 +1,5 @@
 // The modern range phrase: its words are a second spelling of the classic elements.
+#include "lang/commands/range_parts.hpp"
 #include "lang/modern/leaf.hpp"
 
 #include <algorithm>
@@ -85,14 +86,6 @@ const KeywordSpec& classic_element(std::string_view word) {
     throw std::logic_error(fmt::format("there is no classic range element '{}'", word));
 }
 
-RangeElement& added(Reader& reader, RangePhrase& phrase, Kind kind) {
-    RangeElement element;
-    element.kind = kind;
-    element.place = reader.previous().place;
-    phrase.elements.push_back(std::move(element));
-    return phrase.elements.back();
-}
-
 /// True after taking the word `tolerance`.
 bool takes_tolerance(Reader& reader) {
     const Word* next = reader.peek();
@@ -122,25 +115,24 @@ void coordinate(Keywords<RangePhrase>& table, const char* words, const char* cla
             element.high += around;
         },
         "a coordinate between two limits, or a value and `tolerance t`");
-    table.said(classic);
+    table.said(classic).prints(meaning.write);
 }
 
 /// Two corners, or one with a tolerance.
 void position(Keywords<RangePhrase>& table) {
     const ArgumentSpec corner = vector("x y z").unit("length").spec;
-    table.special(
-        {"position"}, {corner},
-        [corner](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = added(reader, phrase, Kind::box);
-            const Vec3 one = reader.vector(corner);
-            const bool near = takes_tolerance(reader);
-            const double around = near ? reader.real(tolerance()) : 0;
-            const Vec3 other = near ? one : reader.vector(corner);
-            element.centre = one.cwiseMin(other).array() - around;
-            element.end2 = one.cwiseMax(other).array() + around;
-        },
-        "inside a box, given by two corners, or near a place: x y z tolerance t");
-    table.said(classic_element("position").words.front().word);
+    const auto read = [corner](Reader& reader, RangeElement& element) {
+        const Vec3 one = reader.vector(corner);
+        const bool near = takes_tolerance(reader);
+        const double around = near ? reader.real(tolerance()) : 0;
+        const Vec3 other = near ? one : reader.vector(corner);
+        element.centre = one.cwiseMin(other).array() - around;
+        element.end2 = one.cwiseMax(other).array() + around;
+    };
+    const KeywordSpec& classic = classic_element("position");
+    table.keyword({"position"}, element(Kind::box, Parts<RangeElement>().argument(corner).check(read)),
+                  "inside a box, given by two corners, or near a place: x y z tolerance t");
+    table.said(classic.words.front().word).prints(classic.write);
 }
 
 /// A prism on a plane figure: there is no limit along its normal, which a classic element needs.
@@ -160,51 +152,29 @@ void figure(Keywords<RangePhrase>& table, const char* word, std::size_t corners)
         },
         "inside the prism on a plane figure, of any length along its normal", meaning.keywords);
     table.said(corners > 0 ? "" : word);
+    if (corners == 0) table.prints(meaning.write);
 }
 
 /// The tolerance of an orientation is 2 degrees in this dialect, 1 in the classic one.
 void orientation(Keywords<RangePhrase>& table) {
-    const KeywordSpec& meaning = classic_element("orientation");
-    table.special(
-        {"orientation"}, meaning.arguments,
-        [&meaning](Reader& reader, RangePhrase& phrase) {
-            const Word* first = reader.peek();
-            meaning.read(reader, &phrase);
-            const Word* end = &reader.previous() + 1;
-            const bool given = first != nullptr && std::any_of(first, end, [](const Word& word) {
-                                   return word.kind == WordKind::word && Spelling{"tolerance", 3}.matches(word.folded);
-                               });
-            if (!given) phrase.elements.back().radius1 = 2;
-        },
-        "faces and contacts of an orientation: dip d dip-direction a [tolerance t], 2 degrees if not given",
-        meaning.keywords);
+    table.keyword({"orientation"}, orientation_element(2),
+                  "faces and contacts of an orientation: dip d dip-direction a [tolerance t], 2 degrees if not given");
     table.said("orientation");
 }
 
 /// The words after the name are those of the classic element.
 void group(Keywords<RangePhrase>& table) {
-    const ArgumentSpec name = text("name").spec;
-    const auto& words = classic_element("group").keywords;
-    table.special(
-        {"group"}, {name},
-        [name, &words](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = added(reader, phrase, Kind::group);
-            element.name = reader.text(name);
-            read_keywords(reader, words, &element);
-        },
-        "members of a group; a contact belongs to the groups of its two blocks", words);
+    const auto parts =
+        Parts<RangeElement>().then(text("name"), &RangeElement::name).words(classic_element("group").keywords);
+    table.keyword({"group"}, element(Kind::group, parts),
+                  "members of a group; a contact belongs to the groups of its two blocks");
     table.said("group");
 }
 
 void named_range(Keywords<RangePhrase>& table) {
-    const ArgumentSpec name = text("name").spec;
-    table.special(
-        {"named-range", "name"}, {name},
-        [name](Reader& reader, RangePhrase& phrase) {
-            RangeElement& element = added(reader, phrase, Kind::named);
-            element.name = reader.text(name);
-        },
-        "a range that `model range create` has made");
+    table.keyword({"named-range", "name"},
+                  element(Kind::named, Parts<RangeElement>().then(text("name"), &RangeElement::name)),
+                  "a range that `model range create` has made");
     table.said("nrange");
 }
 

@@ -2,6 +2,9 @@
 #include "lang/modern/leaf.hpp"
 #include "lang/modern/language.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace kaya::lang {
 
 namespace {
@@ -21,7 +24,10 @@ void limits(Leaf<Solve>& leaf) {
     constexpr double target = 1e-4;
     const auto multiple = real("c").above(0);
     leaf.keyword(
-        {"convergence"}, multiple, [](Solve& solve, double value) { solve.local_ratio = value * target; },
+        {"convergence"}, multiple,
+        [](Solve& solve, double value) {
+            solve.local_ratio = std::max(value * target, std::numeric_limits<double>::denorm_min());
+        },
         "local ratio as a multiple of 1e-4");
     leaf.not_yet({"cycles-super", "time-total-zone", "unbalanced-average"}, "other limits: see cycles and time");
     leaf.not_yet({"fish-halt", "fish-call"}, "functions of FISH that end a run");

@@ -95,8 +95,7 @@ CommandSpec zone_property() {
     leaf.help("sets the density of blocks, and properties of the zone model that they have");
     leaf.keyword({"density"}, real("density").unit("mass/length^3").above(0), &ZoneModelCommand::density,
                  "density of the blocks");
-    leaf.otherwise({real("property value").optional().spec},
-                   [](Reader& reader, ZoneModelCommand& command) { return read_property_item(reader, command.items); });
+    property_values(leaf);
     leaf.ranged(&ZoneModelCommand::range);
     leaf.finish([](const Reader& reader, ZoneModelCommand& command) {
         if (command.items.empty() && !command.density)
@@ -113,25 +112,34 @@ CommandSpec zone_property() {
 CommandSpec zone_initialize() {
     Leaf<Initialize> leaf("block zone initialize", "initialize");
     constexpr std::array words{"stress-xx", "stress-yy", "stress-zz", "stress-xy", "stress-xz", "stress-yz"};
-    const ArgumentSpec six = tensor("sxx syy szz sxy sxz syz").unit("stress").spec, one = real("s").unit("stress").spec;
-    const ArgumentSpec slope = vector("gx gy gz").unit("stress/length").spec;
-    leaf.special(
-        {"stress"}, {six},
-        [six](Reader& reader, Initialize& command) {
-            for (auto& component : command.stress) component.emplace().at_origin = reader.real(six);
-        },
-        "total stress of the zones, compression negative");
+    const ArgumentSpec six = tensor("sxx syy szz sxy sxz syz").unit("stress").spec;
+    leaf.keyword({"stress"},
+                 Parts<Initialize>().argument(six).by(
+                     [six](Reader& reader, Initialize& command) {
+                         for (auto& component : command.stress) component.emplace().at_origin = reader.real(six);
+                     },
+                     [](Parts<Initialize>::Form form, const Initialize& wanted) {
+                         for (std::size_t k = 0; k < 6; ++k) {
+                             const auto& component = wanted.stress[k];
+                             if (!component || !print_value(form.words, component->at_origin))
+                                 return Parts<Initialize>::Forms{};
+                             form.after.stress[k].emplace().at_origin = component->at_origin;
+                         }
+                         return Parts<Initialize>::Forms{std::move(form)};
+                     }),
+                 "total stress of the zones, compression negative");
+    const auto component =
+        Parts<LinearNumber>()
+            .then(real("s").unit("stress"), &LinearNumber::at_origin)
+            .perhaps({{"gradient",
+                       Parts<LinearNumber>().then(vector("gx gy gz").unit("stress/length"), &LinearNumber::gradient)}});
     for (std::size_t k = 0; k < words.size(); ++k)
-        leaf.special(
-            {words[k]}, {one},
-            [=](Reader& reader, Initialize& command) {
-                LinearNumber& number = command.stress[k].emplace();
-                number.at_origin = reader.real(one);
-                if (!reader.peek() || reader.peek()->folded != "gradient") return;
-                reader.take();
-                number.gradient = reader.vector(slope);
-            },
-            "one component of the stress; `gradient gx gy gz` may follow");
+        leaf.keyword({words[k]},
+                     Parts<Initialize>().in(made_at<Initialize, LinearNumber>([k](Initialize & command) -> auto& {
+                                                return command.stress[k];
+                                            }),
+                                            component),
+                     "one component of the stress; `gradient gx gy gz` may follow");
     leaf.not_yet({"stress-principal", "state", "extra"}, "other values of zones");
     leaf.not_yet({"add", "multiply", "vary", "local"}, "changes of the values that are there");
     leaf.ranged(&Initialize::range);

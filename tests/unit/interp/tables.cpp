@@ -21,7 +21,7 @@ protected:
     /// The name of a command, with a value for each that must stand before its keywords.
     static std::string begun(const CommandSpec& command) {
         std::string line = command.name();
-        for (const auto& [argument, read] : command.arguments) {
+        for (const auto& [argument, read, write] : command.arguments) {
             if (argument.optional) continue;
             const bool number = argument.kind == ArgumentKind::real || argument.kind == ArgumentKind::integer;
             for (int i = 0; i < argument.count; ++i)
