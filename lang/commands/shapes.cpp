@@ -100,9 +100,13 @@ CommandSpec poly_face() {
     });
     using Face = PolyFace::Face;
     const auto last = last_of(&PolyFace::faces);
-    entry.keyword({"face"},
-                  Parts<PolyFace>().in(next_of(&PolyFace::faces), Parts<Face>().each(corner, &Face::corners, 0)),
-                  "the next face");
+    auto next = next_of(&PolyFace::faces);
+    next.wanted = [last, after = next.wanted](const PolyFace& wanted, const PolyFace& present) -> const Face* {
+        const Face* before = last.wanted(wanted, present);
+        const bool complete = before == nullptr || before->joint_set == present.faces.back().joint_set;
+        return complete ? after(wanted, present) : nullptr; // `id` belongs to the last face
+    };
+    entry.keyword({"face"}, Parts<PolyFace>().in(next, Parts<Face>().each(corner, &Face::corners, 0)), "the next face");
     entry.keyword({"id"},
                   Parts<PolyFace>()
                       .in(last, Parts<Face>().then(integer("k").at_least(0), &Face::joint_set))
