@@ -217,6 +217,27 @@ std::vector<std::string> line_instead(const Statement& statement, const std::str
     return lines;
 }
 
+/// A long line over several, with the mark of its dialect where the next line belongs to it. Texts in quotes stay whole.
+std::vector<std::string> in_several_lines(const std::string& line, std::string_view mark) {
+    constexpr std::size_t most = 120, indentation = 5;
+    std::vector<std::string> lines;
+    std::size_t from = 0, blank = 0; // of the present line
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '\'') quoted = !quoted;
+        if (line[i] != ' ' || quoted) {
+            if (i - from < most || blank <= from) continue;
+            lines.push_back(
+                fmt::format("{:{}}{} {}", "", lines.empty() ? 0 : indentation, line.substr(from, blank - from), mark));
+            from = blank + 1;
+        } else if (i > from) {
+            blank = i;
+        }
+    }
+    lines.push_back(fmt::format("{:{}}{}", "", lines.empty() ? 0 : indentation, line.substr(from)));
+    return lines;
+}
+
 /// The lines of a statement with the beginning that the shape has in the other dialect; nothing when it begins in another way.
 std::optional<std::vector<std::string>> in_shape(const Line& line, const LineShape& shape, To to) {
     const auto& [from, target] =
@@ -327,8 +348,10 @@ private:
         }
         const bool function = !bound.spec->body_end.empty() || statement.words.front().late();
         if (function || bound.modern == (to_ == To::modern)) return bound.spec->flow;
-        if (!statement.body.empty()) {
-            keep(statement);
+        if (!statement.body.empty()) { // a title on the line below
+            const auto lines = printed(statement, bound, *meaning_of(statement, language()));
+            if (lines) replace(statement, *lines);
+            else keep(statement);
         } else if (!bound.bare.empty()) {
             const auto plain = only_statement(with_marks(statement, bound.bare), language());
             if (!plain || !meaning_of(*plain, language())) keep(statement);
@@ -350,8 +373,26 @@ private:
         if (meaning_of(rewritten(statement, {}), target_) == meaning) return; // a line of both dialects
         const auto lines = in_other_words(line, *meaning);
         if (!lines) return keep(statement);
-        put(statement, *lines);
+        replace(statement, *lines);
+    }
+
+    void replace(const Statement& statement, const std::vector<std::string>& lines) {
+        put(statement, lines);
         ++result_.changed;
+    }
+
+    /// The line of the struct, in place of the words of the statement.
+    std::optional<std::vector<std::string>> printed(const Statement& statement, const BoundCommand& bound,
+                                                    const std::string& meaning) const {
+        if (bound.late) return std::nullopt;
+        const auto line = line_of(bound.command, target_);
+        if (!line) return std::nullopt;
+        auto parts = in_several_lines(*line, to_ == To::modern ? "..." : "&");
+        auto lines = line_instead(statement, parts.front());
+        lines.insert(lines.begin() + 1, parts.begin() + 1, parts.end());
+        for (const Language* reader : {&target_, &language()})
+            if (meaning_of(lines, *reader) != meaning) return std::nullopt;
+        return lines;
     }
 
     void put(const Statement& statement, const std::vector<std::string>& lines) {
@@ -384,11 +425,7 @@ private:
             else if (lines) attempt(std::move(*lines));
             return found.has_value();
         });
-        if (found || line.bound.late) return found;
-        if (const auto printed = line_of(line.bound.command, target_))
-            if (auto lines = line_instead(line.statement, *printed); meaning_of(lines, language()) == meaning)
-                attempt(std::move(lines));
-        return found;
+        return found ? found : printed(line.statement, line.bound, meaning);
     }
 
     /// The statement stays, below a comment.

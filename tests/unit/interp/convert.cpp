@@ -162,6 +162,37 @@ TEST(Convert, LayoutCommentsAndFunctionsStay) {
               "boundary xvel 0 &  ; on the left\n      range x -0.1 0.1\n@f\n[g = 3]\ncycle 10 ; ten\n");
 }
 
+/// Where words cannot be exchanged, the line is printed from its struct; comments and indentation stay.
+TEST(Convert, LinesArePrintedFromTheirStructs) {
+    constexpr std::pair<const char*, const char*> lines[] = {
+        {"  apply xvel 1 hist table 2 range group plate ; shaken\n",
+         "  block apply velocity-x 1 table '2' range group 'plate' ; shaken\n"},
+        {"poly drum end1 0 0 0 end2 0 0 1 radius 0.5 0.4 group capital\n",
+         "block create drum center-1 0 0 0 center-2 0 0 1 radius-2 0.4 group 'capital' radius-1 0.5\n"},
+        {"initialize sxx -1e3 xgrad 10 zgrad -5 syz 7\n",
+         "block zone initialize stress-xx -1000 gradient 10 0 -5 stress-yz 7\n"},
+        {"bound str 0 0 0 0 1e4 0 & ; first\n  hist table 9 range z -1 1 ; second\n",
+         "block face apply stress 0 0 0 0 10000 0 table '9' range position-z -1 1 ; first\n; second\n"},
+        {"title\nIt's late\n", "model title 'It''s late'\n"},
+        {"list block x 0 1 ; of the arch\n", "block list range position-x 0 1 ; of the arch\n"},
+    };
+    for (const auto& [in_classic, in_modern] : lines) {
+        expect_same_structs(in_classic, To::modern);
+        EXPECT_EQ(converted(in_classic, To::modern), in_modern);
+    }
+    EXPECT_EQ(converted("block water plane origin 0 0 10 normal 0 0 -1\n", To::classic), "water table 0 0 10\n");
+    // @names and [expressions] have no value yet.
+    EXPECT_EQ(converted("apply xvel @v hist table 2\n", To::modern),
+              fmt::format(fmt::runtime(note), "modern") + "apply xvel @v hist table 2\n");
+    // A long line is continued by the mark of its dialect.
+    const std::string printed = converted(
+        "poly face id 5 0 0 0 1 0 0 0 1 0 face 0 0 0 0 0 1 1 0 0 face 0 0 0 0 1 0 0 0 1 face id 6 1 0 0 0 0 1 0 1 0\n",
+        To::modern);
+    EXPECT_THAT(printed, HasSubstr(" ...\n     "));
+    EXPECT_LT(printed.find('\n'), 130u);
+    EXPECT_EQ(structs_of(converted(printed, To::classic)), structs_of(printed));
+}
+
 TEST(Convert, WordsInAnotherOrder) {
     constexpr std::pair<const char*, const char*> lines[] = {
         {"title A wall, second try", "model title 'A wall, second try'"},
