@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -94,7 +96,10 @@ void read_plane(Reader& reader, const PlaneText& plane, RangeElement& element, c
 
 PlaneText text_of_plane(const RangeElement& e) {
     PlaneText plane{e.low, e.high, {}, e.centre, e.side, {}};
-    if (e.normal != upward_normal(e.low, e.high)) plane.normal = e.normal;
+    const Vec3 of_dip = upward_normal(e.low, e.high);
+    for (int k = 0; k < 3; ++k)
+        if (std::bit_cast<std::uint64_t>(e.normal[k]) != std::bit_cast<std::uint64_t>(of_dip[k]))
+            plane.normal = e.normal;
     if (e.distance != 0 || std::signbit(e.distance) || e.side == 0) plane.distance = e.distance;
     return plane;
 }

@@ -32,6 +32,7 @@ bool print_value(PrintedWords& to, bool value) {
 }
 
 bool print_value(PrintedWords& to, const std::string& value) {
+    if (value.empty()) return false;
     to.push_back({value, true});
     return true;
 }

@@ -217,7 +217,7 @@ std::vector<std::string> line_instead(const Statement& statement, const std::str
     return lines;
 }
 
-/// A long line over several, with the mark of its dialect where the next line belongs to it. Texts in quotes stay whole.
+/// A long line over several, each but the last with the mark of its dialect at its end. Texts in quotes stay whole.
 std::vector<std::string> in_several_lines(const std::string& line, std::string_view mark) {
     constexpr std::size_t most = 120, indentation = 5;
     std::vector<std::string> lines;
