@@ -8,53 +8,55 @@ namespace kaya::lang {
 
 namespace {
 
+/// The name of a group, and its slot if it follows. `group(struct)` is the name.
+template <class Command, class Group> Parts<Command> group_of(Group group) {
+    const auto name = Parts<std::string>()
+                          .then(
+                              text("name"), [](std::string & whole) -> auto& { return whole; })
+                          .words(slot_words());
+    const Lens<Command, std::string> lens{[group](Command& c) -> std::string& { return group(c); },
+                                          [group](const Command& wanted, const Command&) {
+                                              const std::string& there = group(const_cast<Command&>(wanted));
+                                              return there.empty() ? nullptr : &there;
+                                          }};
+    return Parts<Command>().in(lens, name);
+}
+
 /// The words by which `fracture` commands choose fractures.
 template <class Command> void add_choice(Entry<Command>& entry) {
     entry.keyword(
-        {"dfn"}, text("name"), [](Command& c, const std::string& name) { c.choice.network = name; },
+        {"dfn"}, text("name"), [](Command & c) -> auto& { return c.choice.network; },
         "fractures of this network; of all networks if not given");
-    const ArgumentSpec first = integer("n").at_least(1).spec, last = integer("m").at_least(1).optional().spec;
-    entry.special(
-        {"ids"}, {first, last},
-        [first, last](Reader& reader, Command& c) {
-            const std::int64_t low = reader.integer(first);
-            c.choice.ids = {low, reader.at_number() ? reader.integer(last) : low};
-        },
+    using Ids = std::array<std::int64_t, 2>;
+    const auto first = integer("n").at_least(1), last = integer("m").at_least(1).optional();
+    const auto one = [](Ids& ids, std::int64_t n) { ids = {n, n}; };
+    const auto choice = [](auto part) {
+        return [part](Command & c) -> auto& { return c.choice.*part; };
+    };
+    entry.keyword(
+        {"ids"},
+        Parts<Command>().in(made_at<Command, Ids>(choice(&FractureChoice::ids)),
+                            Parts<Ids>()
+                                .then(first, Through{one, [](const Ids& ids) { return std::optional(ids[0]); }})
+                                .maybe(
+                                    last, [](Ids & ids) -> auto& { return ids[1]; })),
         "fractures of this number, or from the first to the last");
-    const ArgumentSpec size = real("diameter").unit("length").at_least(0).spec;
-    entry.special(
-        {"sizes"}, {size, size},
-        [size](Reader& reader, Command& c) {
-            const double low = reader.real(size);
-            c.choice.sizes = {low, reader.real(size)};
-        },
-        "fractures whose diameter is between two limits; of a polygon that of the disc of its area");
-    entry.special(
-        {"of-group"}, {text("name").spec},
-        [](Reader& reader, Command& c) { c.choice.group = read_group_name(reader, text("name").spec); },
-        "members of a group: name, slot=name, or name slot s");
+    entry.keyword({"sizes"}, pair("diameter diameter").unit("length").at_least(0), choice(&FractureChoice::sizes),
+                  "fractures whose diameter is between two limits; of a polygon that of the disc of its area");
+    entry.keyword({"of-group"}, group_of<Command>(choice(&FractureChoice::group)),
+                  "members of a group: name, slot=name, or name slot s");
 }
 
 /// The group and the rank of new fractures.
 template <class Command> void add_group(Entry<Command>& entry) {
-    entry.special(
-        {"group"}, {text("name").spec},
-        [](Reader& reader, Command& c) { c.group = read_group_name(reader, text("name").spec); },
-        "group of the fractures: name, slot=name, or name slot s");
+    entry.keyword({"group"}, group_of<Command>([](Command & c) -> auto& { return c.group; }),
+                  "group of the fractures: name, slot=name, or name slot s");
     entry.keyword({"dominance", "dfn-dominance"}, integer("n").at_least(0).at_most(1e6), &Command::dominance,
                   "rank: fractures of a lower one are cut first; 0 if not given");
 }
 
 template <class Command> void add_box(Entry<Command>& entry, std::vector<Spelling> words, const char* help) {
-    const ArgumentSpec spec{.name = "x1 x2 y1 y2 z1 z2", .count = 6, .unit = "length"};
-    const ArgumentSpec one = real("bound").unit("length").spec;
-    entry.special(
-        std::move(words), {spec},
-        [one](Reader& reader, Command& c) {
-            c.box.emplace();
-            for (double& bound : *c.box) bound = reader.real(one);
-        },
-        help);
+    entry.keyword(std::move(words), tensor("x1 x2 y1 y2 z1 z2").unit("length"), &Command::box, help);
 }
 
 CommandSpec create_fracture() {
@@ -327,13 +329,15 @@ CommandSpec import_fractures() {
     Entry<FractureImport> entry({Spelling{"fracture", 6}}, {"import"});
     entry.help("adds the fractures in a file to a network").place(&FractureImport::place);
     entry.keyword({"from-file"}, text("file").help("lines of numbers"), &FractureImport::file, "name of the file");
-    const ArgumentSpec format = text("discs|polygons|traces").spec;
-    entry.special(
-        {"format"}, {format},
-        [format](Reader& reader, FractureImport& command) {
-            command.format = static_cast<FractureImport::Format>(
-                word_among(reader, format, "a format of fractures", {"discs", "polygons", "traces"}));
-        },
+    using enum FractureImport::Format;
+    const auto format = [](FractureImport::Format which) {
+        return Parts<FractureImport>().set(&FractureImport::format, which);
+    };
+    entry.keyword(
+        {"format"},
+        Parts<FractureImport>().one_of(
+            text("discs|polygons|traces").spec, "a format of fractures",
+            {{"discs", format(discs)}, {"polygons", format(polygons)}, {"traces", format(traces)}}),
         "what the lines are: discs, if not given: x, y, z, dip, dip direction and diameter; polygons: corners x, y, z, "
         "with an empty line after each polygon; traces: both ends, and the dip and dip direction if the fracture is not upright");
     entry.keyword({"dfn"}, text("name"), &FractureImport::network, "name of the network");
@@ -365,14 +369,9 @@ CommandSpec measure_fractures() {
     entry.action(
         {"center-density"}, [](FractureMeasure& m) { m.what = What::number; }, "centres in a box over its volume");
     const auto of_traces = [&](std::vector<Spelling> words, What what, const char* help) {
-        const ArgumentSpec set = text("set").spec;
-        entry.special(
-            std::move(words), {set},
-            [set, what](Reader& reader, FractureMeasure& m) {
-                m.what = what;
-                m.set = reader.text(set);
-            },
-            help);
+        entry.keyword(
+            std::move(words),
+            Parts<FractureMeasure>().set(&FractureMeasure::what, what).then(text("set"), &FractureMeasure::set), help);
     };
     of_traces({"trace-mass-density", "p21"}, What::trace_area,
               "length of traces on the polygons of a set of `geometry` over their area");

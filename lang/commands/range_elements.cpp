@@ -155,27 +155,22 @@ void block_id(Keywords<RangePhrase>& table) {
 
 /// `dfn NAME [distance d]`.
 void network(Keywords<RangePhrase>& table) {
-    const auto name = text("name").spec, far = real("d").unit("length").at_least(0).spec;
-    static const std::vector<KeywordSpec> words = [&] {
+    static const std::vector<KeywordSpec> words = [] {
         Keywords<RangeElement> list;
-        list.special(
-            {Spelling{"distance", 4}}, {far},
-            [far](Reader& reader, RangeElement& e) {
-                e.side = 1;
-                e.distance = reader.real(far);
-            },
-            "objects whose centre is within this distance of a fracture, whether it has cut them or not");
+        list.keyword({Spelling{"distance", 4}},
+                     Parts<RangeElement>()
+                         .set(&RangeElement::side, 1)
+                         .then(real("d").unit("length").at_least(0), &RangeElement::distance),
+                     "objects whose centre is within this distance of a fracture, whether it has cut them or not");
         return std::move(list).list();
     }();
-    table.special(
-        {"dfn"}, {name},
-        [=](Reader& reader, RangePhrase& phrase) {
-            add(reader, phrase, Kind::network);
-            phrase.elements.back().name = reader.text(name);
-            read_keywords(reader, words, &phrase.elements.back());
-            misspelt_part(reader, "dfn", words);
-        },
-        "contacts and faces that the fractures of a network have cut, and blocks with such a face", words);
+    table.keyword(
+        {"dfn"},
+        element(Kind::network, Parts<RangeElement>()
+                                   .then(text("name"), &RangeElement::name)
+                                   .words(words)
+                                   .check([](Reader& reader, RangeElement&) { misspelt_part(reader, "dfn", words); })),
+        "contacts and faces that the fractures of a network have cut, and blocks with such a face");
 }
 
 /// Several names may follow one nrange; each is a separate element.

@@ -6,28 +6,31 @@
 namespace kaya::lang {
 
 CommandSpec solve_control() {
-    const auto direction = vector("dx dy dz");
+    const auto along = direction(vector("dx dy dz").spec);
     const auto variable = text("@name");
     return Entry<SolveControl>({"solve"}, {Spelling{"control", 4}})
         .help("pushes the model past its peak: scales loads such that their bodies move at a given speed")
-        .special(
-            {"gravity"}, {direction.spec},
-            [=](Reader& reader, SolveControl& c) { c.gravity = read_direction(reader, direction.spec); },
-            "scales the part of gravity along this direction; the part normal to it stays")
-        .special(
-            {"scale"}, {variable.spec},
-            [=](Reader& reader, SolveControl& c) { c.variable = reader.symbol(variable.spec); },
-            "sets this variable of FISH, which scales the loads that were given with `hist @name`")
+        .keyword({"gravity"}, Parts<SolveControl>().in(made(&SolveControl::gravity), along),
+                 "scales the part of gravity along this direction; the part normal to it stays")
+        .keyword({"scale"},
+                 Parts<SolveControl>()
+                     .argument(variable.spec)
+                     .by([=](Reader& reader, SolveControl& c) { c.variable = reader.symbol(variable.spec); },
+                         [](Parts<SolveControl>::Form form, const SolveControl& wanted) {
+                             if (wanted.variable.empty()) return Parts<SolveControl>::Forms{};
+                             form.words.push_back({"@" + wanted.variable});
+                             form.after.variable = wanted.variable;
+                             return Parts<SolveControl>::Forms{std::move(form)};
+                         }),
+                 "sets this variable of FISH, which scales the loads that were given with `hist @name`")
         .keyword({"speed"}, real("v").unit("velocity").above(0), &SolveControl::speed, "of the displacement, at most")
         .keyword({"damped"}, real("share").above(0).below(1), &SolveControl::damped,
                  "the run goes slower while damping takes more than this of the work of the load; 0.02 if not given")
         .keyword({"to"}, real("d").unit("length").above(0), &SolveControl::to, "displacement at which the run ends")
         .keyword({"point"}, vector("x y z").unit("length"), &SolveControl::point,
                  "the displacement is that of the body at this place, and of the loads if not given")
-        .special(
-            {"along"}, {direction.spec},
-            [=](Reader& reader, SolveControl& c) { c.along = read_direction(reader, direction.spec); },
-            "of point: the direction of its displacement")
+        .keyword({"along"}, Parts<SolveControl>().in(made(&SolveControl::along), along),
+                 "of point: the direction of its displacement")
         .keyword({"below"}, real("share").at_least(0).below(1), &SolveControl::below,
                  "the run ends when the load falls to this share of its peak; 0 if not given")
         .keyword({"every"}, integer("n").at_least(1).at_most(1e9), &SolveControl::every,
