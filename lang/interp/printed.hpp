@@ -28,7 +28,7 @@ struct Wording {
 /// Wordings that lead from the present struct towards the wanted one; none when the words cannot say it.
 using Write = std::function<std::vector<Wording>(const void* wanted, const void* present)>;
 
-/// Adds the words of a value, which read back to the last bit. False when no line holds it: infinity, a number that is none.
+/// Adds the words of a value, which read back to the last bit. False when no line holds it: infinity, NaN, an empty text.
 bool print_value(PrintedWords& to, double value);
 bool print_value(PrintedWords& to, std::int64_t value);
 bool print_value(PrintedWords& to, bool value);
