@@ -7,6 +7,8 @@
 
 namespace kaya::lang {
 
+namespace {
+
 Vec3 read_direction(Reader& reader, const ArgumentSpec& spec) {
     const Word* word = reader.peek();
     const Vec3 direction = reader.vector(spec);
@@ -17,6 +19,8 @@ Vec3 read_direction(Reader& reader, const ArgumentSpec& spec) {
             .at(word->place);
     return direction;
 }
+
+} // namespace
 
 Parts<Vec3> direction(const ArgumentSpec& spec) {
     return Parts<Vec3>().argument(spec).by([spec](Reader& reader, Vec3& to) { to = read_direction(reader, spec); },

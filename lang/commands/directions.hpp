@@ -9,9 +9,6 @@
 namespace kaya::lang {
 
 /// A vector of any length but 0.
-Vec3 read_direction(Reader& reader, const ArgumentSpec& spec);
-
-/// The same as a part of a line.
 Parts<Vec3> direction(const ArgumentSpec& spec);
 
 /// Reads two vectors that give the axes of the components of tensors (xx yy zz xy xz yz), and rotates the tensors into global axes: x is
