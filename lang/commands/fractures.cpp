@@ -361,13 +361,14 @@ CommandSpec measure_fractures() {
     Entry<FractureMeasure> entry({Spelling{"fracture", 6}}, {"compute"});
     entry.help("prints how dense fractures are").place(&FractureMeasure::place);
     entry.action(
-        {"p10"}, [](FractureMeasure& m) { m.what = What::crossings; },
+        {"p10"}, [](FractureMeasure& m) { m.what = What::crossings, m.set.clear(); },
         "fractures that a line crosses, over its length");
     entry.action(
-        {"mass-density", "p32"}, [](FractureMeasure& m) { m.what = What::area; },
+        {"mass-density", "p32"}, [](FractureMeasure& m) { m.what = What::area, m.set.clear(); },
         "area of fractures in a box over its volume");
     entry.action(
-        {"center-density"}, [](FractureMeasure& m) { m.what = What::number; }, "centres in a box over its volume");
+        {"center-density"}, [](FractureMeasure& m) { m.what = What::number, m.set.clear(); },
+        "centres in a box over its volume");
     const auto of_traces = [&](std::vector<Spelling> words, What what, const char* help) {
         entry.keyword(
             std::move(words),

@@ -4,7 +4,7 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/plausible.hpp"
 #include "commands/monitors/rest_monitor.hpp"
-#include "commands/run/load_control.hpp"
+#include "commands/stability/load_control.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "commands/program/text_table.hpp"
 #include "commands/run/time_step.hpp"

@@ -1,9 +1,9 @@
-#include "commands/run/load_control.hpp"
+#include "commands/stability/load_control.hpp"
 
 #include "commands/conditions/tables.hpp"
 #include "commands/list/reactions.hpp"
 #include "commands/monitors/free_fall.hpp"
-#include "commands/run/load_pattern.hpp"
+#include "commands/stability/load_pattern.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "model/kinds/nearest.hpp"
 #include "system/whole_file.hpp"
@@ -95,7 +95,7 @@ public:
     std::string advanced() {
         const double step = model_.clock.time_step;
         const double velocity = pattern_.velocity(model_), factor = load_.factor();
-        way_ += velocity * step;
+        travelled_ += velocity * step;
         work_ += factor * pattern_.force() * velocity * step;
         sum_ += factor;
         std::string why;
@@ -154,20 +154,21 @@ private:
         pace_ = std::clamp(pace_ * std::exp2(change_ / static_cast<double>(span)), slowest, 1.0);
     }
     double wanted() const { return command_.speed * speed_ratio_ * pace_; }
-    double counted() const { return follower_.follows() ? follower_.displacement() : way_; }
+    double counted() const { return follower_.follows() ? follower_.displacement() : travelled_; }
 
     std::string add_row() {
         CurveRow row{counted(), sum_ / static_cast<double>(command_.every), model_.clock.time};
         sum_ = 0;
         const double lost_to_motion = model_.energy.damped + model_.energy.kinetic;
-        row.load -= (lost_to_motion - lost_to_motion_) / (pattern_.force() * (way_ - way_at_row_)); // equation (3)
+        row.load -=
+            (lost_to_motion - lost_to_motion_) / (pattern_.force() * (travelled_ - travelled_at_row_)); // equation (3)
         lost_to_motion_ = lost_to_motion;
         row.reaction = reactions_of(model_, [](Row) { return false; }).reaction;
         row.lost = model_.energy.joint_friction;
         row.damped = model_.energy.damped;
         row.ratio = model_.clock.average_ratio;
         if (follower_.follows()) follow(row.displacement - last_.displacement);
-        way_at_row_ = way_;
+        travelled_at_row_ = travelled_;
         rows_.push_back(row);
         last_ = row;
         peak_ = std::max(peak_, row.load);
@@ -180,7 +181,7 @@ private:
 
     std::string reason(const CurveRow& row) const {
         if (row.displacement >= command_.to) return "displacement " + number_text(command_.to);
-        constexpr double begun = 0.01; // of the way
+        constexpr double begun = 0.01; // of the displacement
         if (row.displacement > begun * command_.to && peak_ > 0 && row.load <= command_.below * peak_)
             return command_.below > 0 ? fmt::format("a load of {} of its peak", number_text(command_.below))
                                       : "a load of 0: it falls by itself";
@@ -191,8 +192,8 @@ private:
     /// The loads move as fast as the followed displacement needs, by the ratio of both in the last row.
     void follow(double gained) {
         constexpr double most = 16;
-        const double way = way_ - way_at_row_;
-        if (gained > 0 && way > 0) speed_ratio_ = std::clamp(way / gained, 1 / most, most);
+        const double travelled = travelled_ - travelled_at_row_;
+        if (gained > 0 && travelled > 0) speed_ratio_ = std::clamp(travelled / gained, 1 / most, most);
     }
 
     double damped_share() const { return work_ > 0 ? (last_.damped - damped_at_start_) / work_ : 0; }
@@ -207,7 +208,7 @@ private:
     Follower follower_;
     double answer_, before_; ///< of the load; velocity a cycle ago
     double damped_at_start_;
-    double way_ = 0, way_at_row_ = 0, speed_ratio_ = 1, work_ = 0, sum_ = 0, peak_ = 0, pace_ = slowest,
+    double travelled_ = 0, travelled_at_row_ = 0, speed_ratio_ = 1, work_ = 0, sum_ = 0, peak_ = 0, pace_ = slowest,
            paced_work_ = 0, paced_damped_ = 0, change_ = 1, lost_to_motion_ = 0;
     std::int64_t cycles_ = 0;
     CurveRow last_;

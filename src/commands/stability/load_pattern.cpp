@@ -1,4 +1,4 @@
-#include "commands/run/load_pattern.hpp"
+#include "commands/stability/load_pattern.hpp"
 
 #include "base/diagnostic.hpp"
 #include "mechanics/lanes/rotation.hpp"
