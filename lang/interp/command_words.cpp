@@ -14,9 +14,6 @@ bool is_one_of(const std::vector<Spelling>& spellings, const Word& word) {
 
 namespace {
 
-/// Beyond the first words of all dialects, which are some hundreds.
-constexpr std::size_t most_words_kept = 4096;
-
 std::vector<const CommandSpec*> find_commands(const Language& language, std::string_view typed) {
     std::string_view exact, beginning;
     for_each_command(language, [&](const CommandSpec& command) {
@@ -53,15 +50,9 @@ std::size_t length_of(const KeywordSpec& option) {
 
 const std::vector<const CommandSpec*>& commands_called(const Language& language, std::string_view typed) {
     static const std::vector<const CommandSpec*> none;
-    auto& known = language.called.words();
-    auto found = known.find(typed);
-    if (found == known.end()) {
-        auto commands = find_commands(language, typed);
-        // The words of one dialect are unknown to the other, line after line; others may be any number.
-        if (commands.empty() && known.size() >= most_words_kept) return none;
-        found = known.emplace(typed, std::move(commands)).first;
-    }
-    return found->second;
+    const auto* found = language.called.find(typed);
+    if (found == nullptr) found = language.called.keep(typed, find_commands(language, typed));
+    return found != nullptr ? *found : none;
 }
 
 std::size_t form_depth(const CommandSpec& spec, const Statement& statement) {

@@ -10,6 +10,8 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <mutex>
+#include <shared_mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -157,20 +159,36 @@ struct Family {
     std::vector<CommandSpec> commands;
 };
 
-/// Cache of the commands that words stand for: decks use the same few words again and again. A copy of a language has its own commands, so
-/// the cache is not copied.
+/// Cache of the commands that words stand for: decks use the same few words again and again. Sessions in several threads share a language. A
+/// copy of a language has its own commands, so the cache is not copied.
 class CommandsCalled {
 public:
+    using Commands = std::vector<const CommandSpec*>;
+
     CommandsCalled() = default;
     CommandsCalled(const CommandsCalled&) {}
     CommandsCalled& operator=(const CommandsCalled&) {
         of_.clear();
         return *this;
     }
-    std::map<std::string, std::vector<const CommandSpec*>, std::less<>>& words() { return of_; }
+    /// Null for a word that is not kept. What is kept stays where it is.
+    const Commands* find(std::string_view word) const {
+        const std::shared_lock lock(mutex_);
+        const auto found = of_.find(word);
+        return found == of_.end() ? nullptr : &found->second;
+    }
+    /// Null for a word without commands, once the cache is full.
+    const Commands* keep(std::string_view word, Commands commands) {
+        // The words of one dialect are unknown to the other, line after line; others may be any number.
+        constexpr std::size_t most = 4096; // beyond the first words of all dialects, which are some hundreds
+        const std::unique_lock lock(mutex_);
+        if (commands.empty() && of_.size() >= most) return nullptr;
+        return &of_.emplace(word, std::move(commands)).first->second;
+    }
 
 private:
-    std::map<std::string, std::vector<const CommandSpec*>, std::less<>> of_;
+    mutable std::shared_mutex mutex_;
+    std::map<std::string, Commands, std::less<>> of_;
 };
 
 /// A whole dialect. The order of families and of commands in them resolves abbreviated words.
