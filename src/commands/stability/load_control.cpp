@@ -87,7 +87,7 @@ public:
         : session_(session), model_(session.engine.model), command_(command), load_(session, command),
           pattern_(load_.pattern()), follower_(model_, command), answer_(pattern_.answer(model_)),
           before_(pattern_.velocity(model_)), damped_at_start_(model_.energy.damped) {
-        last_.damped = paced_damped_ = damped_at_start_;
+        paced_damped_ = damped_at_start_;
         lost_to_motion_ = damped_at_start_ + model_.energy.kinetic;
     }
 
@@ -111,17 +111,18 @@ public:
 
     void tell(const std::string& why) const {
         auto& output = session_.program.output;
-        if (rows_.empty()) return output.say("solve control: stopped by " + why);
+        output.say("solve control: stopped by " + why);
+        if (rows_.empty()) return;
         const CurveRow& peak = *std::ranges::max_element(rows_, {}, &CurveRow::load);
-        output.say(fmt::format("solve control: stopped by {}", why));
         output.say(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
                                number_text(peak.displacement), number_text(rows_.back().load),
                                number_text(rows_.back().displacement)));
         constexpr double much = 0.05;
         if (const double share = damped_share(); share > much)
-            session_.warn(Diagnostic(fmt::format("damping has taken {:.0f} % of the work of the load", 100 * share),
-                                     "the load is too high by that: go slower, and use `damp local`")
-                              .at(command_.place));
+            session_.warn(
+                Diagnostic(fmt::format("damping has taken {:.0f} % of the work of the load", 100 * share),
+                           "that is taken out of the load, which is the less exact: go slower, and use `damp local`")
+                    .at(command_.place));
     }
 
     /// Writes the curve, as far as it is known.
@@ -167,10 +168,9 @@ private:
         row.lost = model_.energy.joint_friction;
         row.damped = model_.energy.damped;
         row.ratio = model_.clock.average_ratio;
-        if (follower_.follows()) follow(row.displacement - last_.displacement);
+        if (follower_.follows()) follow(row.displacement - (rows_.empty() ? 0 : rows_.back().displacement));
         travelled_at_row_ = travelled_;
         rows_.push_back(row);
-        last_ = row;
         peak_ = std::max(peak_, row.load);
         if (!pattern_.is_of(model_)) pattern_ = load_.pattern();
         answer_ = pattern_.answer(model_);
@@ -196,7 +196,7 @@ private:
         if (gained > 0 && travelled > 0) speed_ratio_ = std::clamp(travelled / gained, 1 / most, most);
     }
 
-    double damped_share() const { return work_ > 0 ? (last_.damped - damped_at_start_) / work_ : 0; }
+    double damped_share() const { return work_ > 0 ? (rows_.back().damped - damped_at_start_) / work_ : 0; }
 
     static constexpr double slowest = 1.0 / 64; ///< share of the speed at the start, and while damping takes too much
 
@@ -211,7 +211,6 @@ private:
     double travelled_ = 0, travelled_at_row_ = 0, speed_ratio_ = 1, work_ = 0, sum_ = 0, peak_ = 0, pace_ = slowest,
            paced_work_ = 0, paced_damped_ = 0, change_ = 1, lost_to_motion_ = 0;
     std::int64_t cycles_ = 0;
-    CurveRow last_;
     std::vector<CurveRow> rows_;
 };
 
