@@ -185,8 +185,8 @@ using OwnCommands = CommandList<CallFile, Return, Quit, NotSupportedYet>;
 using ControlCommands = CommandList<New, Config, Title, Pause, ReadDialect, Set, NameRange>;
 using FileCommands = CommandList<Save, Restore, HistoryWrite, VtkWrite, Ignored>;
 using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyCube, PolyDrum, PolyTunnel>;
-using CutCommands =
-    CommandList<JointSetCommand, TunnelCommand, CutGround, CutPolygons, CutFractures, Densify, Join, JoinContact>;
+using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, CutSurface, CutPolygons, CutFractures,
+                                Densify, Join, JoinContact>;
 using SurfaceCommands = CommandList<GeometryCommand>;
 using FractureCommands = CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport>;
 using FractureChangeCommands = CommandList<FractureChange>;

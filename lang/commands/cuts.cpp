@@ -76,20 +76,33 @@ CommandSpec tunnel() {
     };
     polygon("a", &TunnelCommand::first, "corners of the outline at one end, in order around it");
     polygon("b", &TunnelCommand::second, "corners at the other end, each opposite its partner");
+    entry.keyword({"path"}, Parts<TunnelCommand>().each(vector("x y z ...").unit("length"), &TunnelCommand::path),
+                  "the outline a is moved along these points, from the first one, near it, to the last; in place of b");
     entry.keyword({"region"}, integer("n").at_least(1), &TunnelCommand::region,
                   "region number of the blocks inside; unchanged if not given");
     entry.action(
         {"radial"}, [](TunnelCommand& command) { command.radial = true; },
         "cuts the blocks around from the axis through each corner, too");
+    entry.action(
+        {"join"}, [](TunnelCommand& command) { command.join = true; },
+        "the pieces of a block inside remain one body, and those outside");
     entry.range(&TunnelCommand::range);
     entry.place(&TunnelCommand::place);
     entry.finish([](const Reader& reader, TunnelCommand& command) {
-        if (command.first.empty() || command.second.empty())
-            incomplete_line(reader, "a tunnel needs two polygons", "write: tunnel a x y z ... b x y z ...");
+        if (command.first.empty() || command.second.empty() == command.path.empty())
+            incomplete_line(reader, "a tunnel needs two polygons, or one and a path",
+                            "write: tunnel a x y z ... b x y z ..., or: tunnel a x y z ... path x y z ...");
+        if (command.radial && (command.join || !command.path.empty()))
+            throw Diagnostic("radial joints are for a tunnel between two polygons, whose pieces are not joined",
+                             "leave out radial")
+                .at(command.place);
     });
     entry.right("tunnel region 2 a 4,0,4 6,0,4 6,0,6 4,0,6 b 4,10,4 6,10,4 6,10,6 4,10,6");
     entry.right("tunnel radial a 4,0,4 6,0,4 5,0,6 b 4,9,4 6,9,4 5,9,6 range region 1");
-    entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6", "a tunnel needs two polygons");
+    entry.right("tunnel join region 2 a 4,0,4 6,0,4 6,0,6 4,0,6 path 5,0,5 5,6,5 9,9,5");
+    entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6", "a tunnel needs two polygons, or one and a path");
+    entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6 path 5 0 5 5 9 5 radial",
+                "radial joints are for a tunnel between two polygons");
     entry.wrong("tunnel 4 0 4", "expected a keyword of tunnel, found '4'");
     return entry;
 }
@@ -110,6 +123,28 @@ CommandSpec cut_ground() {
     entry.wrong("cut ground", "a word is missing after 'ground'");
     entry.wrong("cut ground 'hill.xyz' shfit 0 0 1", "'shfit' is not a keyword of cut ground");
     entry.wrong("cut ground 'hill.xyz' shift 0 0", "a number is missing after '0'");
+    return entry;
+}
+
+CommandSpec cut_surface() {
+    Entry<CutSurface> entry({"cut"}, {"surface"});
+    entry.help("cuts visible blocks along the surface of an ore body, or an open surface that may overhang");
+    entry.argument(
+        text("file").help("of closed surfaces, or of one open surface: .stl, .obj, .ply, .dxf, .ts, .wrl, .json"),
+        &CutSurface::file);
+    entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutSurface::shift, "moves the surface first");
+    entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutSurface::id,
+                  "joint set number of the faces; the next free one if not given");
+    entry.keyword({"region"}, integer("n").at_least(1), &CutSurface::region,
+                  "region number of the blocks inside of closed surfaces, or of the pieces below an open one");
+    entry.action(
+        {"join"}, [](CutSurface& command) { command.join = true; }, "the pieces of a block remain one body");
+    entry.range(&CutSurface::range);
+    entry.place(&CutSurface::place);
+    entry.right("cut surface 'ore.stl'")
+        .right("cut surface 'ore.stl' shift 0 0 -0.2 region 3 id 7 join range group wall");
+    entry.wrong("cut surface", "a word is missing after 'surface'");
+    entry.wrong("cut surface 'ore.stl' shfit 0 0 1", "'shfit' is not a keyword of cut surface");
     return entry;
 }
 
@@ -162,7 +197,7 @@ CommandSpec join_contact() {
 } // namespace
 
 std::vector<CommandSpec> cut_commands() {
-    return {joint_set(), tunnel(), cut_ground(), densify(), join(), join_contact()};
+    return {joint_set(), tunnel(), cut_ground(), cut_surface(), densify(), join(), join_contact()};
 }
 
 } // namespace kaya::lang

@@ -128,9 +128,11 @@ struct JointSetCommand {
 };
 /// The outline of a tunnel: two polygons with matching corners.
 struct TunnelCommand {
-    std::vector<Vec3> first, second;
-    std::int64_t region = 0; ///< of the blocks inside; 0: unchanged
-    bool radial = false;     ///< cuts the rock around through each corner, too
+    std::vector<Vec3> first, second; ///< outlines at both ends
+    std::vector<Vec3> path;          ///< of the first outline, in place of the second
+    std::int64_t region = 0;         ///< of the blocks inside; 0: unchanged
+    bool radial = false;             ///< cuts the rock around through each corner, too
+    bool join = false;               ///< pieces on one side remain one body
     RangePhrase range;
     Place place;
 };
@@ -140,6 +142,16 @@ struct CutGround {
     Vec3 shift = Vec3::Zero();
     std::optional<std::int64_t> id;     ///< of the faces that are cut
     std::optional<std::int64_t> region; ///< of the blocks below
+    RangePhrase range;
+    Place place;
+};
+/// cut surface: along the surface of bodies, or a surface that may overhang.
+struct CutSurface {
+    std::string file;
+    Vec3 shift = Vec3::Zero();
+    std::optional<std::int64_t> id;     ///< of the faces that are cut
+    std::optional<std::int64_t> region; ///< of the blocks inside or below
+    bool join = false;                  ///< the pieces of a block remain one body
     RangePhrase range;
     Place place;
 };

@@ -9,7 +9,9 @@
 
 #include "base/lower_case.hpp"
 #include "geometry/fractures/fracture_cuts.hpp"
+#include "geometry/read/surface_files.hpp"
 #include "geometry/surface/block_cuts.hpp"
+#include "geometry/surface/surface_cuts.hpp"
 #include "geometry/ground/ground_cuts.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/assign/cut_joints.hpp"
@@ -113,6 +115,42 @@ void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pie
     join_pairs(model, pairs);
 }
 
+/// Joins the pieces of each block that lie on one side.
+void join_sides(Model& model, const SidedBlocks& cut, const std::vector<Row>& pieces) {
+    for (std::size_t i = 0; i < pieces.size();) {
+        std::array<std::vector<Row>, 2> sides;
+        const int parent = cut.blocks.pieces[i].parent;
+        for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i)
+            sides[cut.inside[i] ? 0 : 1].push_back(pieces[i]);
+        for (const auto& side : sides)
+            if (side.size() > 1) join_pairs(model, adjacent_pairs(model, side));
+    }
+}
+
+/// Gives blocks and pieces inside a region number.
+void give_region(Model& model, const SidedBlocks& cut, const std::vector<Row>& rows, const std::vector<Row>& pieces,
+                 std::int64_t number) {
+    auto& region = model.blocks.region;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (cut.inside[i]) region[pieces[i]] = static_cast<std::int32_t>(number);
+    for (const int block : cut.swallowed)
+        region[rows[static_cast<std::size_t>(block)]] = static_cast<std::int32_t>(number);
+}
+
+/// The surface of a file, moved.
+CuttingSurface surface_of(Session& session, const lang::CutSurface& command) {
+    std::vector<FaceSoup> soups = read_soups(session.input_file(command.file).string());
+    for (FaceSoup& soup : soups)
+        for (auto& loop : soup.loops)
+            for (Vec3& corner : loop) corner += command.shift;
+    std::vector<Surface> bodies, cavities;
+    for (NamedSurface& body : surfaces_of(soups).surfaces) {
+        bodies.push_back(std::move(body.surface));
+        std::ranges::move(body.cavities, std::back_inserter(cavities));
+    }
+    return cutting_surface(std::move(bodies), std::move(cavities));
+}
+
 std::vector<CuttingPolygon> polygons_of(const SurfaceSets& sets, const std::string& name) {
     const auto found = sets.surfaces.find(lower_case(name));
     if (found == sets.surfaces.end())
@@ -210,20 +248,19 @@ void run(Session& session, const lang::TunnelCommand& command) {
             rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
         if (rows.empty()) return;
         const double thinnest = thinnest_part * model_size(session.engine.model);
-        TunnelOutline outline{command.first, command.second, command.radial, next_joint_set(session)};
+        TunnelOutline outline;
+        if (command.path.empty()) outline.sections = {command.first, command.second};
+        else outline.sections = sections_along(command.first, command.path);
+        outline.radial = command.radial;
+        outline.id = next_joint_set(session);
         LongWork work(session, "tunnel");
-        const TunnelCut cut = cut_tunnel(shapes_of(session.engine.model, rows), outline, thinnest, std::ref(work));
-        const std::vector<Row> pieces =
-            apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
+        const SidedBlocks cut = cut_tunnel(shapes_of(session.engine.model, rows), outline, thinnest, std::ref(work));
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
             session.warn(
                 Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
-        if (command.region == 0) return;
-        auto& region = session.engine.model.blocks.region;
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (cut.inside[i]) region[pieces[i]] = static_cast<std::int32_t>(command.region);
-        for (const int block : cut.swallowed)
-            region[rows[static_cast<std::size_t>(block)]] = static_cast<std::int32_t>(command.region);
+        if (command.join) join_sides(session.engine.model, cut, pieces);
+        if (command.region != 0) give_region(session.engine.model, cut, rows, pieces, command.region);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -239,7 +276,7 @@ void run(Session& session, const lang::CutGround& command) {
         const double thinnest = thinnest_part * model_size(model);
         const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
         LongWork work(session, "cut ground");
-        const GroundCut cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
+        const SidedBlocks cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
         if (cut.blocks.parents.empty()) {
             session.warn(Diagnostic("no block was cut by this surface",
@@ -247,18 +284,32 @@ void run(Session& session, const lang::CutGround& command) {
                              .at(command.place));
             return;
         }
-        // Pieces on one side stay one body.
-        for (std::size_t i = 0; i < pieces.size();) {
-            std::array<std::vector<Row>, 2> sides;
-            const int parent = cut.blocks.pieces[i].parent;
-            for (; i < pieces.size() && cut.blocks.pieces[i].parent == parent; ++i)
-                sides[cut.above[i] ? 1 : 0].push_back(pieces[i]);
-            for (const auto& side : sides)
-                if (side.size() > 1) join_pairs(model, adjacent_pairs(model, side));
-        }
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (command.region && !cut.above[i])
-                model.blocks.region[pieces[i]] = static_cast<std::int32_t>(*command.region);
+        join_sides(model, cut, pieces);
+        if (command.region) give_region(model, cut, rows, pieces, *command.region);
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::CutSurface& command) {
+    try {
+        const CuttingSurface surface = surface_of(session, command);
+        const std::vector<Row> rows =
+            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        if (rows.empty()) return;
+        Model& model = session.engine.model;
+        const double thinnest = thinnest_part * model_size(model);
+        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        const std::string name = fmt::format("surface {}, joint set {}", command.file, id);
+        LongWork work(session, name);
+        const SidedBlocks cut = cut_by_surface(shapes_of(model, rows), surface, id, thinnest, std::ref(work));
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, name);
+        if (command.join) join_pieces(model, cut.blocks, pieces);
+        else join_sides(model, cut, pieces);
+        if (command.region) give_region(model, cut, rows, pieces, *command.region);
+        if (cut.blocks.parents.empty() && cut.swallowed.empty())
+            nothing_cut(session, "surface", cut.blocks, thinnest, 0, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

@@ -17,7 +17,7 @@ namespace {
 
 /// Lines that make several blocks.
 using Cutters = lang::CommandList<lang::PolyTunnel, lang::JointSetCommand, lang::TunnelCommand, lang::CutGround,
-                                  lang::Densify, lang::Copy>;
+                                  lang::CutSurface, lang::CutPolygons, lang::CutFractures, lang::Densify, lang::Copy>;
 using Joiners = lang::CommandList<lang::Join, lang::JoinContact>;
 constexpr std::string_view missing = "property-missing";
 

@@ -81,10 +81,9 @@ const lang::Multiplier* multiplier_of(const std::any& command) {
     return nullptr;
 }
 
-/// Commands that act on blocks which are there.
+/// Commands that act on blocks which are there, beside those that cut.
 using OnBlocks =
-    lang::CommandList<lang::JointSetCommand, lang::TunnelCommand, lang::CutGround, lang::Densify, lang::Join,
-                      lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation, lang::Fix, lang::Free,
+    lang::CommandList<lang::GenerateEdge, lang::GenerateQuad, lang::FaceTriangulation, lang::Fix, lang::Free,
                       lang::Boundary, lang::Apply, lang::Initialize, lang::InSitu, lang::Excavate, lang::Hide,
                       lang::Delete, lang::Mark, lang::CycleCommand, lang::Solve, lang::SolveControl,
                       lang::LimitEquilibrium, lang::VtkWrite, lang::Export>;
@@ -281,7 +280,7 @@ void DeckObjects::check_plot(const lang::Plot& plot, const lang::BoundCommand& c
 
 /// What acts on blocks before the first of them.
 void DeckObjects::check_order(const lang::BoundCommand& command) {
-    if (blocks_ || !is_one_of(command.command, OnBlocks{})) return;
+    if (blocks_ || !(is_one_of(command.command, OnBlocks{}) || is_one_of(command.command, lang::CutCommands{}))) return;
     blocks_ = true; // said once
     found_.push_back(finding("there are no blocks yet: this has no effect", "make them first: poly brick ...",
                              said_by_the_run, Severity::warning)

@@ -86,8 +86,8 @@ FileRead file_read_by(const lang::BoundCommand& command) {
     FileRead read;
     reads(command, &TableCommand::file, "table", read) || reads(command, &LuaFile::file, "Lua", read) ||
         reads(command, &Restore::file, "save", read) || reads(command, &Import::file, "geometry", read) ||
-        reads(command, &CutGround::file, "surface", read) || reads(command, &WaterCommand::file, "surface", read) ||
-        reads(command, &JointModelTest::path, "CSV", read);
+        reads(command, &CutGround::file, "surface", read) || reads(command, &CutSurface::file, "surface", read) ||
+        reads(command, &WaterCommand::file, "surface", read) || reads(command, &JointModelTest::path, "CSV", read);
     return read;
 }
 

@@ -10,12 +10,10 @@ namespace kaya {
 namespace {
 
 /// Commands that compute with shapes, or store the model: refused after a run has diverged.
-using NeedBoundedModel =
-    lang::CommandList<lang::Save, lang::VtkWrite, lang::PolyTunnel, lang::JointSetCommand, lang::TunnelCommand,
-                      lang::CutGround, lang::Densify, lang::Join, lang::JoinContact, lang::Import, lang::Export,
-                      lang::Excavate, lang::Fill, lang::Copy, lang::GenerateEdge, lang::GenerateQuad, lang::InSitu,
-                      lang::LimitEquilibrium, lang::StructureCable, lang::StructureBeam, lang::StructureLiner,
-                      lang::Plot>;
+using NeedBoundedModel = lang::CommandList<lang::Save, lang::VtkWrite, lang::PolyTunnel, lang::Import, lang::Export,
+                                           lang::Excavate, lang::Fill, lang::Copy, lang::GenerateEdge,
+                                           lang::GenerateQuad, lang::InSitu, lang::LimitEquilibrium,
+                                           lang::StructureCable, lang::StructureBeam, lang::StructureLiner, lang::Plot>;
 
 template <class... Command> bool is_one_of(std::size_t index, lang::CommandList<Command...>) {
     return ((lang::index_of<Command> == index) || ...);
@@ -36,7 +34,8 @@ const HandlerTable& handlers() {
 
 void run_command(Session& session, const lang::BoundCommand& command) {
     try {
-        if (is_one_of(command.spec->index, NeedBoundedModel{})) require_bounded(session.engine.model);
+        if (is_one_of(command.spec->index, NeedBoundedModel{}) || is_one_of(command.spec->index, lang::CutCommands{}))
+            require_bounded(session.engine.model);
         handlers()[command.spec->index](session, command.command);
     } catch (const Advised& mistake) { throw worded(mistake, command.modern); }
 }

@@ -81,7 +81,7 @@ struct Span {
 
 class Cutter {
 public:
-    Cutter(const Ground& ground, int id, double thinnest, GroundCut& result)
+    Cutter(const Ground& ground, int id, double thinnest, SidedBlocks& result)
         : ground_(ground), id_(id), thinnest_(thinnest), result_(result) {}
 
     struct Piece {
@@ -256,15 +256,15 @@ private:
     const Ground& ground_;
     int id_;
     double thinnest_;
-    GroundCut& result_;
+    SidedBlocks& result_;
     std::vector<Piece> pieces_;
 };
 
 } // namespace
 
-GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
-                        const ProgressCallback& progress) {
-    GroundCut result;
+SidedBlocks cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
+                          const ProgressCallback& progress) {
+    SidedBlocks result;
     Cutter cutter(ground, id, thinnest, result);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         report_progress(progress, block, blocks.size());
@@ -277,7 +277,7 @@ GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& gro
         std::stable_partition(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.above; });
         for (auto& piece : pieces) {
             result.blocks.pieces.push_back({std::move(piece.body), static_cast<int>(block)});
-            result.above.push_back(piece.above);
+            result.inside.push_back(!piece.above);
         }
     }
     return result;

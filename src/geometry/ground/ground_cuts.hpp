@@ -8,15 +8,10 @@
 
 namespace kaya {
 
-struct GroundCut {
-    CutBlocks blocks;
-    std::vector<bool> above; ///< for each piece: above the surface
-};
-
 /// Cuts each block into convex pieces above or below the surface, as few as its folds require: deep rock stays in one piece. Blocks that
-/// the surface does not reach stay whole, and so does rock outside its plan. Pieces are not thinner than `thinnest`. Throws Diagnostic when
+/// the surface does not reach stay whole, and so does rock outside its plan; none counts as swallowed. Pieces are not thinner than `thinnest`. Throws Diagnostic when
 /// there would be too many pieces for any machine.
-GroundCut cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
-                        const ProgressCallback& progress = {});
+SidedBlocks cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& ground, int id, double thinnest,
+                          const ProgressCallback& progress = {});
 
 } // namespace kaya

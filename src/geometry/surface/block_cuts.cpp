@@ -20,16 +20,33 @@ std::vector<Plane> outer_planes(const Polyhedron& polyhedron) {
     return planes;
 }
 
+Vec3 mean(const std::vector<Vec3>& corners) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& c : corners) sum += c;
+    return sum / static_cast<double>(corners.size());
+}
+
+/// The planes of each convex part of the outline: first the sides, then the ends, which cut no more than what is left.
+std::vector<std::vector<Plane>> planes_of_parts(const TunnelOutline& outline) {
+    constexpr double of_an_end = 0.1; // cosine between the normal and the axis
+    std::vector<std::vector<Plane>> parts;
+    for (std::size_t k = 1; k < outline.sections.size(); ++k) {
+        const auto &from = outline.sections[k - 1], &to = outline.sections[k];
+        const Vec3 along = (mean(to) - mean(from)).normalized();
+        for (const Polyhedron& part : make_prism(from, to).parts) {
+            parts.push_back(outer_planes(part));
+            std::ranges::stable_sort(parts.back(), {},
+                                     [&](const Plane& plane) { return std::abs(plane.normal.dot(along)) > of_an_end; });
+        }
+    }
+    return parts;
+}
+
 /// Planes through the axis of the outline and each of its corners.
 std::vector<Plane> radial_planes(const TunnelOutline& outline) {
-    const auto mean = [](const std::vector<Vec3>& corners) {
-        Vec3 sum = Vec3::Zero();
-        for (const Vec3& c : corners) sum += c;
-        return Vec3(sum / static_cast<double>(corners.size()));
-    };
-    const Vec3 centre = mean(outline.first), axis = mean(outline.second) - centre;
+    const Vec3 centre = mean(outline.sections[0]), axis = mean(outline.sections[1]) - centre;
     std::vector<Plane> planes;
-    for (const Vec3& corner : outline.first) {
+    for (const Vec3& corner : outline.sections[0]) {
         const Vec3 normal = axis.cross(corner - centre);
         if (normal.norm() > 1e-12 * axis.norm() * (corner - centre).norm())
             planes.push_back({normal.normalized(), centre});
@@ -98,14 +115,42 @@ CuttingPolygon cutting_polygon(const std::vector<Vec3>& polygon, std::size_t num
     return result;
 }
 
-TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
-                     const ProgressCallback& progress) {
-    const Solid tunnel = make_prism(outline.first, outline.second);
-    std::vector<std::vector<Plane>> parts;
-    for (const Polyhedron& part : tunnel.parts) parts.push_back(outer_planes(part));
+std::vector<std::vector<Vec3>> sections_along(const std::vector<Vec3>& section, const std::vector<Vec3>& path) {
+    if (path.size() < 2) throw Diagnostic("the path has less than two points", "give its begin, its turns and its end");
+    std::vector<Vec3> directions;
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        const Vec3 stretch = path[k] - path[k - 1];
+        if (!(stretch.norm() > 0))
+            throw Diagnostic(fmt::format("points {} and {} of the path are the same", k, k + 1),
+                             "give each point once");
+        directions.push_back(stretch.normalized());
+    }
+    std::vector<std::vector<Vec3>> sections{section};
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const Vec3& along = directions[k];
+        const Vec3 normal = along + directions[std::min(k + 1, directions.size() - 1)];
+        std::vector<Vec3> next;
+        for (const Vec3& corner : sections.back()) {
+            const double distance = normal.dot(path[k + 1] - corner) / normal.dot(along);
+            if (!(distance > 0) || !std::isfinite(distance))
+                throw Diagnostic(
+                    fmt::format("the section does not get to point {} of the path: the turn is too sharp, or the "
+                                "points are too near to each other",
+                                k + 2),
+                    "make the section smaller, or the turn in several steps");
+            next.push_back(corner + distance * along);
+        }
+        sections.push_back(std::move(next));
+    }
+    return sections;
+}
+
+SidedBlocks cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest,
+                       const ProgressCallback& progress) {
+    const std::vector<std::vector<Plane>> parts = planes_of_parts(outline);
     const std::vector<Plane> radial = outline.radial ? radial_planes(outline) : std::vector<Plane>{};
 
-    TunnelCut result;
+    SidedBlocks result;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         std::vector<Piece> pieces{{blocks[block], false}};
         for (const auto& planes : parts) {
@@ -121,6 +166,8 @@ TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline&
             }
             pieces = std::move(next);
         }
+        // Cuts between parts of the tunnel are removed where nothing else is cut.
+        if (std::ranges::all_of(pieces, &Piece::inside)) pieces = {{blocks[block], true}};
         const bool is_cut = pieces.size() > 1;
         // Radial joints are for the rock around the hole only.
         const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };

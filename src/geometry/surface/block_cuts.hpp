@@ -9,23 +9,22 @@
 
 namespace kaya {
 
-/// The outline of a tunnel: two polygons with matching corners and the straight sides between them.
+/// The outline of a tunnel: polygons with matching corners, and the straight sides from each to the next.
 struct TunnelOutline {
-    std::vector<Vec3> first, second;
-    bool radial = false; ///< also cuts the rock around along the planes through the axis and each corner
-    int id = 0;          ///< stored on the cut faces
+    std::vector<std::vector<Vec3>> sections; ///< at least two
+    bool radial =
+        false;  ///< also cuts the rock around along the planes through the axis of the first two and each corner
+    int id = 0; ///< stored on the cut faces
 };
 
-struct TunnelCut {
-    CutBlocks blocks;
-    std::vector<bool> inside;   ///< for each piece: within the outline
-    std::vector<int> swallowed; ///< blocks entirely within the outline, not cut
-};
+/// The section, which lies at the first point of a path, moved along the path: it is mitred where the path turns, and ends at right angles
+/// to the last stretch. Throws Diagnostic: less than two points, points on each other, a turn that is too sharp for the section.
+std::vector<std::vector<Vec3>> sections_along(const std::vector<Vec3>& section, const std::vector<Vec3>& path);
 
 /// Cuts the outline out of the blocks. Blocks are cut no more than necessary: a side of the tunnel cuts a piece of rock only where it
 /// separates the piece from the inside. Throws Diagnostic when the outline is not a solid (see make_prism).
-TunnelCut cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
-                     const ProgressCallback& progress = {});
+SidedBlocks cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
+                       const ProgressCallback& progress = {});
 
 /// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box.
 /// Throws Diagnostic when a number is below 1.

@@ -40,6 +40,13 @@ struct CutBlocks {
     int corners = 0;           ///< cuts that were refused since they would pass too near to a vertex
 };
 
+/// Result for blocks that a surface divides: a tunnel, the ground, an ore body.
+struct SidedBlocks {
+    CutBlocks blocks;
+    std::vector<bool> inside;   ///< for each piece: within the outline or the body, below the ground
+    std::vector<int> swallowed; ///< blocks entirely within, not cut
+};
+
 /// Cuts each block by all planes of the set. Which blocks a joint of persistence below 1 leaves whole
 /// depends on seed, id, joint and the block's place in the list alone.
 /// Throws Diagnostic as joint_planes does, and when the set would make more blocks than any machine can hold.

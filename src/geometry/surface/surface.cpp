@@ -134,6 +134,50 @@ double volume_of(const Surface& surface) {
     return volume;
 }
 
+/// Gives all faces of a connected surface the orientation of the first one; returns how many were turned.
+int turn_connected_alike(Surface& surface, const std::map<Edge, std::vector<EdgeUse>>& edges) {
+    const std::vector<int> part = parts_of(surface);
+    const auto stray = std::find_if(part.begin(), part.end(), [](int p) { return p > 0; });
+    if (stray != part.end())
+        throw Diagnostic(fmt::format("the faces fall apart in {} closed surfaces; {} belongs to the second",
+                                     *std::max_element(part.begin(), part.end()) + 1,
+                                     surface.faces[stray - part.begin()].name),
+                         "make a block of each");
+
+    std::vector<std::vector<std::pair<int, bool>>> neighbours(surface.faces.size());
+    for (const auto& [edge, uses] : edges) {
+        if (uses.size() != 2) continue;
+        const bool opposed = uses[0].rising != uses[1].rising;
+        neighbours[uses[0].face].emplace_back(uses[1].face, opposed);
+        neighbours[uses[1].face].emplace_back(uses[0].face, opposed);
+    }
+    enum { unknown, kept, turned };
+    std::vector<int> state(surface.faces.size(), unknown);
+    std::vector<int> front{0};
+    state[0] = kept;
+    while (!front.empty()) {
+        const int face = front.back();
+        front.pop_back();
+        for (const auto& [other, opposed] : neighbours[face]) {
+            const int wanted = opposed ? state[face] : (state[face] == kept ? turned : kept);
+            if (state[other] == unknown) {
+                state[other] = wanted;
+                front.push_back(other);
+            } else if (state[other] != wanted) {
+                throw Diagnostic(fmt::format("the surface has no inside: {} and {} cannot both face outward",
+                                             surface.faces[face].name, surface.faces[other].name));
+            }
+        }
+    }
+    int count = 0;
+    for (std::size_t f = 0; f < state.size(); ++f) {
+        if (state[f] != turned) continue;
+        std::reverse(surface.faces[f].vertices.begin() + 1, surface.faces[f].vertices.end());
+        ++count;
+    }
+    return count;
+}
+
 } // namespace
 
 double size_of(const std::vector<Vec3>& vertices) {
@@ -275,6 +319,10 @@ void check_faces(Surface& surface) {
     drop_unused_vertices(surface);
 }
 
+bool is_closed(const Surface& surface) {
+    return std::ranges::all_of(edges_of(surface), [](const auto& edge) { return edge.second.size() % 2 == 0; });
+}
+
 int turn_alike(Surface& surface) {
     const auto edges = edges_of(surface);
     for (const auto& [edge, uses] : edges) {
@@ -289,46 +337,22 @@ int turn_alike(Surface& surface) {
                                      surface.faces[uses[1].face].name),
                          "an even number of faces meets in an edge of a closed surface, two as a rule");
     }
-    const std::vector<int> part = parts_of(surface);
-    const auto stray = std::find_if(part.begin(), part.end(), [](int p) { return p > 0; });
-    if (stray != part.end())
-        throw Diagnostic(fmt::format("the faces fall apart in {} closed surfaces; {} belongs to the second",
-                                     *std::max_element(part.begin(), part.end()) + 1,
-                                     surface.faces[stray - part.begin()].name),
-                         "make a block of each");
+    return turn_connected_alike(surface, edges);
+}
 
-    std::vector<std::vector<std::pair<int, bool>>> neighbours(surface.faces.size());
+std::vector<std::array<Vec3, 2>> turn_open_alike(Surface& surface) {
+    const auto edges = edges_of(surface);
+    std::vector<std::array<Vec3, 2>> rim;
     for (const auto& [edge, uses] : edges) {
-        if (uses.size() != 2) continue;
-        const bool opposed = uses[0].rising != uses[1].rising;
-        neighbours[uses[0].face].emplace_back(uses[1].face, opposed);
-        neighbours[uses[1].face].emplace_back(uses[0].face, opposed);
+        const Vec3 &from = surface.vertices[edge[0]], &to = surface.vertices[edge[1]];
+        if (uses.size() > 2)
+            throw Diagnostic(fmt::format("{} faces of the open surface meet in the edge from {} to {}", uses.size(),
+                                         text_of(from), text_of(to)),
+                             "two faces meet in an edge; put each branch into a separate file");
+        if (uses.size() == 1) rim.push_back({from, to});
     }
-    enum { unknown, kept, turned };
-    std::vector<int> state(surface.faces.size(), unknown);
-    std::vector<int> front{0};
-    state[0] = kept;
-    while (!front.empty()) {
-        const int face = front.back();
-        front.pop_back();
-        for (const auto& [other, opposed] : neighbours[face]) {
-            const int wanted = opposed ? state[face] : (state[face] == kept ? turned : kept);
-            if (state[other] == unknown) {
-                state[other] = wanted;
-                front.push_back(other);
-            } else if (state[other] != wanted) {
-                throw Diagnostic(fmt::format("the surface has no inside: {} and {} cannot both face outward",
-                                             surface.faces[face].name, surface.faces[other].name));
-            }
-        }
-    }
-    int count = 0;
-    for (std::size_t f = 0; f < state.size(); ++f) {
-        if (state[f] != turned) continue;
-        std::reverse(surface.faces[f].vertices.begin() + 1, surface.faces[f].vertices.end());
-        ++count;
-    }
-    return count;
+    turn_connected_alike(surface, edges);
+    return rim;
 }
 
 bool turn_outward(Surface& surface) {

@@ -18,9 +18,15 @@ inline constexpr std::size_t fine_net = 1000;
 /// then have less than three corners or no area, name a corner twice, or repeat another face.
 void check_faces(Surface& surface);
 
+/// Whether an even number of faces meets in each edge.
+bool is_closed(const Surface& surface);
+
 /// Gives all faces the orientation of the first one; returns how many were turned. Refuses open edges, edges of more than two faces, and
 /// unconnected surfaces.
 int turn_alike(Surface& surface);
+
+/// The same for a surface with a rim: its edges that belong to one face. Refuses edges of more than two faces, and unconnected surfaces.
+std::vector<std::array<Vec3, 2>> turn_open_alike(Surface& surface);
 
 /// Turns all faces outward when they are inward; returns whether they were. Refuses a surface without volume.
 bool turn_outward(Surface& surface);

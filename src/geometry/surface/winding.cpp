@@ -24,16 +24,18 @@ double volume_of(const Triangles& triangles) {
     return sum / 6;
 }
 
-// The sum of the triangles' solid angles (Van Oosterom and Strackee 1983) over 4 pi.
+// The solid angle (Van Oosterom and Strackee 1983) over 4 pi.
+double part_of_turn(const std::array<Vec3, 3>& triangle, const Vec3& point) {
+    const Vec3 a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
+    const double to_a = a.norm(), to_b = b.norm(), to_c = c.norm();
+    return std::atan2(a.dot(b.cross(c)), to_a * to_b * to_c + a.dot(b) * to_c + b.dot(c) * to_a + c.dot(a) * to_b) /
+           (2 * std::numbers::pi);
+}
+
 int winding(const Triangles& triangles, const Vec3& point) {
-    double half_angles = 0;
-    for (const auto& t : triangles) {
-        const Vec3 a = t[0] - point, b = t[1] - point, c = t[2] - point;
-        const double to_a = a.norm(), to_b = b.norm(), to_c = c.norm();
-        half_angles +=
-            std::atan2(a.dot(b.cross(c)), to_a * to_b * to_c + a.dot(b) * to_c + b.dot(c) * to_a + c.dot(a) * to_b);
-    }
-    return static_cast<int>(std::lround(half_angles / (2 * std::numbers::pi)));
+    double turns = 0;
+    for (const auto& triangle : triangles) turns += part_of_turn(triangle, point);
+    return static_cast<int>(std::lround(turns));
 }
 
 } // namespace kaya

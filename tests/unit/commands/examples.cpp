@@ -104,6 +104,9 @@ private:
 /// Input files of the examples, in the current folder.
 void write_inputs(const std::function<void(const char*, const std::string&)>& write) {
     for (const char* name : {"wall.dat", "second part.3dd", "part"}) write(name, "list time\n");
+    write("ore.stl",
+          "solid ore\nfacet normal 0 0 1\nouter loop\nvertex -100 -100 0.4\nvertex 100 -100 0.5\nvertex 0 200 0.5\n"
+          "endloop\nendfacet\nendsolid ore\n");
     write("hill.xyz", "-100 -100 0.4\n100 -100 0.5\n100 100 0.6\n-100 100 0.5\n");
     write("quake.tab", "quake\n3 0.1\n0\n1\n0\n");
     const std::string tetrahedron = "v 10 0 0\nv 11 0 0\nv 10 1 0\nv 10 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

@@ -44,20 +44,20 @@ struct Volumes {
 /// Cuts a brick and checks that its pieces fill it, are valid, and are on their side of the surface.
 Volumes cut_brick(const Ground& ground, const Vec3& low, const Vec3& high) {
     const Polyhedron brick = make_brick(low, high);
-    const GroundCut cut = cut_by_ground({brick}, ground, 3, 1e-6 * (high - low).norm());
+    const SidedBlocks cut = cut_by_ground({brick}, ground, 3, 1e-6 * (high - low).norm());
     Volumes volumes;
     volumes.pieces = cut.blocks.pieces.size();
     for (std::size_t i = 0; i < cut.blocks.pieces.size(); ++i) {
         const Polyhedron& piece = cut.blocks.pieces[i].polyhedron;
         const auto mass = mass_properties(piece);
         EXPECT_GT(mass.volume, 0);
-        (cut.above[i] ? volumes.above : volumes.below) += mass.volume;
+        (cut.inside[i] ? volumes.below : volumes.above) += mass.volume;
         const double height = ground.height_beyond(mass.centroid.x(), mass.centroid.y());
-        EXPECT_EQ(cut.above[i], mass.centroid.z() > height) << "piece " << i << " at " << mass.centroid.transpose();
+        EXPECT_EQ(cut.inside[i], mass.centroid.z() < height) << "piece " << i << " at " << mass.centroid.transpose();
         // No corner is on the other side.
         for (const Vec3& v : piece.vertices) {
             const double over = v.z() - ground.height_beyond(v.x(), v.y());
-            EXPECT_GE(cut.above[i] ? over : -over, -1e-5 * (high - low).norm())
+            EXPECT_GE(cut.inside[i] ? -over : over, -1e-5 * (high - low).norm())
                 << "piece " << i << " corner " << v.transpose();
         }
     }

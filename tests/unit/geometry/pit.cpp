@@ -172,12 +172,12 @@ TEST(Pit, TheSamePitTurnedMirroredFarAwayAndInMillimetres) {
 TEST(Pit, CutsABrickWithoutGapsAndOverlaps) {
     const Ground ground = pit_surface(rectangle, with_ramp());
     const Polyhedron brick = make_brick({-100, -100, 150}, {700, 600, 300});
-    const GroundCut cut = cut_by_ground({brick}, ground, 3, 1e-3);
+    const SidedBlocks cut = cut_by_ground({brick}, ground, 3, 1e-3);
     double all = 0, above = 0, expected = 0;
     for (std::size_t i = 0; i < cut.blocks.pieces.size(); ++i) {
         const double volume = mass_properties(cut.blocks.pieces[i].polyhedron).volume;
         all += volume;
-        if (cut.above[i]) above += volume;
+        if (!cut.inside[i]) above += volume;
     }
     for (const auto& t : ground.triangles()) {
         const auto corner = [&](std::size_t k) { return ground.corners()[static_cast<std::size_t>(t[k])]; };
