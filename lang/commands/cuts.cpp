@@ -102,7 +102,7 @@ CommandSpec tunnel() {
     entry.right("tunnel join region 2 a 4,0,4 6,0,4 6,0,6 4,0,6 path 5,0,5 5,6,5 9,9,5");
     entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6", "a tunnel needs two polygons, or one and a path");
     entry.wrong("tunnel a 4 0 4 6 0 4 5 0 6 path 5 0 5 5 9 5 radial",
-                "radial joints are for a tunnel between two polygons");
+                "radial joints are for a tunnel between two polygons, whose pieces are not joined");
     entry.wrong("tunnel 4 0 4", "expected a keyword of tunnel, found '4'");
     return entry;
 }
