@@ -427,6 +427,7 @@ private:
                 detail::put(form.after, *value, target);
                 return Forms{std::move(form)};
             } else {
+                (void)target;
                 return Forms{};
             }
         };

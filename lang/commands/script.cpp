@@ -11,6 +11,9 @@ namespace kaya::lang {
 
 namespace {
 
+/// The part of a cycle, as later versions number them, that follows the forces.
+constexpr double forces_are_known = 40;
+
 CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
     Entry<FishDefinition> entry(std::move(words), std::move(form));
     entry.help("defines a FISH function; its lines go up to a line with the word end");
@@ -51,8 +54,6 @@ FishCallback::When read_event(Reader& reader, const ArgumentSpec& name) {
 
 CommandSpec callback() {
     using When = FishCallback::When;
-    // Later versions number the parts of a cycle.
-    constexpr double forces_are_known = 40;
     const Through location{[](FishCallback& callback, double at) {
                                callback.when = at < forces_are_known ? When::before_cycle : When::after_forces;
                            },
