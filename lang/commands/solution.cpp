@@ -106,7 +106,7 @@ Parts<Solve> reduced(std::vector<Solve::Reduced> Solve::*list) {
     for (const auto& [word, which] :
          {std::pair("joints", joints), std::pair("zones", zones), std::pair("friction", friction),
           std::pair("cohesion", cohesion), std::pair("tension", tension)})
-        choices.push_back({word, Parts<Solve>().set([list, which](Solve& s) { (s.*list).push_back(which); })});
+        choices.push_back({word, Parts<Solve>().set([list, which = which](Solve& s) { (s.*list).push_back(which); })});
     return Parts<Solve>().one_of(text("joints|zones|friction|cohesion|tension").spec, "a strength that fos reduces",
                                  std::move(choices));
 }
