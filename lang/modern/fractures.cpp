@@ -9,6 +9,9 @@ namespace {
 template <class Command> void add_choice(Leaf<Command>& leaf) {
     leaf.word("dfn", "dfn").word("ids", "ids").word("sizes", "sizes").word("of-group", "of-group");
 }
+template <class Command> void refuse_range(Leaf<Command>& leaf) {
+    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+}
 template <class Command> void add_group(Leaf<Command>& leaf) {
     leaf.word("group", "group").word("dominance|dfn-dominance", "dominance");
 }
@@ -30,7 +33,7 @@ CommandSpec delete_fractures() {
     Leaf<FractureChange> leaf("fracture delete", "fracture delete");
     add_choice(leaf);
     leaf.word("outside", "outside").word("share", "share").word("seed", "seed");
-    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+    refuse_range(leaf);
     leaf.right("fracture delete dfn 'faults'", "fracture delete dfn faults");
     leaf.wrong("fracture delete dnf 'faults'", "'dnf' is not a keyword of fracture delete");
     return leaf;
@@ -40,7 +43,7 @@ CommandSpec copy_fractures() {
     Leaf<FractureChange> leaf("fracture copy", "fracture copy");
     add_choice(leaf);
     leaf.word("from-dfn", "from-dfn").word("to-dfn", "to-dfn").checks_of_meaning();
-    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+    refuse_range(leaf);
     leaf.right("fracture copy from-dfn 'faults' to-dfn 'all'", "fracture copy from-dfn faults to-dfn all");
     leaf.wrong("fracture copy", "the network of the copies is missing");
     return leaf;
@@ -59,7 +62,7 @@ CommandSpec group_fractures() {
     Leaf<FractureChange> leaf("fracture group", "fracture group");
     leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove");
     add_choice(leaf);
-    leaf.not_yet({"range"}, "ranges of fractures: write ids, sizes or of-group");
+    refuse_range(leaf);
     leaf.right("fracture group 'large' slot 'size' sizes 5 100", "fracture group large slot size sizes 5 100");
     leaf.wrong("fracture group", "a word is missing after 'group'");
     return leaf;
