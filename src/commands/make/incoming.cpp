@@ -1,12 +1,14 @@
 #include "commands/make/incoming.hpp"
 
 #include "base/lower_case.hpp"
+#include "base/parallel.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/grid/grid3d.hpp"
 #include "geometry/read/surface_files.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace kaya {
 
@@ -31,18 +33,48 @@ private:
     char up_;
 };
 
-/// Makes one body of the file; a message about it gets its name and place.
-template <class Make> void add_body(IncomingFile& file, const std::string& path, const std::string& name,
-                                    const std::vector<Vec3>& corners, Make make) {
-    stop_point();
-    try {
-        file.blocks.push_back(make());
-    } catch (Diagnostic& mistake) {
-        if (mistake.fault != Fault::deck) throw; // a request to stop
-        Vec3 centre = Vec3::Zero();
-        for (const Vec3& v : corners) centre += v / static_cast<double>(corners.size());
-        mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, name, centre.x(), centre.y(),
-                                      centre.z(), mistake.message);
+Vec3 centre_of(const Surface& surface) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& v : surface.vertices) centre += v / static_cast<double>(surface.vertices.size());
+    return centre;
+}
+
+/// A body of a file before it is made.
+struct Body {
+    std::string name; ///< of messages
+    Vec3 centre;
+    std::function<IncomingBlock(SimplifyCounts&)> make;
+};
+
+/// Makes the bodies, several at once; a message about one gets its name and place.
+void add_bodies(IncomingFile& file, const std::string& path, const std::vector<Body>& bodies) {
+    struct Made {
+        std::optional<IncomingBlock> block;
+        std::optional<Diagnostic> mistake;
+        SimplifyCounts simplified;
+    };
+    std::vector<Made> made(bodies.size());
+    for_chunks(bodies.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            stop_point();
+            try {
+                made[i].block = bodies[i].make(made[i].simplified);
+            } catch (const Diagnostic& mistake) {
+                if (mistake.fault != Fault::deck) throw; // a request to stop
+                made[i].mistake = mistake;
+            }
+        }
+    });
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        file.simplified.add(made[i].simplified);
+        if (made[i].block) {
+            file.blocks.push_back(std::move(*made[i].block));
+            continue;
+        }
+        Diagnostic& mistake = *made[i].mistake;
+        const Vec3& centre = bodies[i].centre;
+        mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, bodies[i].name, centre.x(),
+                                      centre.y(), centre.z(), mistake.message);
         if (is_surface_file(path) && mistake.message.find("open") != std::string::npos)
             mistake.hint += ", or let `import ... mend d` close cracks and `holes d` holes up to a width";
         file.refused.push_back(std::move(mistake));
@@ -62,11 +94,13 @@ IncomingFile from_grid(const std::string& path, const Placement& placement) {
     IncomingFile file;
     Grid3d grid = read_grid3d_file(path);
     for (auto& [number, place] : grid.gridpoints) placement.apply(place);
-    for (const auto& block : grid.blocks) {
-        const Surface surface = surface_of(grid, block);
-        add_body(file, path, fmt::format("block {}", block.number), surface.vertices,
-                 [&] { return block_of(grid, block, surface); });
-    }
+    std::vector<Surface> surfaces;
+    for (const auto& block : grid.blocks) surfaces.push_back(surface_of(grid, block));
+    std::vector<Body> bodies;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        bodies.push_back({fmt::format("block {}", grid.blocks[i].number), centre_of(surfaces[i]),
+                          [&, i](SimplifyCounts&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
+    add_bodies(file, path, bodies);
     return file;
 }
 
@@ -92,17 +126,19 @@ IncomingFile from_surfaces(const std::string& path, const Placement& placement, 
     SurfaceFile surfaces = surfaces_of(soups, options.repair);
     IncomingFile file;
     file.repaired = surfaces.repaired;
-    int count = 0;
+    std::vector<Body> bodies;
     for (NamedSurface& body : surfaces.surfaces) {
         const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
-        add_body(file, path, fmt::format("body {}{}", ++count, quoted), body.surface.vertices, [&] {
-            if (options.simplification.wanted()) simplify(body, options.simplification, file.simplified);
-            Flatness flatness = of_files;
-            const double joined = options.repair.near / size_of(body.surface.vertices);
-            flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
-            return IncomingBlock{solid_from_surface(body.surface, flatness, body.cavities), {}, body.name, 0, 0};
-        });
+        bodies.push_back(
+            {fmt::format("body {}{}", bodies.size() + 1, quoted), centre_of(body.surface), [&](SimplifyCounts& counts) {
+                 if (options.simplification.wanted()) simplify(body, options.simplification, counts);
+                 Flatness flatness = of_files;
+                 const double joined = options.repair.near / size_of(body.surface.vertices);
+                 flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
+                 return IncomingBlock{solid_from_surface(body.surface, flatness, body.cavities), {}, body.name, 0, 0};
+             }});
     }
+    add_bodies(file, path, bodies);
     return file;
 }
 

@@ -3,6 +3,7 @@
 
 #include "geometry/surface/surface.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace kaya {
@@ -20,6 +21,15 @@ struct SimplifyCounts {
     std::size_t bodies = 0, before = 0, after = 0; ///< triangles
     double deviation = 0;                          ///< the greatest, a length
     double volume_before = 0, volume_after = 0;
+
+    void add(const SimplifyCounts& other) {
+        bodies += other.bodies;
+        before += other.before;
+        after += other.after;
+        deviation = std::max(deviation, other.deviation);
+        volume_before += other.volume_before;
+        volume_after += other.volume_after;
+    }
 };
 
 /// Collapses edges of a closed surface, those first that change volume and shape least (Lindstrom and Turk 1998). The result is closed and does
