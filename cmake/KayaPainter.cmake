@@ -9,12 +9,12 @@ endif()
 set(KAYA_PAINTER_BUILT FALSE)
 if(NOT KAYA_PAINTER STREQUAL "OFF")
   # All components in one call, and at the top: targets of VTK refer to those of other packages, which are defined in this folder
-  # and below only. Tests read .vtu files with IOXML.
+  # and below only. Tests read and write files with IOXML and IOLegacy.
   set(how QUIET)
   if(KAYA_PAINTER STREQUAL "ON")
     set(how REQUIRED)
   endif()
-  find_package(VTK 9 ${how} COMPONENTS CommonCore CommonDataModel IOXML FiltersSources RenderingCore RenderingOpenGL2
+  find_package(VTK 9 ${how} COMPONENTS CommonCore CommonDataModel IOXML IOLegacy FiltersSources RenderingCore RenderingOpenGL2
     RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 ChartsCore ViewsContext2D IOImage)
   set(KAYA_PAINTER_BUILT ${VTK_FOUND})
 endif()

@@ -1,6 +1,6 @@
 #include "io/hdf5_format.hpp"
 
-#include <zlib.h>
+#include "base/deflate.hpp"
 
 #include <algorithm>
 #include <set>
@@ -280,13 +280,10 @@ std::string unshuffled(std::string_view bytes, std::size_t size) {
     return numbers;
 }
 
-std::string inflated(std::string_view packed, std::size_t size) {
-    std::string bytes(size, '\0');
-    uLongf length = size;
-    const int status = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
-                                    reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-    require(status == Z_OK && length == size, "cannot be unpacked");
-    return bytes;
+std::string unpacked(std::string_view packed, std::size_t size) {
+    auto bytes = inflated(packed, size);
+    require(bytes.has_value(), "cannot be unpacked");
+    return std::move(*bytes);
 }
 
 } // namespace
@@ -360,7 +357,7 @@ void unpack(const Data& data, char* to) {
         std::string_view rows = chunk.stored;
         for (std::size_t k = data.filters.size(); k-- > 0;) {
             if ((chunk.filters_left_out >> k & 1) != 0) continue;
-            bytes = data.filters[k] == deflate_filter ? inflated(rows, chunk_bytes) : unshuffled(rows, data.type.size);
+            bytes = data.filters[k] == deflate_filter ? unpacked(rows, chunk_bytes) : unshuffled(rows, data.type.size);
             rows = bytes;
         }
         require(rows.size() == chunk_bytes, "does not have as many bytes as it claims");

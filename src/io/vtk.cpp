@@ -3,7 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/markup_text.hpp"
 #include "io/vtk_arrays.hpp"
-#include "io/vtu_grid.hpp"
+#include "geometry/grid/vtu_grid.hpp"
 #include "model/measure/joint_polygons.hpp"
 #include "model/measure/structure_rows.hpp"
 #include "system/whole_file.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/vtk.hpp"
-#include "io/vtu_grid.hpp"
+#include "geometry/grid/vtu_grid.hpp"
 #include "model/fields/field.hpp"
 #include "model/tables/model.hpp"
 

@@ -1,7 +1,7 @@
 #include "report/packed.hpp"
 
 #include "base/base64.hpp"
-#include "io/deflate.hpp"
+#include "base/deflate.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // Grids of any size and content, read back by VTK: every number with its bits, every text with its bytes.
-#include "io/vtu_grid.hpp"
+#include "geometry/grid/vtu_grid.hpp"
 
 #include "tests/unit/vtk/read_back.hpp"
 

@@ -1,8 +1,8 @@
-#include "io/vtu_grid.hpp"
+#include "geometry/grid/vtu_grid.hpp"
 
 #include "base/markup_text.hpp"
 #include "base/parallel.hpp"
-#include "io/deflate.hpp"
+#include "base/deflate.hpp"
 
 #include <algorithm>
 #include <bit>
