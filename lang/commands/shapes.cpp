@@ -316,6 +316,7 @@ CommandSpec import_file() {
         .right("import wall.3dgrid mat 2")
         .right("import stones.obj region 3")
         .right("import rock.msh")
+        .right("import rock.vtu")
         .right("import dome.obj scale 0.001 up y stop")
         .right("import scan.ply mend 0.002 holes 0.5")
         .right("import scan.ply simplify 500 deviation 0.01");
@@ -328,13 +329,14 @@ CommandSpec import_file() {
     return entry;
 }
 
-CommandSpec export_grid() {
+CommandSpec export_file() {
     Entry<Export> entry({"export"});
-    entry.help("writes visible blocks to a .3dgrid file");
-    entry.argument(text("file").help("name with the suffix .3dgrid"), &Export::file);
+    entry.help("writes visible blocks, their zones or their surfaces to a file");
+    entry.argument(text("file").help("name with suffix, which selects the format"), &Export::file);
     entry.range(&Export::range);
     entry.place(&Export::place);
     entry.right("export wall.3dgrid").right("export 'left half.3dgrid' range x 0 5");
+    entry.right("export wall.stl").right("export wall.vtu range region 2");
     entry.wrong("export", "a word is missing after 'export'");
     return entry;
 }
@@ -343,7 +345,7 @@ CommandSpec export_grid() {
 
 std::vector<CommandSpec> shape_commands() {
     return {poly_brick(), poly_prism(),  poly_face(),   poly_tet(),   poly_cube(),
-            poly_drum(),  poly_tunnel(), import_file(), export_grid()};
+            poly_drum(),  poly_tunnel(), import_file(), export_file()};
 }
 
 } // namespace kaya::lang

@@ -222,13 +222,16 @@ CommandSpec densify_blocks() {
 }
 
 /// Blocks of a file; the suffix selects the format.
+/// The name, with the suffix if it has none.
+std::string with_suffix(const std::string& file, const char* suffix) {
+    const bool has_suffix = file.find('.', file.find_last_of("/\\") + 1) != std::string::npos;
+    return has_suffix ? file : file + suffix;
+}
+
 CommandSpec from_file(std::string_view words, const char* suffix) {
     Leaf<Import> leaf(words);
     leaf.help("makes blocks of the closed surfaces or blocks in a file");
-    const auto add_suffix = [suffix](Reader&, Import& command) {
-        const bool has_suffix = command.file.find('.', command.file.find_last_of("/\\") + 1) != std::string::npos;
-        if (!has_suffix) command.file += suffix;
-    };
+    const auto add_suffix = [suffix](Reader&, Import& command) { command.file = with_suffix(command.file, suffix); };
     leaf.keyword({"filename"}, Parts<Import>().then(text("file"), &Import::file).check(add_suffix), "name of the file");
     leaf.no_effect("binary", "kaya finds out");
     leaf.not_yet({"break-angle"}, "merging faces that are nearly in one plane");
@@ -256,13 +259,17 @@ CommandSpec import_grid() {
 
 CommandSpec export_grid() {
     Leaf<Export> leaf("block export", "export");
-    leaf.keyword({"filename"}, text("file"), &Export::file, "name with the suffix .3dgrid");
+    const auto add_suffix = [](Reader&, Export& command) { command.file = with_suffix(command.file, ".3dgrid"); };
+    leaf.keyword({"filename"}, Parts<Export>().then(text("file"), &Export::file).check(add_suffix),
+                 "name with suffix, which selects the format; .3dgrid if not given");
     leaf.no_effect("binary", "kaya writes text");
     leaf.ranged(&Export::range);
     leaf.finish([](const Reader& reader, Export& command) {
         if (command.file.empty()) incomplete_line(reader, "the name of the file is missing", "write: filename 'name'");
     });
     leaf.right("block export filename 'wall.3dgrid' range position-z 0 2", "export wall.3dgrid range z 0 2");
+    leaf.right("block export filename 'wall'", "export wall.3dgrid")
+        .right("block export filename 'wall.vtu'", "export wall.vtu");
     leaf.wrong("block export", "the name of the file is missing");
     return leaf;
 }

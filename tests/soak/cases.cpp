@@ -72,8 +72,8 @@ std::string reading(const std::string& name, Chance& c) {
                    name) +
                ending;
     const bool ground = ends_with_any(name, {".pit", ".xyz", ".asc"});
-    if (ground ||
-        (c.heads(0.3) && !ends_with_any(name, {".msh", ".3dgrid", ".f3grid", ".tess", ".ts", ".dxf", ".json"}))) {
+    if (ground || (c.heads(0.3) && !ends_with_any(name, {".msh", ".3dgrid", ".f3grid", ".tess", ".ts", ".dxf", ".json",
+                                                         ".vtk", ".vtu", ".vtp"}))) {
         static constexpr std::array uses{"cut ground '{}'", "water ground '{}' density 1000",
                                          "delete range ground '{}' above", "cut ground '{}' shift 0 0 -0.2 region 3"};
         const char* mesh = c.heads(0.2) ? "gen edge 4\n" : "";

@@ -2,13 +2,14 @@
 #include "base/counted.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/make/incoming.hpp"
-#include "geometry/grid/grid3d.hpp"
+#include "geometry/grid/file_formats.hpp"
 #include "model/edit/build.hpp"
 #include "model/kinds/groups.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace kaya {
 
@@ -94,26 +95,64 @@ void run(Session& session, const lang::Import& command) {
     }
 }
 
+namespace {
+
+/// The zones of a block where they are now.
+TetMesh zones_of(const Model& model, Row block) {
+    TetMesh mesh;
+    const Span points = model.blocks.gridpoints[block], zones = model.blocks.zones[block];
+    for (Row row = points.first; row < points.end(); ++row) mesh.points.push_back(model.gridpoints.position[row]);
+    for (Row zone = zones.first; zone < zones.end(); ++zone) {
+        auto& corners = mesh.tetrahedra.emplace_back();
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            corners[k] = static_cast<int>(model.zones.gridpoints[zone][k] - points.first);
+    }
+    return mesh;
+}
+
+Grid3d grid_of_rows(const Model& model, const std::vector<Row>& rows, const FileFormat& format) {
+    std::vector<Polyhedron> shapes;
+    std::vector<TetMesh> meshes;
+    shapes.reserve(rows.size());
+    meshes.reserve(rows.size());
+    std::vector<GridShape> blocks;
+    for (const Row row : rows) {
+        shapes.push_back(shape_of(model, row));
+        meshes.push_back(zones_of(model, row));
+        blocks.push_back({model.blocks.number[row], model.blocks.region[row],
+                          std::string(default_group(model, model.blocks.group[row])), &shapes.back(),
+                          model.blocks.material[row], meshes.back().tetrahedra.empty() ? nullptr : &meshes.back()});
+    }
+    return grid_of(blocks, format.holds == FileFormat::Holds::grid ? Corners::shared : Corners::own);
+}
+
+} // namespace
+
 void run(Session& session, const lang::Export& command) {
-    if (!is_block_grid(command.file))
-        throw Diagnostic(fmt::format("'{}' does not have the suffix .3dgrid", command.file),
-                         "blocks are written as .3dgrid; `vtk write` makes pictures")
+    const FileFormat* format = file_format(command.file);
+    if (format == nullptr || format->write == nullptr)
+        throw Diagnostic(fmt::format("'{}' does not have the suffix of a file that is written", command.file),
+                         fmt::format("use one of {}; `vtk write` writes results for ParaView", suffixes_written()))
             .at(command.place);
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
     const Model& model = session.engine.model;
-    std::vector<Polyhedron> shapes;
-    for (const Row row : rows) shapes.push_back(shape_of(model, row));
-    std::vector<GridShape> blocks;
-    bool zoned = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row row = rows[i];
-        blocks.push_back({model.blocks.number[row], model.blocks.region[row],
-                          std::string(default_group(model, model.blocks.group[row])), &shapes[i]});
-        zoned = zoned || model.blocks.deformable[row] != 0;
-    }
-    if (zoned) session.note_once("blocks with zones are written as rigid ones", "`save` keeps everything");
-    write_whole_file(session.program.output_file(command.file), write_grid3d(grid_of(blocks)));
+    const Grid3d grid = grid_of_rows(model, rows, *format);
+    const auto zoned = std::ranges::count_if(grid.blocks, [](const auto& block) { return !block.zones.empty(); });
+    if (zoned > 0 && format->holds == FileFormat::Holds::surfaces)
+        session.note_once("of blocks with zones the surfaces are written", "`save` keeps everything");
+    const auto has_joint_sets = [&](const Row row) {
+        const Span faces = model.blocks.faces[row];
+        return model.blocks.deformable[row] != 0 &&
+               std::ranges::any_of(std::views::iota(faces.first, faces.end()),
+                                   [&](const Row face) { return model.faces.joint_set[face] != 0; });
+    };
+    if (format->holds == FileFormat::Holds::grid && std::ranges::any_of(rows, has_joint_sets))
+        session.note_once("joint set numbers of faces of blocks with zones are not written", "`save` keeps everything");
+    if (zoned < std::ssize(rows) && format->holds == FileFormat::Holds::zones && !format->surfaces)
+        session.note_once("rigid blocks are written as zones around their middle",
+                          "`import` makes blocks with zones of them");
+    write_whole_file(session.program.output_file(command.file), format->write(grid));
     session.program.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
 }
 

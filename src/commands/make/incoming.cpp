@@ -1,10 +1,9 @@
 #include "commands/make/incoming.hpp"
 
-#include "base/lower_case.hpp"
 #include "base/parallel.hpp"
 #include "base/stop_point.hpp"
-#include "geometry/grid/grid3d.hpp"
-#include "geometry/read/surface_files.hpp"
+#include "geometry/grid/file_formats.hpp"
+#include "geometry/read/input_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,8 +74,6 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
         const Vec3& centre = bodies[i].centre;
         mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, bodies[i].name, centre.x(),
                                       centre.y(), centre.z(), mistake.message);
-        if (is_surface_file(path) && mistake.message.find("open") != std::string::npos)
-            mistake.hint += ", or let `import ... mend d` close cracks and `holes d` holes up to a width";
         file.refused.push_back(std::move(mistake));
     }
 }
@@ -90,9 +87,8 @@ IncomingBlock block_of(const Grid3d& grid, const Grid3d::Block& block, const Sur
     return incoming;
 }
 
-IncomingFile from_grid(const std::string& path, const Placement& placement) {
+IncomingFile from_grid(const std::string& path, Grid3d grid, const Placement& placement) {
     IncomingFile file;
-    Grid3d grid = read_grid3d_file(path);
     for (auto& [number, place] : grid.gridpoints) placement.apply(place);
     std::vector<Surface> surfaces;
     for (const auto& block : grid.blocks) surfaces.push_back(surface_of(grid, block));
@@ -118,8 +114,18 @@ void simplify(NamedSurface& body, const Simplification& wanted, SimplifyCounts& 
     for (Surface& cavity : body.cavities) reduce(cavity);
 }
 
-IncomingFile from_surfaces(const std::string& path, const Placement& placement, const IncomingOptions& options) {
-    std::vector<FaceSoup> soups = read_soups(path);
+Solid solid_of(const NamedSurface& body, const Flatness& flatness) {
+    try {
+        return solid_from_surface(body.surface, flatness, body.cavities);
+    } catch (Diagnostic& mistake) {
+        if (mistake.message.find("open") != std::string::npos)
+            mistake.hint += ", or let `import ... mend d` close cracks and `holes d` holes up to a width";
+        throw;
+    }
+}
+
+IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups, const Placement& placement,
+                           const IncomingOptions& options) {
     for (FaceSoup& soup : soups)
         for (auto& loop : soup.loops)
             for (Vec3& corner : loop) placement.apply(corner);
@@ -135,7 +141,7 @@ IncomingFile from_surfaces(const std::string& path, const Placement& placement, 
                  Flatness flatness = of_files;
                  const double joined = options.repair.near / size_of(body.surface.vertices);
                  flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
-                 return IncomingBlock{solid_from_surface(body.surface, flatness, body.cavities), {}, body.name, 0, 0};
+                 return IncomingBlock{solid_of(body, flatness), {}, body.name, 0, 0};
              }});
     }
     add_bodies(file, path, bodies);
@@ -144,22 +150,20 @@ IncomingFile from_surfaces(const std::string& path, const Placement& placement, 
 
 } // namespace
 
-bool is_block_grid(const std::string& path) { return lower_case(path).ends_with(".3dgrid"); }
-
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options) {
     const Placement placement(options);
-    if (is_grid_file(path)) {
-        if (options.simplification.wanted())
+    const FileFormat* format = file_format(path);
+    if (format == nullptr)
+        throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
+                         fmt::format("use one of {}", suffixes_read()));
+    if (format->blocks != nullptr) {
+        Grid3d grid = format->blocks(input_text(path), path);
+        if (!grid.blocks.empty() && options.simplification.wanted())
             throw Diagnostic(fmt::format("{} holds blocks or zones; only surfaces can be simplified", path),
                              "leave out `simplify` and `deviation`");
-        return from_grid(path, placement);
+        if (!grid.blocks.empty()) return from_grid(path, std::move(grid), placement);
     }
-    if (!is_surface_file(path))
-        throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
-                         fmt::format("use one of {}", import_suffixes()));
-    return from_surfaces(path, placement, options);
+    return from_surfaces(path, read_soups(path), placement, options);
 }
-
-std::string import_suffixes() { return grid_suffixes() + ", " + surface_suffixes(); }
 
 } // namespace kaya

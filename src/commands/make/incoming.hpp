@@ -38,8 +38,4 @@ struct IncomingOptions {
 /// Throws Diagnostic when the file as a whole cannot be read.
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options);
 
-/// Whether the suffix is .3dgrid, and all suffixes that are read.
-bool is_block_grid(const std::string& path);
-std::string import_suffixes();
-
 } // namespace kaya

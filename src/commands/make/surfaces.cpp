@@ -2,7 +2,7 @@
 #include "commands/session/handlers.hpp"
 
 #include "base/lower_case.hpp"
-#include "geometry/read/surface_files.hpp"
+#include "geometry/grid/file_formats.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

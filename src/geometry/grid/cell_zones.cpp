@@ -51,7 +51,7 @@ double six_volumes(const Grid3d& grid, const Zone& t) {
 std::size_t corners_of(CellKind kind) { return shape_of(kind).corners; }
 std::string_view name_of(CellKind kind) { return shape_of(kind).name; }
 
-void add_cell(Grid3d& grid, ZoneSet& set, const Words& words, CellKind kind, long long number,
+void add_cell(Grid3d& grid, ZoneSet& set, const FailHere& fail, CellKind kind, long long number,
               std::span<const int> corners) {
     constexpr double flat = 1e-12; // of the cube of its size
     const std::vector<Zone> zones = zones_of(kind, corners);
@@ -62,12 +62,12 @@ void add_cell(Grid3d& grid, ZoneSet& set, const Words& words, CellKind kind, lon
             size = std::max(size, (grid.gridpoints.at(node) - grid.gridpoints.at(zone[0])).norm());
         const double volumes = six_volumes(grid, zone);
         if (!(std::abs(volumes) > flat * size * size * size))
-            words.fail(fmt::format("{} {} has no volume", name_of(kind), number));
+            fail(fmt::format("{} {} has no volume", name_of(kind), number), "");
         (volumes > 0 ? right : wrong) += 1;
     }
     if (right > 0 && wrong > 0)
-        words.fail(fmt::format("{} {} is turned inside out in part", name_of(kind), number),
-                   "its nodes stand in a wrong order, or it is warped too much");
+        fail(fmt::format("{} {} is turned inside out in part", name_of(kind), number),
+             "its nodes stand in a wrong order, or it is warped too much");
     for (const Zone& zone : zones) {
         const int next = static_cast<int>(grid.zones.size()) + 1;
         grid.zones.emplace(next, zone);
@@ -101,7 +101,7 @@ void make_blocks(Grid3d& grid, const ZoneSet& set) {
         const auto [found, is_new] = block_of.try_emplace(first_of(z), grid.blocks.size());
         if (is_new)
             grid.blocks.push_back(
-                {static_cast<int>(grid.blocks.size()) + 1, set.number, {}, {}, set.group, set.number});
+                {static_cast<int>(grid.blocks.size()) + 1, set.region, {}, {}, set.group, set.material});
         grid.blocks[found->second].zones.push_back(set.zones[z]);
     }
 }

@@ -129,7 +129,7 @@ TetMesh zones_of(const Grid3d& grid, const Grid3d::Block& block, const Polyhedro
     return mesh;
 }
 
-Grid3d grid_of(const std::vector<GridShape>& blocks) {
+Grid3d grid_of(const std::vector<GridShape>& blocks, Corners corners) {
     Grid3d grid;
     std::map<std::array<double, 3>, int> gridpoints;
     struct Shared {
@@ -137,22 +137,39 @@ Grid3d grid_of(const std::vector<GridShape>& blocks) {
     };
     std::map<std::vector<int>, Shared> faces;
     std::map<int, std::vector<std::array<int, 2>>> pairs;
+    const auto gridpoint = [&](const Vec3& place) {
+        const Vec3 p = place + Vec3::Zero(); // adding zero makes one number of 0 and -0
+        const auto [found, fresh] = gridpoints.emplace(std::array{p.x(), p.y(), p.z()}, 0);
+        if (fresh) {
+            found->second = static_cast<int>(grid.gridpoints.size()) + 1;
+            grid.gridpoints[found->second] = p;
+        }
+        return found->second;
+    };
     for (const GridShape& block : blocks) {
-        Grid3d::Block result{block.number, block.region, {}, {}, block.group};
+        if (corners == Corners::own) {
+            gridpoints.clear();
+            faces.clear();
+        }
+        Grid3d::Block result{block.number, block.region, {}, {}, block.group, block.material};
+        if (block.zones != nullptr) {
+            for (const auto& t : block.zones->tetrahedra) {
+                const int next = static_cast<int>(grid.zones.size()) + 1;
+                auto& zone = grid.zones[next];
+                for (std::size_t k = 0; k < 4; ++k)
+                    zone[k] = gridpoint(block.zones->points[static_cast<std::size_t>(t[k])]);
+                result.zones.push_back(next);
+            }
+            grid.blocks.push_back(std::move(result));
+            continue;
+        }
         for (const auto& face : block.shape->faces) {
             std::vector<int> loop;
-            for (const int v : face.vertices) {
-                // Adding zero makes one number of 0 and -0.
-                const Vec3 p = block.shape->vertices[v] + Vec3::Zero();
-                const auto [place, fresh] =
-                    gridpoints.emplace(std::array{p.x(), p.y(), p.z()}, static_cast<int>(gridpoints.size()) + 1);
-                if (fresh) grid.gridpoints[place->second] = p;
-                loop.push_back(place->second);
-            }
+            for (const int v : face.vertices) loop.push_back(gridpoint(block.shape->vertices[v]));
             std::vector<int> key = loop;
             std::sort(key.begin(), key.end());
             const auto [place, fresh] =
-                faces.emplace(std::move(key), Shared{static_cast<int>(faces.size()) + 1, block.number});
+                faces.emplace(std::move(key), Shared{static_cast<int>(grid.faces.size()) + 1, block.number});
             if (fresh) grid.faces[place->second.number] = loop;
             else if (face.joint_set != 0 && place->second.block != block.number)
                 pairs[face.joint_set].push_back({place->second.block, block.number});

@@ -46,10 +46,9 @@ Grid3d read_f3grid(std::string_view text, const std::string& file);
 /// Cells of Neper's tessellations (.tess) as rigid blocks.
 Grid3d read_tess(std::string_view text, const std::string& file);
 
-/// Reads any of them, by the suffix.
-Grid3d read_grid3d_file(const std::string& path);
-bool is_grid_file(const std::string& path);
-std::string grid_suffixes();
+/// Cells of VTK's files, legacy (.vtk) and XML (.vtu), as zones, polyhedra as rigid blocks. Data of cells give groups, regions and
+/// materials. No block when the file holds faces only. Throws Diagnostic with file and line or cell.
+Grid3d read_vtk_blocks(std::string_view bytes, const std::string& file);
 
 /// The text of a grid; numbers are written so that they read back bit for bit.
 std::string write_grid3d(const Grid3d& grid);
@@ -64,10 +63,14 @@ struct GridShape {
     int number = 0, region = 0;
     std::string group;
     const Polyhedron* shape = nullptr;
+    int material = 0;
+    const TetMesh* zones = nullptr; ///< of a deformable block
 };
 
-/// A grid of rigid blocks. Equal corners become one gridpoint, faces with the same corners one face; two
-/// blocks that share a face made by a joint set are listed under it.
-Grid3d grid_of(const std::vector<GridShape>& blocks);
+enum class Corners { shared, own };
+
+/// A grid of blocks. Equal corners become one gridpoint, of all blocks or of each. Shared faces with the same corners become one face;
+/// two blocks that share a face made by a joint set are listed under it.
+Grid3d grid_of(const std::vector<GridShape>& blocks, Corners corners = Corners::shared);
 
 } // namespace kaya

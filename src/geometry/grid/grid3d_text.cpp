@@ -1,6 +1,6 @@
 // The lines of a .3dgrid file.
 #include "base/diagnostic.hpp"
-#include "geometry/grid/grid3d.hpp"
+#include "geometry/grid/file_formats.hpp"
 #include "geometry/read/words.hpp"
 
 #include <algorithm>
@@ -145,10 +145,6 @@ constexpr std::array line_kinds{
     LineKind{"BGROUP", &Reader::group},
 };
 
-std::string quoted(const std::string& name) {
-    return name.find('"') == std::string::npos ? '"' + name + '"' : '\'' + name + '\'';
-}
-
 } // namespace
 
 Grid3d read_grid3d(std::string_view text, const std::string& file) {
@@ -165,6 +161,14 @@ Grid3d read_grid3d(std::string_view text, const std::string& file) {
     }
     if (reader.grid.blocks.empty()) throw Diagnostic(fmt::format("{} holds no blocks", file));
     return std::move(reader.grid);
+}
+
+std::string quoted_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c < ' '; }, ' ');
+    if (name.find('"') == name.npos) return '"' + name + '"';
+    std::ranges::replace(name, '\'', '"');
+    return '\'' + name + '\'';
 }
 
 std::string write_grid3d(const Grid3d& grid) {
@@ -186,7 +190,7 @@ std::string write_grid3d(const Grid3d& grid) {
         text += '\n';
     }
     for (const auto& [name, members] : groups)
-        text += fmt::format("BGROUP {} {}\n", quoted(name), fmt::join(members, " "));
+        text += fmt::format("BGROUP {} {}\n", quoted_name(name), fmt::join(members, " "));
     return text;
 }
 

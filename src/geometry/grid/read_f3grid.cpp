@@ -1,6 +1,7 @@
 // Grids of FLAC3D and 3DEC as text (.f3grid): gridpoints, zones of several shapes, groups of zones.
 #include "base/diagnostic.hpp"
 #include "geometry/grid/cell_zones.hpp"
+#include "geometry/read/words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -71,7 +72,7 @@ private:
         std::vector<int> corners;
         for (std::size_t k = 0; k < given.size(); ++k) corners.push_back(given[shape->order[k]]);
         ZoneSet one;
-        add_cell(grid_, one, words_, shape->kind, number, corners);
+        add_cell(grid_, one, fail_, shape->kind, number, corners);
         if (!zones_.emplace(number, Zone{std::move(one.zones), 0}).second)
             words_.fail(fmt::format("zone {} is defined twice", number));
     }
@@ -127,6 +128,7 @@ private:
         std::size_t group = 0;
     };
     Words words_;
+    FailHere fail_ = [this](const std::string& message, const std::string& hint) { words_.fail(message, hint); };
     std::string file_;
     Grid3d grid_;
     std::map<long long, Zone> zones_;

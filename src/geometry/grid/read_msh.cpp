@@ -1,5 +1,6 @@
 // Tetrahedra, pyramids, wedges and hexahedra of a file of gmsh, ASCII 2.2 and 4.1. The sections are those of gmsh's reference manual, chapter 9.
 #include "geometry/grid/cell_zones.hpp"
+#include "geometry/read/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -209,14 +210,14 @@ private:
         if (known == element_types.end()) return words_.skip_line(); // points, lines and surfaces
         std::vector<int> corners = nodes(number, known->nodes);
         corners.resize(corners_of(known->kind)); // edges are straight
-        add_cell(grid_, of_volume_[volume], words_, known->kind, number, corners);
+        add_cell(grid_, of_volume_[volume], fail_, known->kind, number, corners);
     }
 
     void name(const Volume& volume, ZoneSet& set) const {
         if (volume.physical == 0 || volume.physical > std::numeric_limits<int>::max()) return;
-        set.number = static_cast<int>(volume.physical);
-        const auto known = names_.find(set.number);
-        set.group = known != names_.end() ? known->second : fmt::format("physical-{}", set.number);
+        set.region = set.material = static_cast<int>(volume.physical);
+        const auto known = names_.find(set.region);
+        set.group = known != names_.end() ? known->second : fmt::format("physical-{}", set.region);
     }
 
     static constexpr std::array<Section, 4> sections_{
@@ -225,6 +226,7 @@ private:
          {"Nodes", &Reader::old_nodes, &Reader::new_nodes},
          {"Elements", &Reader::old_elements, &Reader::new_elements}}};
     Words words_;
+    FailHere fail_ = [this](const std::string& message, const std::string& hint) { words_.fail(message, hint); };
     Grid3d grid_;
     bool is_new_ = false;
     std::map<int, std::string> names_;           ///< of physical groups of volumes

@@ -5,7 +5,7 @@
 #include "geometry/read/input_text.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/ground/pit.hpp"
-#include "geometry/read/surface_files.hpp"
+#include "geometry/grid/file_formats.hpp"
 #include "geometry/read/text_lines.hpp"
 
 #include <algorithm>

@@ -1,36 +1,41 @@
-// Polygon files: a header with the layout, then vertices and faces as text or binary.
+// Polygon files: a header with the layout, then vertices and faces as text or binary. Faces with the property `block` belong to the object of
+// that number; "comment group N NAME" names its group.
 #include "base/diagnostic.hpp"
+#include "geometry/read/binary_numbers.hpp"
 #include "geometry/read/surface_files.hpp"
+#include "geometry/read/text_lines.hpp"
 #include "geometry/read/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <fmt/format.h>
+#include <iterator>
+#include <map>
 
 namespace kaya {
 namespace {
 
-enum class Kind { signed_whole, unsigned_whole, real };
-
-struct NumberType {
+struct NamedType {
     std::string_view name, other_name;
-    Kind kind;
-    std::size_t bytes;
+    NumberType type;
 };
+
 constexpr std::array number_types{
-    NumberType{"char", "int8", Kind::signed_whole, 1},   NumberType{"uchar", "uint8", Kind::unsigned_whole, 1},
-    NumberType{"short", "int16", Kind::signed_whole, 2}, NumberType{"ushort", "uint16", Kind::unsigned_whole, 2},
-    NumberType{"int", "int32", Kind::signed_whole, 4},   NumberType{"uint", "uint32", Kind::unsigned_whole, 4},
-    NumberType{"float", "float32", Kind::real, 4},       NumberType{"double", "float64", Kind::real, 8},
+    NamedType{"char", "int8", {NumberKind::signed_whole, 1}},
+    NamedType{"uchar", "uint8", {NumberKind::unsigned_whole, 1}},
+    NamedType{"short", "int16", {NumberKind::signed_whole, 2}},
+    NamedType{"ushort", "uint16", {NumberKind::unsigned_whole, 2}},
+    NamedType{"int", "int32", {NumberKind::signed_whole, 4}},
+    NamedType{"uint", "uint32", {NumberKind::unsigned_whole, 4}},
+    NamedType{"float", "float32", {NumberKind::real, 4}},
+    NamedType{"double", "float64", {NumberKind::real, 8}},
 };
 
 struct Property {
     std::string name;
-    const NumberType* type = nullptr;
-    const NumberType* count_type = nullptr; ///< of lists only
+    const NamedType* type = nullptr;
+    const NamedType* count_type = nullptr; ///< of lists only
 };
 
 struct Element {
@@ -44,12 +49,13 @@ enum class Storage { text, little, big };
 struct Header {
     Storage storage = Storage::text;
     std::vector<Element> elements;
-    std::size_t bytes = 0; ///< length of the header
+    std::map<long long, std::string> groups; ///< of objects
+    std::size_t bytes = 0;                   ///< length of the header
 };
 
-const NumberType* type_called(Words& words) {
+const NamedType* type_called(Words& words) {
     const std::string_view name = words.next_in_line();
-    for (const NumberType& type : number_types)
+    for (const NamedType& type : number_types)
         if (name == type.name || name == type.other_name) return &type;
     words.fail(fmt::format("'{}' is not a type of number", name.substr(0, 30)));
 }
@@ -91,6 +97,10 @@ Header read_header(std::string_view bytes, const std::string& file) {
             property.type = type_called(words);
             property.name = words.next_in_line();
             header.elements.back().properties.push_back(std::move(property));
+        } else if (word == "comment" && same_word(words.peek(), "group")) {
+            words.next_in_line();
+            const std::string_view object = words.next_in_line();
+            if (const auto value = number(object)) header.groups[std::llround(*value)] = words.next_in_line();
         }
         words.skip_line();
     }
@@ -103,30 +113,16 @@ public:
     Body(std::string_view bytes, const Header& header, const std::string& file)
         : bytes_(bytes.substr(header.bytes)), storage_(header.storage), file_(file), words_(bytes_, file, "", "") {}
 
-    double number(const NumberType& type) {
+    double number(const NamedType& named) {
         if (storage_ == Storage::text) return words_.number("a number");
+        const NumberType& type = named.type;
         if (bytes_.size() - at_ < type.bytes)
             throw Diagnostic(fmt::format("{} ends before all its elements are read", file_), "export it again");
-        std::array<unsigned char, 8> raw{};
-        for (std::size_t i = 0; i < type.bytes; ++i)
-            raw[storage_ == Storage::big ? type.bytes - 1 - i : i] = static_cast<unsigned char>(bytes_[at_ + i]);
+        const double value = number_at(bytes_.data() + at_, type, storage_ == Storage::big);
         at_ += type.bytes;
-        if (type.kind == Kind::real) {
-            double wide = 0;
-            float narrow = 0;
-            if (type.bytes == 8) std::memcpy(&wide, raw.data(), 8);
-            else std::memcpy(&narrow, raw.data(), 4);
-            const double value = type.bytes == 8 ? wide : narrow;
-            if (!std::isfinite(value))
-                throw Diagnostic(fmt::format("{} has a coordinate that is not a finite number", file_));
-            return value;
-        }
-        std::uint64_t whole = 0;
-        std::memcpy(&whole, raw.data(), 8);
-        const std::uint64_t sign = std::uint64_t{1} << (8 * type.bytes - 1);
-        if (type.kind == Kind::signed_whole && (whole & sign))
-            return static_cast<double>(whole) - 2 * static_cast<double>(sign);
-        return static_cast<double>(whole);
+        if (!std::isfinite(value))
+            throw Diagnostic(fmt::format("{} has a coordinate that is not a finite number", file_));
+        return value;
     }
 
 private:
@@ -175,7 +171,7 @@ std::vector<FaceSoup> read_ply(std::string_view bytes, const std::string& file) 
     const Header header = read_header(bytes, file);
     Body body(bytes, header, file);
     std::vector<Vec3> vertices;
-    FaceSoup soup;
+    std::map<long long, FaceSoup> objects;
     for (const Element& element : header.elements) {
         const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
         for (const Property& property : element.properties)
@@ -188,18 +184,29 @@ std::vector<FaceSoup> read_ply(std::string_view bytes, const std::string& file) 
                 vertices.push_back(read_vertex(body, element));
                 continue;
             }
+            long long object = 0;
+            std::vector<std::vector<Vec3>> loops;
             for (const Property& property : element.properties) {
                 if (!property.count_type) {
-                    body.number(*property.type);
+                    const double value = body.number(*property.type);
+                    if (property.name == "block") object = std::llround(value);
                     continue;
                 }
                 const std::vector<double> list = read_list(body, property, file);
                 if (is_face && (property.name == "vertex_indices" || property.name == "vertex_index"))
-                    soup.loops.push_back(loop_of(list, vertices, file));
+                    loops.push_back(loop_of(list, vertices, file));
             }
+            if (loops.empty()) continue;
+            auto& all = objects[object].loops;
+            std::ranges::move(loops, std::back_inserter(all));
         }
     }
-    return {std::move(soup)};
+    std::vector<FaceSoup> soups;
+    for (auto& [object, soup] : objects) {
+        if (const auto group = header.groups.find(object); group != header.groups.end()) soup.name = group->second;
+        soups.push_back(std::move(soup));
+    }
+    return soups;
 }
 
 } // namespace kaya

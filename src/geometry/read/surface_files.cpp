@@ -1,40 +1,19 @@
 #include "geometry/read/surface_files.hpp"
 
 #include "base/diagnostic.hpp"
-#include "base/lower_case.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
-#include "geometry/read/input_text.hpp"
 #include "geometry/surface/surface_checks.hpp"
 #include "geometry/surface/winding.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <fmt/format.h>
 
 namespace kaya {
 namespace {
 
 /// Corners nearer than this share of the size are one; the files have single precision.
 constexpr double same_corner = 2e-7;
-
-struct Format {
-    std::string_view suffix;
-    std::vector<FaceSoup> (*read)(std::string_view, const std::string&);
-};
-constexpr std::array formats{
-    Format{".stl", read_stl},   Format{".obj", read_obj}, Format{".ply", read_ply},  Format{".wrl", read_vrml},
-    Format{".vrml", read_vrml}, Format{".dxf", read_dxf}, Format{".ts", read_gocad}, Format{".json", read_compas},
-};
-
-const Format* format_of(const std::string& path) {
-    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
-    const auto found =
-        std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.suffix == suffix; });
-    return found == formats.end() ? nullptr : &*found;
-}
 
 bool holds(const Box& outer, const Box& inner) {
     return (outer.low.array() < inner.low.array()).all() && (outer.high.array() > inner.high.array()).all();
@@ -125,26 +104,6 @@ SurfaceFile surfaces_of(const std::vector<FaceSoup>& soups, const Repair& repair
         for (NamedSurface& body : nested(soup.name, std::move(shells))) file.surfaces.push_back(std::move(body));
     }
     return file;
-}
-
-bool is_surface_file(const std::string& path) { return format_of(path) != nullptr; }
-
-std::string surface_suffixes() {
-    std::vector<std::string_view> suffixes;
-    for (const Format& format : formats) suffixes.push_back(format.suffix);
-    return fmt::format("{}", fmt::join(suffixes, ", "));
-}
-
-std::vector<FaceSoup> read_soups(const std::string& path) {
-    const Format* format = format_of(path);
-    if (format == nullptr)
-        throw Diagnostic(fmt::format("{} does not have the suffix of a surface file", path),
-                         fmt::format("use one of {}", surface_suffixes()));
-    const std::string bytes = input_text(path);
-    std::vector<FaceSoup> soups = format->read(bytes, path);
-    if (std::ranges::all_of(soups, [](const FaceSoup& soup) { return soup.loops.empty(); }))
-        throw Diagnostic(fmt::format("{} holds no faces", path));
-    return soups;
 }
 
 } // namespace kaya

@@ -27,20 +27,13 @@ struct SurfaceFile {
     RepairCounts repaired; ///< of all surfaces
 };
 
-/// The objects of a surface file. Throws Diagnostic with file and line when the file cannot be read or holds no faces.
-std::vector<FaceSoup> read_soups(const std::string& path);
-
 /// Merges equal corners, repairs, and separates parts that share no edge; parts inside others become their cavities.
 SurfaceFile surfaces_of(const std::vector<FaceSoup>& soups, const Repair& repair = {});
 
 /// The faces of an object with equal corners merged; faces that shrink to a line are dropped.
 Surface welded(const FaceSoup& soup, double near = 0);
 
-/// Whether the suffix is that of a surface file, and all such suffixes.
-bool is_surface_file(const std::string& path);
-std::string surface_suffixes();
-
-/// The readers after it; `file` is the name for messages.
+/// Readers of the formats; `file` is the name for messages.
 std::vector<FaceSoup> read_stl(std::string_view bytes, const std::string& file);
 std::vector<FaceSoup> read_obj(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_ply(std::string_view bytes, const std::string& file);
@@ -48,5 +41,6 @@ std::vector<FaceSoup> read_vrml(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_dxf(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_gocad(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_compas(std::string_view text, const std::string& file);
+std::vector<FaceSoup> read_vtk_surfaces(std::string_view bytes, const std::string& file);
 
 } // namespace kaya

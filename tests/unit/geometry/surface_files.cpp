@@ -1,4 +1,4 @@
-#include "geometry/read/surface_files.hpp"
+#include "geometry/grid/file_formats.hpp"
 
 #include "base/diagnostic.hpp"
 #include "closed.hpp"
@@ -226,6 +226,6 @@ TEST(SurfaceFiles, AreChosenBySuffix) {
         FAIL();
     } catch (const Diagnostic& diagnostic) {
         EXPECT_EQ(diagnostic.message, "model.dwg does not have the suffix of a surface file");
-        EXPECT_EQ(diagnostic.hint, "use one of .stl, .obj, .ply, .wrl, .vrml, .dxf, .ts, .json");
+        EXPECT_EQ(diagnostic.hint, "use one of .vtu, .vtk, .vtp, .stl, .obj, .ply, .wrl, .vrml, .dxf, .ts, .json");
     }
 }
