@@ -266,9 +266,9 @@ struct GenerateQuad {
 // --- surfaces and fractures -----------------------------------------------------------------------
 /// geometry set|import|polygon create|delete: plane polygons under a name, for cuts.
 struct GeometryCommand {
-    enum class Action { choose, import, polygon, remove } action = Action::choose;
+    enum class Action { choose, import, write, polygon, remove } action = Action::choose;
     std::string set;  ///< "": the current one
-    std::string file; ///< of import
+    std::string file; ///< of import and export
     std::vector<Vec3> corners;
     std::optional<Vec3> extrude; ///< closes a prism from the polygon to its copy, moved by this
     Place place;

@@ -31,7 +31,7 @@ CommandSpec choose_set() {
 CommandSpec import_surface() {
     auto entry = geometry_line({"import"}, GeometryCommand::Action::import);
     entry.help("adds the faces in a file to a set");
-    entry.argument(text("file").help(".stl, .dxf, .obj, .ply, .wrl or .ts"), &GeometryCommand::file);
+    entry.argument(text("file").help("name with suffix, which selects the format"), &GeometryCommand::file);
     entry.keyword({"set"}, text("name"), &GeometryCommand::set, "name of the set; that of the file if not given");
     entry
         .keyword(
@@ -40,6 +40,18 @@ CommandSpec import_surface() {
     entry.right("geometry import 'fault.stl' set 'fault'").right("geometry import 'fault.dxf' format dxf");
     entry.wrong("geometry import", "a word is missing after 'import'");
     entry.wrong("geometry import 'a.stl' ste 'b'", "'ste' is not a keyword of geometry import");
+    return entry;
+}
+
+CommandSpec export_surface() {
+    auto entry = geometry_line({"export"}, GeometryCommand::Action::write);
+    entry.help("writes the polygons of a set to a file");
+    entry.argument(text("file").help("name with the suffix .stl, .obj, .ply or .json, which selects the format"),
+                   &GeometryCommand::file);
+    entry.keyword({"set"}, text("name"), &GeometryCommand::set, of_set);
+    entry.right("geometry export 'wall.stl' set 'fault'").right("geometry export 'wall.obj'");
+    entry.wrong("geometry export", "a word is missing after 'export'");
+    entry.wrong("geometry export 'wall.stl' ste 'b'", "'ste' is not a keyword of geometry export");
     return entry;
 }
 
@@ -127,7 +139,8 @@ CommandSpec cut_fractures() {
 } // namespace
 
 std::vector<CommandSpec> surface_commands() {
-    return {choose_set(), import_surface(), create_polygon(), delete_set(), cut_geometry(), cut_fractures()};
+    return {choose_set(), import_surface(), export_surface(), create_polygon(),
+            delete_set(), cut_geometry(),   cut_fractures()};
 }
 
 } // namespace kaya::lang

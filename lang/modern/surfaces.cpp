@@ -23,6 +23,16 @@ CommandSpec import_surface() {
     return leaf;
 }
 
+CommandSpec export_surface() {
+    Leaf<GeometryCommand> leaf("geometry export", "geometry export");
+    leaf.arguments_of_meaning().word("set", "set");
+    leaf.no_effect("binary", "kaya writes text");
+    leaf.not_yet({"format", "nodes", "edges"}, "other formats than .stl, .obj, .ply and .json, points and lines");
+    leaf.right("geometry export 'wall.stl' set 'fault'", "geometry export wall.stl set fault");
+    leaf.wrong("geometry export", "a word is missing after 'export'");
+    return leaf;
+}
+
 CommandSpec create_polygon() {
     Leaf<GeometryCommand> leaf("geometry polygon create", "geometry polygon create");
     leaf.word("by-positions|by-position", "by-positions").word("extrude", "extrude").word("set", "set");
@@ -66,7 +76,8 @@ CommandSpec cut_fractures() {
 Family surface_family() {
     return {"geometry",
             "surfaces, for cuts",
-            {choose_set(), import_surface(), create_polygon(), delete_set(), cut_geometry(), cut_fractures(),
+            {choose_set(), import_surface(), export_surface(), create_polygon(), delete_set(), cut_geometry(),
+             cut_fractures(),
              ignored_line("geometry edge|node create", "lines and points of surfaces", "only polygons cut blocks",
                           "geometry edge create by-positions 0 0 0 1 0 0")}};
 }

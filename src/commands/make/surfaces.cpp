@@ -1,8 +1,10 @@
 // geometry: surfaces.
 #include "commands/session/handlers.hpp"
 
+#include "base/counted.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/grid/file_formats.hpp"
+#include "system/whole_file.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -45,6 +47,31 @@ PolygonSet polygons_of(const lang::GeometryCommand& command) {
     return polygons;
 }
 
+void write_set(Session& session, const lang::GeometryCommand& command) {
+    const FileFormat* format = file_format(command.file);
+    if (format == nullptr || format->write == nullptr || format->holds != FileFormat::Holds::surfaces)
+        throw Diagnostic(fmt::format("'{}' does not have the suffix of a surface file that is written", command.file),
+                         fmt::format("use one of {}", surface_suffixes_written()))
+            .at(command.place);
+    const std::string name = set_of(session, command);
+    const auto set = session.deck.surface_sets.surfaces.find(name);
+    if (set == session.deck.surface_sets.surfaces.end() || set->second.empty())
+        throw Diagnostic(fmt::format("there is no set of surfaces named '{}' with polygons in it", name),
+                         "write before: geometry import, or geometry polygon create")
+            .at(command.place);
+    Polyhedron shape;
+    for (const auto& polygon : set->second) {
+        auto& face = shape.faces.emplace_back();
+        for (const Vec3& corner : polygon) {
+            face.vertices.push_back(static_cast<int>(shape.vertices.size()));
+            shape.vertices.push_back(corner);
+        }
+    }
+    const Grid3d grid = grid_of({{.number = 1, .group = name, .shape = &shape}}, Corners::own);
+    write_whole_file(session.program.output_file(command.file), format->write(grid));
+    session.program.output.say(fmt::format("{} written to {}", counted(set->second.size(), "polygon"), command.file));
+}
+
 } // namespace
 
 void run(Session& session, const lang::GeometryCommand& command) {
@@ -65,6 +92,7 @@ void run(Session& session, const lang::GeometryCommand& command) {
         session.program.output.say(fmt::format("set {}: {} polygons", name, set.size()));
         return;
     }
+    case write: return write_set(session, command);
     case polygon: {
         auto& set = sets.surfaces[set_of(session, command)];
         const PolygonSet polygons = polygons_of(command);

@@ -117,6 +117,12 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write(
         "rock.msh",
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 10 0 0\n2 11 0 0\n3 10 1 0\n4 10 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n");
+    write(
+        "rock.vtu",
+        "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points><DataArray "
+        "type=\"Float64\">10 0 0 11 0 0 10 1 0 10 0 1</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\">0 1 2 "
+        "3</DataArray><DataArray type=\"Int32\" Name=\"offsets\">4</DataArray><DataArray type=\"UInt8\" "
+        "Name=\"types\">10</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>");
     const auto facet = [](const char* a, const char* b, const char* c) {
         return fmt::format("facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n", a, b,
                            c);
@@ -146,6 +152,8 @@ std::string before(std::string_view example) {
     if (example.starts_with("import wall.3dgrid")) return "export wall.3dgrid\n";
     if (example.starts_with("block contact material-table") && example.find("table add") == std::string_view::npos)
         return "block contact material-table add property friction 30 range position-z 0 9\n";
+    if (example.starts_with("geometry export"))
+        return "geometry set 'fault'\ngeometry polygon create by-positions (0,0,0) (1,0,0) (1,1,0)\n";
     if (example.starts_with("geometry ")) return "geometry set 'fault'\n";
     if (example.find("cut geometry") != example.npos)
         return "geometry set 'fault'\ngeometry polygon create by-positions (-9,-9,0.4) (9,-9,0.4) (9,9,0.4) (-9,9,0.4)\n";
