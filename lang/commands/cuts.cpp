@@ -129,9 +129,8 @@ CommandSpec cut_ground() {
 CommandSpec cut_surface() {
     Entry<CutSurface> entry({"cut"}, {"surface"});
     entry.help("cuts visible blocks along the surface of an ore body, or an open surface that may overhang");
-    entry.argument(
-        text("file").help("of closed surfaces, or of one open surface: .stl, .obj, .ply, .dxf, .ts, .wrl, .json"),
-        &CutSurface::file);
+    entry.argument(text("file").help("of closed surfaces, or of one open surface, as `import` reads it"),
+                   &CutSurface::file);
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutSurface::shift, "moves the surface first");
     entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutSurface::id,
                   "joint set number of the faces; the next free one if not given");

@@ -257,20 +257,33 @@ CommandSpec import_grid() {
     return spec;
 }
 
-CommandSpec export_grid() {
-    Leaf<Export> leaf("block export", "export");
-    const auto add_suffix = [](Reader&, Export& command) { command.file = with_suffix(command.file, ".3dgrid"); };
-    leaf.keyword({"filename"}, Parts<Export>().then(text("file"), &Export::file).check(add_suffix),
-                 "name with suffix, which selects the format; .3dgrid if not given");
+/// `filename 'name'`, with this suffix if it has none.
+void names_file(Leaf<Export>& leaf, const char* suffix, std::string_view help) {
+    const auto add_suffix = [suffix](Reader&, Export& command) { command.file = with_suffix(command.file, suffix); };
+    leaf.keyword({"filename"}, Parts<Export>().then(text("file"), &Export::file).check(add_suffix), help);
     leaf.no_effect("binary", "kaya writes text");
-    leaf.ranged(&Export::range);
     leaf.finish([](const Reader& reader, Export& command) {
         if (command.file.empty()) incomplete_line(reader, "the name of the file is missing", "write: filename 'name'");
     });
+}
+
+CommandSpec export_grid() {
+    Leaf<Export> leaf("block export", "export");
+    names_file(leaf, ".3dgrid", "name with suffix, which selects the format; .3dgrid if not given");
+    leaf.ranged(&Export::range);
     leaf.right("block export filename 'wall.3dgrid' range position-z 0 2", "export wall.3dgrid range z 0 2");
     leaf.right("block export filename 'wall'", "export wall.3dgrid")
         .right("block export filename 'wall.vtu'", "export wall.vtu");
     leaf.wrong("block export", "the name of the file is missing");
+    return leaf;
+}
+
+CommandSpec to_flac3d() {
+    Leaf<Export> leaf("block to-flac3d", "export");
+    names_file(leaf, ".f3grid", "name of the file, with .f3grid if no suffix is given");
+    leaf.no_effect("block-id", "groups of zones have the groups of their blocks");
+    leaf.right("block to-flac3d filename 'wall'", "export wall.f3grid");
+    leaf.wrong("block to-flac3d", "the name of the file is missing");
     return leaf;
 }
 
@@ -280,7 +293,7 @@ Family create_family() {
     return {"block create",
             "making blocks",
             {create_brick(), create_prism(), create_polyhedron(), create_tetrahedron(), create_drum(), tunnel_blocks(),
-             cut_joint_set(), cut_tunnel(), densify_blocks(), from_vrml(), import_grid(), export_grid()}};
+             cut_joint_set(), cut_tunnel(), densify_blocks(), from_vrml(), import_grid(), export_grid(), to_flac3d()}};
 }
 
 } // namespace kaya::lang

@@ -29,7 +29,6 @@ constexpr Known known[] = {
     {"block relax", "excavation in steps"},
     {"block merge-start", "tetrahedra that become zones of one block"},
     {"block merge-finish", "tetrahedra that become zones of one block"},
-    {"block to-flac3d", "files for FLAC3D"},
     {"block to-pfc", "files for PFC"},
     {"block to-udec", "files for UDEC"},
     {"block makewall", "blocks that are walls"},

@@ -9,6 +9,7 @@
 
 #include "base/lower_case.hpp"
 #include "geometry/fractures/fracture_cuts.hpp"
+#include "geometry/grid/file_formats.hpp"
 #include "geometry/read/surface_files.hpp"
 #include "geometry/surface/block_cuts.hpp"
 #include "geometry/surface/surface_cuts.hpp"
