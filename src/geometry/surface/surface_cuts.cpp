@@ -31,8 +31,8 @@ Vec3 centre_of(const std::vector<Vec3>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-/// Whether the normal looks up, or along x or y where it has no part along z.
-bool looks_up(const Vec3& normal) {
+/// Whether the normal points up, or along x or y where it has no part along z.
+bool points_up(const Vec3& normal) {
     for (const int axis : {2, 0, 1})
         if (std::abs(normal[axis]) > 1e-9 * normal.norm()) return normal[axis] > 0;
     return true;
@@ -196,7 +196,7 @@ CuttingSurface cutting_surface(std::vector<Surface> bodies, std::vector<Surface>
         result.rim = turn_open_alike(bodies.front());
         Vec3 area = Vec3::Zero();
         for (const auto& triangle : triangles_of(bodies.front())) area += area_of(triangle);
-        add(bodies.front(), !looks_up(area));
+        add(bodies.front(), !points_up(area));
     } else if (open > 0) {
         throw Diagnostic(fmt::format("{} of {} surfaces of the file are open", open, bodies.size() + cavities.size()),
                          "give one open surface, or closed ones only: one file for each cut");

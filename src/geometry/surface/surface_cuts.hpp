@@ -15,8 +15,8 @@ struct CuttingSurface {
     std::vector<std::array<Vec3, 2>> rim;       ///< edges where an open surface ends; none for bodies
 };
 
-/// Bodies with their cavities, all closed; or one open surface and no cavity, of which the upper side counts as outside (of an upright one
-/// that towards x, or y). Throws Diagnostic: open and closed surfaces together, several open ones, faces that cannot be turned alike.
+/// Bodies with their cavities, all closed; or one open surface without a cavity. Its upper side counts as outside; if it is upright, the side
+/// towards x, or y. Throws Diagnostic: open and closed surfaces together, several open ones, faces that cannot be turned alike.
 CuttingSurface cutting_surface(std::vector<Surface> bodies, std::vector<Surface> cavities);
 
 /// Cuts each block into convex pieces inside or outside, or below and above, of the surface; blocks that it does not reach stay whole, and
