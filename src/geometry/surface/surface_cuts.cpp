@@ -1,5 +1,5 @@
-// Each block is divided by the planes of the triangles in it until none is left in a piece (space_partition.hpp); the side of a piece is told
-// by the number of turns that the surface makes around its centre, which jumps by one across the surface. For an open surface the turns are
+// Each block is divided by the planes of the triangles in it until none is left in a piece (space_partition.hpp); the side of a piece follows from
+// the number of turns that the surface makes around its centre, which jumps by one across the surface. For an open surface the turns are
 // fractions (Jacobson, Kavan and Sorkine-Hornung 2013), of either sign on its two sides.
 #include "geometry/surface/surface_cuts.hpp"
 
@@ -139,7 +139,7 @@ private:
                 if (i != fragment.face) turns += part_of_turn(surface_.triangles[i], place);
             if (std::abs(turns) < 0.5) continue;
             throw Diagnostic(
-                fmt::format("the surface winds about itself at ({:g}, {:g}, {:g}): its two sides cannot be told",
+                fmt::format("the surface winds about itself at ({:g}, {:g}, {:g}): its two sides are not distinct",
                             place.x(), place.y(), place.z()),
                 "give it in parts, in several files");
         }
