@@ -118,7 +118,7 @@ Solid solid_of(const NamedSurface& body, const Flatness& flatness) {
     try {
         return solid_from_surface(body.surface, flatness, body.cavities);
     } catch (Diagnostic& mistake) {
-        if (mistake.message.find("open") != std::string::npos)
+        if (mistake.message.find("open") != std::string::npos || mistake.message.find("close") != std::string::npos)
             mistake.hint += ", or let `import ... mend d` close cracks and `holes d` holes up to a width";
         throw;
     }

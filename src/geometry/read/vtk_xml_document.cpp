@@ -109,6 +109,8 @@ private:
         if (!of_whole && document_.pieces.empty()) fail("an array stands before the first Piece");
         if ((of_whole || section == "CellData") && !VtkMesh::wanted(value_of(attributes, "Name"))) return;
         auto& arrays = of_whole ? document_.whole : document_.pieces.back().arrays;
+        constexpr std::size_t most = 100; // points, cells and labels have 20 at most
+        if (arrays.size() >= most) fail(fmt::format("there are more than {} arrays of points and cells", most));
         for (const XmlArray& other : arrays)
             if (other.section == section && value_of(other.attributes, "Name") == value_of(attributes, "Name"))
                 fail(fmt::format("{} has two arrays '{}'", section, value_of(attributes, "Name").substr(0, 30)));
