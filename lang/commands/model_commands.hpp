@@ -172,6 +172,7 @@ struct Import {
     double mend = 0, holes = 0; ///< lengths of the model, 0: none
     std::int64_t simplify = 0;  ///< greatest number of triangles of a body, 0: any
     double deviation = 0;       ///< greatest length by which surfaces may move to have fewer triangles, 0: none
+    std::int64_t convex = 0;    ///< greatest number of convex parts of a body, 0: as many as it has
     Place place;
 };
 struct Export {

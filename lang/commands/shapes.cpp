@@ -299,6 +299,8 @@ CommandSpec import_file() {
                   "reduces surfaces of more triangles to this number");
     entry.keyword({"deviation"}, real("d").unit("length").above(0), &Import::deviation,
                   "reduces the triangles of surfaces as long as they move no farther than this");
+    entry.keyword({"convex"}, integer("n").at_least(1), &Import::convex,
+                  "replaces concave bodies by this number of convex parts, which enclose them");
     entry.keyword({"scale"}, real("s").above(0), &Import::scale, "factor of all coordinates, 0.001 for millimetres");
     Keywords<Import> axes;
     axes.action(
@@ -319,11 +321,13 @@ CommandSpec import_file() {
         .right("import rock.vtu")
         .right("import dome.obj scale 0.001 up y stop")
         .right("import scan.ply mend 0.002 holes 0.5")
-        .right("import scan.ply simplify 500 deviation 0.01");
+        .right("import scan.ply simplify 500 deviation 0.01")
+        .right("import stones.obj convex 3");
     entry.wrong("import", "a word is missing after 'import'");
     entry.wrong("import a.stl regoin 2", "'regoin' is not a keyword of import");
     entry.wrong("import a.stl mend 0", "mend must be greater than 0, not 0");
     entry.wrong("import a.stl simplify 3", "simplify must be at least 4, not 3");
+    entry.wrong("import a.stl convex 0", "convex must be at least 1, not 0");
     entry.wrong("import a.stl deviation 0", "deviation must be greater than 0, not 0");
     entry.wrong("import a.stl up w", "'w' is not an axis");
     return entry;

@@ -50,6 +50,13 @@ void report_simplified(Session& session, const std::string& file, const Simplify
         counts.volume_after));
 }
 
+void report_enclosed(Session& session, const std::string& file, const SimplifyCounts& counts) {
+    if (counts.bodies == 0) return;
+    session.note_once(fmt::format("{}: {} convex parts of {} replaced by {}, volume {:.6g} before and {:.6g} after",
+                                  file, counts.before, counted(counts.bodies, "body"), counts.after,
+                                  counts.volume_before, counts.volume_after));
+}
+
 double volume_of(const IncomingFile& file) {
     double volume = 0;
     for (const IncomingBlock& block : file.blocks)
@@ -64,11 +71,15 @@ void run(Session& session, const lang::Import& command) {
     try {
         const std::string path = session.input_file(command.file).string();
         // All blocks are read and checked before the first is made.
-        IncomingFile file = read_blocks(
-            path, {command.scale, command.up, {command.mend, command.holes}, {command.simplify, command.deviation}});
+        IncomingFile file = read_blocks(path, {command.scale,
+                                               command.up,
+                                               {command.mend, command.holes},
+                                               {command.simplify, command.deviation},
+                                               command.convex});
         report_refused(session, command, file);
         report_repairs(session, command.file, file.repaired);
         report_simplified(session, command.file, file.simplified);
+        report_enclosed(session, command.file, file.enclosed);
         std::size_t parts = 0, zoned = 0;
         for (const IncomingBlock& block : file.blocks) {
             NewBlock options;

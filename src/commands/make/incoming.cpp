@@ -4,6 +4,7 @@
 #include "base/stop_point.hpp"
 #include "geometry/grid/file_formats.hpp"
 #include "geometry/read/input_text.hpp"
+#include "geometry/surface/few_parts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ Vec3 centre_of(const Surface& surface) {
 struct Body {
     std::string name; ///< of messages
     Vec3 centre;
-    std::function<IncomingBlock(SimplifyCounts&)> make;
+    std::function<IncomingBlock(IncomingFile& counts)> make;
 };
 
 /// Makes the bodies, several at once; a message about one gets its name and place.
@@ -50,14 +51,14 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
     struct Made {
         std::optional<IncomingBlock> block;
         std::optional<Diagnostic> mistake;
-        SimplifyCounts simplified;
+        IncomingFile counts;
     };
     std::vector<Made> made(bodies.size());
     for_chunks(bodies.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             stop_point();
             try {
-                made[i].block = bodies[i].make(made[i].simplified);
+                made[i].block = bodies[i].make(made[i].counts);
             } catch (const Diagnostic& mistake) {
                 if (mistake.fault != Fault::deck) throw; // a request to stop
                 made[i].mistake = mistake;
@@ -65,7 +66,8 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
         }
     });
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        file.simplified.add(made[i].simplified);
+        file.simplified.add(made[i].counts.simplified);
+        file.enclosed.add(made[i].counts.enclosed);
         if (made[i].block) {
             file.blocks.push_back(std::move(*made[i].block));
             continue;
@@ -95,7 +97,7 @@ IncomingFile from_grid(const std::string& path, Grid3d grid, const Placement& pl
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         bodies.push_back({fmt::format("block {}", grid.blocks[i].number), centre_of(surfaces[i]),
-                          [&, i](SimplifyCounts&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
+                          [&, i](IncomingFile&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
     add_bodies(file, path, bodies);
     return file;
 }
@@ -124,6 +126,23 @@ Solid solid_of(const NamedSurface& body, const Flatness& flatness) {
     }
 }
 
+double volume_of(const Solid& solid) {
+    double volume = 0;
+    for (const Polyhedron& part : solid.parts) volume += mass_properties(part).volume;
+    return volume;
+}
+
+/// Few convex parts in place of many.
+void enclose(Solid& solid, std::size_t most, SimplifyCounts& counts) {
+    if (solid.parts.size() <= most) return;
+    ++counts.bodies;
+    counts.before += solid.parts.size();
+    counts.volume_before += volume_of(solid);
+    solid.parts = few_convex_parts(solid.parts, most);
+    counts.after += solid.parts.size();
+    counts.volume_after += volume_of(solid);
+}
+
 IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups, const Placement& placement,
                            const IncomingOptions& options) {
     for (FaceSoup& soup : soups)
@@ -136,12 +155,15 @@ IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups,
     for (NamedSurface& body : surfaces.surfaces) {
         const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
         bodies.push_back(
-            {fmt::format("body {}{}", bodies.size() + 1, quoted), centre_of(body.surface), [&](SimplifyCounts& counts) {
-                 if (options.simplification.wanted()) simplify(body, options.simplification, counts);
+            {fmt::format("body {}{}", bodies.size() + 1, quoted), centre_of(body.surface), [&](IncomingFile& counts) {
+                 if (options.simplification.wanted()) simplify(body, options.simplification, counts.simplified);
                  Flatness flatness = of_files;
                  const double joined = options.repair.near / size_of(body.surface.vertices);
                  flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
-                 return IncomingBlock{solid_of(body, flatness), {}, body.name, 0, 0};
+                 IncomingBlock block{solid_of(body, flatness), {}, body.name, 0, 0};
+                 if (options.convex > 0)
+                     enclose(block.solid, static_cast<std::size_t>(options.convex), counts.enclosed);
+                 return block;
              }});
     }
     add_bodies(file, path, bodies);
@@ -158,9 +180,9 @@ IncomingFile read_blocks(const std::string& path, const IncomingOptions& options
                          fmt::format("use one of {}", suffixes_read()));
     if (format->blocks != nullptr) {
         Grid3d grid = format->blocks(input_text(path), path);
-        if (!grid.blocks.empty() && options.simplification.wanted())
+        if (!grid.blocks.empty() && (options.simplification.wanted() || options.convex > 0))
             throw Diagnostic(fmt::format("{} holds blocks or zones; only surfaces can be simplified", path),
-                             "leave out `simplify` and `deviation`");
+                             "leave out `simplify`, `deviation` and `convex`");
         if (!grid.blocks.empty()) return from_grid(path, std::move(grid), placement);
     }
     return from_surfaces(path, read_soups(path), placement, options);

@@ -24,7 +24,8 @@ struct IncomingFile {
     std::vector<IncomingBlock> blocks;
     std::vector<Diagnostic> refused; ///< of bodies that are wrong; each names the body and its place
     RepairCounts repaired;
-    SimplifyCounts simplified;
+    SimplifyCounts simplified; ///< triangles
+    SimplifyCounts enclosed;   ///< convex parts
 };
 
 /// How the coordinates of the file become those of the model, and what is repaired and simplified on the way.
@@ -33,6 +34,7 @@ struct IncomingOptions {
     char up = 'z'; ///< the axis of the file that points up: x, y or z
     Repair repair;
     Simplification simplification; ///< of surfaces
+    std::int64_t convex = 0;       ///< greatest number of convex parts of a body, 0: as many as it has
 };
 
 /// Throws Diagnostic when the file as a whole cannot be read.

@@ -17,9 +17,10 @@ struct Simplification {
 };
 
 /// Sums over the surfaces that were simplified.
+/// Of bodies that became simpler: triangles of surfaces, or convex parts.
 struct SimplifyCounts {
-    std::size_t bodies = 0, before = 0, after = 0; ///< triangles
-    double deviation = 0;                          ///< the greatest, a length
+    std::size_t bodies = 0, before = 0, after = 0;
+    double deviation = 0; ///< of surfaces, the greatest, a length
     double volume_before = 0, volume_after = 0;
 
     void add(const SimplifyCounts& other) {
