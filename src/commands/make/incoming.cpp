@@ -33,12 +33,6 @@ private:
     char up_;
 };
 
-Vec3 centre_of(const Surface& surface) {
-    Vec3 centre = Vec3::Zero();
-    for (const Vec3& v : surface.vertices) centre += v / static_cast<double>(surface.vertices.size());
-    return centre;
-}
-
 /// A body of a file before it is made.
 struct Body {
     std::string name; ///< of messages
@@ -96,7 +90,7 @@ IncomingFile from_grid(const std::string& path, Grid3d grid, const Placement& pl
     for (const auto& block : grid.blocks) surfaces.push_back(surface_of(grid, block));
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-        bodies.push_back({fmt::format("block {}", grid.blocks[i].number), centre_of(surfaces[i]),
+        bodies.push_back({fmt::format("block {}", grid.blocks[i].number), mean_of(surfaces[i].vertices),
                           [&, i](IncomingFile&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
     add_bodies(file, path, bodies);
     return file;
@@ -154,17 +148,18 @@ IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups,
     std::vector<Body> bodies;
     for (NamedSurface& body : surfaces.surfaces) {
         const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
-        bodies.push_back(
-            {fmt::format("body {}{}", bodies.size() + 1, quoted), centre_of(body.surface), [&](IncomingFile& counts) {
-                 if (options.simplification.wanted()) simplify(body, options.simplification, counts.simplified);
-                 Flatness flatness = of_files;
-                 const double joined = options.repair.near / size_of(body.surface.vertices);
-                 flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
-                 IncomingBlock block{solid_of(body, flatness), {}, body.name, 0, 0};
-                 if (options.convex > 0)
-                     enclose(block.solid, static_cast<std::size_t>(options.convex), counts.enclosed);
-                 return block;
-             }});
+        bodies.push_back({fmt::format("body {}{}", bodies.size() + 1, quoted), mean_of(body.surface.vertices),
+                          [&](IncomingFile& counts) {
+                              if (options.simplification.wanted())
+                                  simplify(body, options.simplification, counts.simplified);
+                              Flatness flatness = of_files;
+                              const double joined = options.repair.near / size_of(body.surface.vertices);
+                              flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
+                              IncomingBlock block{solid_of(body, flatness), {}, body.name, 0, 0};
+                              if (options.convex > 0)
+                                  enclose(block.solid, static_cast<std::size_t>(options.convex), counts.enclosed);
+                              return block;
+                          }});
     }
     add_bodies(file, path, bodies);
     return file;

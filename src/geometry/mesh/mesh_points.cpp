@@ -3,7 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
-#include "geometry/polyhedra/plane.hpp"
+#include "geometry/polyhedra/cut.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -29,22 +29,11 @@ double lattice_cell(double edge) {
     return 0.93 * edge / ((3 + 4 * std::sqrt(0.75)) / 7);
 }
 
-namespace {
-
-std::vector<Plane> walls_of(const Polyhedron& polyhedron) {
-    std::vector<Plane> walls;
-    for (const auto& face : polyhedron.faces)
-        walls.push_back({face_normal(polyhedron, face), polyhedron.vertices[face.vertices[0]]});
-    return walls;
-}
-
-} // namespace
-
 void add_inner_points(const Polyhedron& polyhedron, double edge, double clearance, bool centre, MeshPoints& points) {
     const double cell = lattice_cell(edge), gap = clearance * edge;
     const Vec3 centroid = mass_properties(polyhedron).centroid;
     const std::size_t on_surface = points.points.size();
-    const std::vector<Plane> walls = walls_of(polyhedron);
+    const std::vector<Plane> walls = outer_planes(polyhedron);
     const auto [least, greatest] = box_around(polyhedron.vertices);
     const Vec3 first = ((least - centroid) / cell).array().floor(),
                last = ((greatest - centroid) / cell).array().ceil();
@@ -70,7 +59,7 @@ void add_inner_points(const Polyhedron& polyhedron, double edge, double clearanc
 
 void add_graded_points(const Polyhedron& polyhedron, const Spacing& spacing, double clearance, bool centre,
                        MeshPoints& points) {
-    const std::vector<Plane> walls = walls_of(polyhedron);
+    const std::vector<Plane> walls = outer_planes(polyhedron);
     const auto [low, high] = box_around(polyhedron.vertices);
     const std::size_t on_surface = points.points.size();
     const auto depth = [&](const Vec3& x) {

@@ -259,6 +259,13 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
     return cut_within(polyhedron, plane, joint_set, {thinnest, nearest, 0});
 }
 
+std::vector<Plane> outer_planes(const Polyhedron& polyhedron) {
+    std::vector<Plane> planes;
+    for (const auto& face : polyhedron.faces)
+        planes.push_back({face_normal(polyhedron, face), polyhedron.vertices[face.vertices[0]]});
+    return planes;
+}
+
 std::vector<Vec3> section_of(const Polyhedron& piece) {
     std::vector<Vec3> section;
     for (const int v : piece.faces.back().vertices) section.push_back(piece.vertices[static_cast<std::size_t>(v)]);

@@ -31,6 +31,9 @@ Cut cut(const Polyhedron& polyhedron, const Plane& plane, int joint_set, double 
 /// are known to no better than that.
 Cut cut_with_band(const Polyhedron& polyhedron, const Plane& plane, double band);
 
+/// The planes of the faces, looking outward.
+std::vector<Plane> outer_planes(const Polyhedron& polyhedron);
+
 /// The corners of the cut on one of the pieces.
 std::vector<Vec3> section_of(const Polyhedron& piece);
 

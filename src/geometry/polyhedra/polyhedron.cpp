@@ -41,6 +41,12 @@ MassProperties mass_properties(const Polyhedron& polyhedron) {
     return result;
 }
 
+Vec3 mean_of(const std::vector<Vec3>& points) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& point : points) sum += point;
+    return sum / static_cast<double>(points.size());
+}
+
 Polyhedron make_brick(const Vec3& corner1, const Vec3& corner2) {
     static constexpr std::array<char, 3> axes{'x', 'y', 'z'};
     for (int k = 0; k < 3; ++k) {

@@ -27,6 +27,9 @@ struct MassProperties {
 
 MassProperties mass_properties(const Polyhedron& polyhedron);
 
+/// The mean of one point or more.
+Vec3 mean_of(const std::vector<Vec3>& points);
+
 /// A box with its faces parallel to the axes; limits in any order. Throws Diagnostic when one is empty
 /// or a limit is not finite.
 Polyhedron make_brick(const Vec3& corner1, const Vec3& corner2);

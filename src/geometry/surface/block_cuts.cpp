@@ -13,26 +13,13 @@
 namespace kaya {
 namespace {
 
-std::vector<Plane> outer_planes(const Polyhedron& polyhedron) {
-    std::vector<Plane> planes;
-    for (const auto& face : polyhedron.faces)
-        planes.push_back({face_normal(polyhedron, face), polyhedron.vertices[face.vertices[0]]});
-    return planes;
-}
-
-Vec3 mean(const std::vector<Vec3>& corners) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& c : corners) sum += c;
-    return sum / static_cast<double>(corners.size());
-}
-
 /// The planes of each convex part of the outline: first the sides, then the ends, which cut no more than what is left.
 std::vector<std::vector<Plane>> planes_of_parts(const TunnelOutline& outline) {
     constexpr double of_an_end = 0.1; // cosine between the normal and the axis
     std::vector<std::vector<Plane>> parts;
     for (std::size_t k = 1; k < outline.sections.size(); ++k) {
         const auto &from = outline.sections[k - 1], &to = outline.sections[k];
-        const Vec3 along = (mean(to) - mean(from)).normalized();
+        const Vec3 along = (mean_of(to) - mean_of(from)).normalized();
         for (const Polyhedron& part : make_prism(from, to).parts) {
             parts.push_back(outer_planes(part));
             std::ranges::stable_sort(parts.back(), {},
@@ -44,7 +31,7 @@ std::vector<std::vector<Plane>> planes_of_parts(const TunnelOutline& outline) {
 
 /// Planes through the axis of the outline and each of its corners.
 std::vector<Plane> radial_planes(const TunnelOutline& outline) {
-    const Vec3 centre = mean(outline.sections[0]), axis = mean(outline.sections[1]) - centre;
+    const Vec3 centre = mean_of(outline.sections[0]), axis = mean_of(outline.sections[1]) - centre;
     std::vector<Plane> planes;
     for (const Vec3& corner : outline.sections[0]) {
         const Vec3 normal = axis.cross(corner - centre);

@@ -39,8 +39,7 @@ bool is_sliver(const Polyhedron& space, double near) {
 /// Adds a cell without faces to the parts if it is inside. Slivers that rounding makes are left out.
 void decide(Polyhedron&& space, double near, const Triangles& triangles, ConvexSplit& split) {
     if (is_sliver(space, near)) return;
-    Vec3 centre = Vec3::Zero();
-    for (const Vec3& v : space.vertices) centre += v / static_cast<double>(space.vertices.size());
+    const Vec3 centre = mean_of(space.vertices);
     const int turns = winding(triangles, centre);
     if (turns != 0 && turns != 1) split.crossed_at = centre;
     if (turns > 0) split.parts.push_back(std::move(space));

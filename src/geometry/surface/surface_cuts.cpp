@@ -5,6 +5,7 @@
 
 #include "base/diagnostic.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
+#include "geometry/polyhedra/cut.hpp"
 #include "geometry/polyhedra/face_contact.hpp"
 #include "geometry/surface/space_partition.hpp"
 #include "geometry/surface/surface_checks.hpp"
@@ -25,12 +26,6 @@ Vec3 area_of(const std::array<Vec3, 3>& triangle) {
     return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]) / 2;
 }
 
-Vec3 centre_of(const std::vector<Vec3>& points) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& point : points) sum += point;
-    return sum / static_cast<double>(points.size());
-}
-
 /// Whether the normal points up, or along x or y where it has no part along z.
 bool points_up(const Vec3& normal) {
     for (const int axis : {2, 0, 1})
@@ -48,7 +43,7 @@ public:
     void cut_block(const Polyhedron& block, int number) {
         Cell whole{block, fragments_in(block)};
         if (whole.fragments.empty()) {
-            if (!is_open() && is_inside(centre_of(block.vertices))) result_.swallowed.push_back(number);
+            if (!is_open() && is_inside(mean_of(block.vertices))) result_.swallowed.push_back(number);
             return;
         }
         if (is_open()) check_open(block, whole.fragments);
@@ -86,18 +81,11 @@ private:
     }
     bool is_inside(const Vec3& point) const { return turns_around(point) > (is_open() ? 0 : 0.5); }
 
-    static std::vector<Plane> planes_of(const Polyhedron& block) {
-        std::vector<Plane> planes;
-        for (const auto& face : block.faces)
-            planes.push_back({face_normal(block, face), block.vertices[face.vertices[0]]});
-        return planes;
-    }
-
     /// The parts of the triangles inside of the block; what lies in its faces does not count.
     std::vector<Fragment> fragments_in(const Polyhedron& block) const {
         const Box box = box_around(block.vertices);
         const double near = rounding * (box.high - box.low).norm();
-        const std::vector<Plane> planes = planes_of(block);
+        const std::vector<Plane> planes = outer_planes(block);
         std::vector<Fragment> fragments;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             if ((boxes_[i].low.array() > box.high.array()).any() || (boxes_[i].high.array() < box.low.array()).any())
@@ -115,7 +103,7 @@ private:
     }
 
     void check_open(const Polyhedron& block, const std::vector<Fragment>& fragments) const {
-        const std::vector<Plane> planes = planes_of(block);
+        const std::vector<Plane> planes = outer_planes(block);
         const double near = 1e3 * rounding * size_of(block.vertices);
         for (const auto& [a, b] : surface_.rim) {
             double from = 0, to = 1; // of the edge: where it is inside of the block
@@ -133,7 +121,7 @@ private:
                 "continue it beyond the blocks, give a range, or use a network of fractures: cut dfn ... limited");
         }
         for (const Fragment& fragment : fragments) {
-            const Vec3 place = centre_of(fragment.corners);
+            const Vec3 place = mean_of(fragment.corners);
             double turns = 0; // of the others; the triangle itself adds a half on one side, and takes it on the other
             for (std::size_t i = 0; i < surface_.triangles.size(); ++i)
                 if (i != fragment.face) turns += part_of_turn(surface_.triangles[i], place);
