@@ -1,5 +1,6 @@
 #include "geometry/mesh/face_mesh.hpp"
 
+#include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/mesh/graded_points.hpp"
 
@@ -94,8 +95,13 @@ std::vector<Triangle> delaunay_triangles(const std::vector<Vec2>& points, const 
         near = vertex->face();
         handles.push_back(vertex);
     }
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        triangulation.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);
+    try {
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            triangulation.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+        throw Diagnostic("the outline of a face crosses itself",
+                         "the corners of the block are not those that it was cut with: restore an earlier save");
+    }
     // Points of one edge can form triangles without area outside the outline: those that exist in the loop only and turn against it.
     std::vector<int> place(points.size(), -1);
     for (std::size_t i = 0; i < loop.size(); ++i) place[loop[i]] = static_cast<int>(i);

@@ -21,7 +21,8 @@ struct FaceMesh {
 };
 
 /// Well-shaped triangles with edges close to the field's length, growing from shorter parts of the outline. They depend on the outline as
-/// given only: for equal triangles on both sides of a face, start at the same corner and use the same direction.
+/// given only: for equal triangles on both sides of a face, start at the same corner and use the same direction. Throws Diagnostic where
+/// the outline crosses itself.
 FaceMesh mesh_face(const FaceOutline& outline, const EdgeField& field);
 
 } // namespace kaya

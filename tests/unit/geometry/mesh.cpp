@@ -1,3 +1,4 @@
+#include "geometry/mesh/face_mesh.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 #include "base/diagnostic.hpp"
@@ -171,4 +172,15 @@ TEST(Mesh, NeedlesAcrossTheAxesAreFilledToo) {
         expect_sound(needle, m);
         EXPECT_GT(m.tetrahedra.size(), 300u);
     }
+}
+
+TEST(Mesh, RefusesOutlinesThatCrossThemselves) {
+    FaceOutline outline;
+    outline.corners = {
+        {0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, -1, 0}, {0, 3, 0}}; // the fourth corner is beyond the first side
+    outline.between.resize(outline.corners.size());
+    try {
+        mesh_face(outline, 10);
+        FAIL() << "it has a mesh";
+    } catch (const Diagnostic& mistake) { EXPECT_EQ(mistake.message, "the outline of a face crosses itself"); }
 }
