@@ -192,6 +192,28 @@ TEST(CutSurface, OpenSurfacesMayOverhang) {
         }
 }
 
+TEST(CutSurface, OpenSurfacesDivideAlikeInEachFrame) {
+    const auto volumes = [](const Frame& frame) {
+        std::vector<Polyhedron> blocks;
+        for (const Polyhedron& block : bricks(1.5, 2)) blocks.push_back(frame(block));
+        const auto surface = cutting_surface({frame(sheet(overhanging, -9, 9))}, {});
+        const SidedBlocks result = cut_by_surface(blocks, surface, 3, 4e-6 * frame.scale);
+        std::array<double, 2> sides{};
+        for (std::size_t i = 0; i < result.inside.size(); ++i)
+            sides[result.inside[i] ? 0 : 1] +=
+                mass_properties(result.blocks.pieces[i].polyhedron).volume / std::pow(frame.scale, 3);
+        std::ranges::sort(sides); // which side is the upper one depends on the frame
+        return sides;
+    };
+    const auto wanted = volumes({});
+    for (const Frame& frame : frames()) {
+        const double exact = 1e-9 + 1e-14 * frame.move.norm() / frame.scale;
+        const auto found = volumes(frame);
+        EXPECT_NEAR(found[0], wanted[0], exact);
+        EXPECT_NEAR(found[1], wanted[1], exact);
+    }
+}
+
 TEST(CutSurface, FlatSurfacesCutOnce) {
     const Sums sums =
         cut(bricks(1, 1), cutting_surface({sheet({{-5, -1}, {-2, -0.4}, {1, 0.2}, {5, 1}}, -3, 3)}, {}), 2);
