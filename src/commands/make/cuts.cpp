@@ -65,6 +65,24 @@ std::vector<Polyhedron> shapes_of(const Model& model, const std::vector<Row>& ro
     return shapes;
 }
 
+/// Blocks to be cut, and the least thickness of their pieces.
+struct ToBeCut {
+    std::vector<Row> rows;
+    std::vector<Polyhedron> shapes;
+    double thinnest;
+};
+
+template <class Command> ToBeCut to_be_cut(Session& session, const Command& command) {
+    const Model& model = session.engine.model;
+    const auto rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    return {rows, shapes_of(model, rows), thinnest_part * model_size(model)};
+}
+
+/// The number that the deck gives, or the next free one.
+int joint_set_of(const Session& session, const std::optional<std::int64_t>& given) {
+    return given ? static_cast<int>(*given) : next_joint_set(session);
+}
+
 std::string too_near(const CutBlocks& cut, double tolerance) {
     return fmt::format("{} not made: too near to a corner of the block (tolerance {:g})",
                        counted(cut.corners, "cut was", "cuts were"), tolerance);
@@ -203,8 +221,7 @@ void join_beyond(Model& model, const CutBlocks& cut, const std::vector<Row>& pie
 
 void run(Session& session, const lang::JointSetCommand& command) {
     try {
-        const std::vector<Row> rows =
-            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
         warn_of(session, doubts_of(command));
         JointSet set;
@@ -218,9 +235,8 @@ void run(Session& session, const lang::JointSetCommand& command) {
         set.origin = command.origin;
         set.persistence = command.persistence;
         set.tolerance = command.tolerance;
-        set.id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        set.id = joint_set_of(session, command.id);
         set.seed = static_cast<std::uint64_t>(command.seed);
-        const double thinnest = thinnest_part * model_size(session.engine.model);
         if (set.number > 1 && set.spacing < thinnest)
             throw Diagnostic(fmt::format("a spacing of {:g} would make pieces thinner than {:.3g}, a millionth of "
                                          "the model's size",
@@ -228,7 +244,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
                              "give a larger spacing");
         const std::string name = fmt::format("joint set {}", set.id);
         LongWork work(session, name);
-        const CutBlocks cut = cut_blocks(shapes_of(session.engine.model, rows), set, thinnest, std::ref(work));
+        const CutBlocks cut = cut_blocks(shapes, set, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut, thinnest, name, set.tolerance);
         if (command.join) join_pieces(session.engine.model, cut, pieces);
         if (cut.parents.empty())
@@ -245,17 +261,15 @@ void run(Session& session, const lang::JointSetCommand& command) {
 
 void run(Session& session, const lang::TunnelCommand& command) {
     try {
-        const std::vector<Row> rows =
-            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
-        const double thinnest = thinnest_part * model_size(session.engine.model);
         TunnelOutline outline;
         if (command.path.empty()) outline.sections = {command.first, command.second};
         else outline.sections = sections_along(command.first, command.path);
         outline.radial = command.radial;
         outline.id = next_joint_set(session);
         LongWork work(session, "tunnel");
-        const SidedBlocks cut = cut_tunnel(shapes_of(session.engine.model, rows), outline, thinnest, std::ref(work));
+        const SidedBlocks cut = cut_tunnel(shapes, outline, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
             session.warn(
@@ -270,14 +284,13 @@ void run(Session& session, const lang::TunnelCommand& command) {
 
 void run(Session& session, const lang::CutGround& command) {
     const Ground ground = ground_of(session, command.file, command.shift, command.place);
-    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    const auto [rows, shapes, thinnest] = to_be_cut(session, command);
     if (rows.empty()) return;
     try {
         Model& model = session.engine.model;
-        const double thinnest = thinnest_part * model_size(model);
-        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        const int id = joint_set_of(session, command.id);
         LongWork work(session, "cut ground");
-        const SidedBlocks cut = cut_by_ground(shapes_of(model, rows), ground, id, thinnest, std::ref(work));
+        const SidedBlocks cut = cut_by_ground(shapes, ground, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
         if (cut.blocks.parents.empty()) {
             session.warn(Diagnostic("no block was cut by this surface",
@@ -296,15 +309,13 @@ void run(Session& session, const lang::CutGround& command) {
 void run(Session& session, const lang::CutSurface& command) {
     try {
         const CuttingSurface surface = surface_of(session, command);
-        const std::vector<Row> rows =
-            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
         Model& model = session.engine.model;
-        const double thinnest = thinnest_part * model_size(model);
-        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        const int id = joint_set_of(session, command.id);
         const std::string name = fmt::format("surface {}, joint set {}", command.file, id);
         LongWork work(session, name);
-        const SidedBlocks cut = cut_by_surface(shapes_of(model, rows), surface, id, thinnest, std::ref(work));
+        const SidedBlocks cut = cut_by_surface(shapes, surface, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, name);
         if (command.join) join_pieces(model, cut.blocks, pieces);
         else join_sides(model, cut, pieces);
@@ -320,15 +331,13 @@ void run(Session& session, const lang::CutSurface& command) {
 void run(Session& session, const lang::CutPolygons& command) {
     try {
         const std::vector<CuttingPolygon> polygons = polygons_of(session.deck.surface_sets, command.set);
-        const std::vector<Row> rows =
-            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
         Model& model = session.engine.model;
-        const double thinnest = thinnest_part * model_size(model);
-        const int id = command.id ? static_cast<int>(*command.id) : next_joint_set(session);
+        const int id = joint_set_of(session, command.id);
         const std::string name = fmt::format("geometry {}, joint set {}", command.set, id);
         LongWork work(session, name);
-        const CutBlocks cut = cut_by_polygons(shapes_of(model, rows), polygons, id, thinnest, std::ref(work));
+        const CutBlocks cut = cut_by_polygons(shapes, polygons, id, thinnest, std::ref(work));
         const auto pieces = apply(session, rows, cut, thinnest, name);
         if (command.join) join_pieces(model, cut, pieces);
         if (cut.parents.empty()) nothing_cut(session, "set of surfaces", cut, thinnest, 0, command.place);
@@ -342,11 +351,9 @@ void run(Session& session, const lang::CutFractures& command) {
     try {
         SurfaceSets& sets = session.deck.surface_sets;
         Network& network = network_named(sets, lower_case(command.network), command.place);
-        const std::vector<Row> rows =
-            rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+        const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
         Model& model = session.engine.model;
-        const double thinnest = thinnest_part * model_size(model);
         number_joint_sets(network, command, next_joint_set(session));
         const FractureCutting how{.limited = command.limited,
                                   .sides = static_cast<int>(command.sides),
@@ -356,7 +363,7 @@ void run(Session& session, const lang::CutFractures& command) {
                                   .nearest = command.tolerance};
         const std::string name = fmt::format("dfn {}", command.network);
         LongWork work(session, name);
-        const FractureCuts cut = cut_by_fractures(shapes_of(model, rows), by_dominance(network), how, std::ref(work));
+        const FractureCuts cut = cut_by_fractures(shapes, by_dominance(network), how, std::ref(work));
         const auto pieces = apply(session, rows, cut.blocks, thinnest, name, how.nearest);
         if (command.join) join_pieces(model, cut.blocks, pieces);
         else if (command.limited) join_beyond(model, cut.blocks, pieces);

@@ -59,8 +59,7 @@ void report_enclosed(Session& session, const std::string& file, const SimplifyCo
 
 double volume_of(const IncomingFile& file) {
     double volume = 0;
-    for (const IncomingBlock& block : file.blocks)
-        for (const Polyhedron& part : block.solid.parts) volume += mass_properties(part).volume;
+    for (const IncomingBlock& block : file.blocks) volume += volume_of(block.solid);
     return volume;
 }
 
@@ -78,8 +77,8 @@ void run(Session& session, const lang::Import& command) {
                                                command.convex});
         report_refused(session, command, file);
         report_repairs(session, command.file, file.repaired);
-        report_simplified(session, command.file, file.simplified);
-        report_enclosed(session, command.file, file.enclosed);
+        report_simplified(session, command.file, file.reductions.triangles);
+        report_enclosed(session, command.file, file.reductions.convex_parts);
         std::size_t parts = 0, zoned = 0;
         for (const IncomingBlock& block : file.blocks) {
             NewBlock options;

@@ -37,7 +37,7 @@ private:
 struct Body {
     std::string name; ///< of messages
     Vec3 centre;
-    std::function<IncomingBlock(IncomingFile& counts)> make;
+    std::function<IncomingBlock(Reductions&)> make;
 };
 
 /// Makes the bodies, several at once; a message about one gets its name and place.
@@ -45,14 +45,14 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
     struct Made {
         std::optional<IncomingBlock> block;
         std::optional<Diagnostic> mistake;
-        IncomingFile counts;
+        Reductions reductions;
     };
     std::vector<Made> made(bodies.size());
     for_chunks(bodies.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             stop_point();
             try {
-                made[i].block = bodies[i].make(made[i].counts);
+                made[i].block = bodies[i].make(made[i].reductions);
             } catch (const Diagnostic& mistake) {
                 if (mistake.fault != Fault::deck) throw; // a request to stop
                 made[i].mistake = mistake;
@@ -60,8 +60,8 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
         }
     });
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        file.simplified.add(made[i].counts.simplified);
-        file.enclosed.add(made[i].counts.enclosed);
+        file.reductions.triangles.add(made[i].reductions.triangles);
+        file.reductions.convex_parts.add(made[i].reductions.convex_parts);
         if (made[i].block) {
             file.blocks.push_back(std::move(*made[i].block));
             continue;
@@ -91,7 +91,7 @@ IncomingFile from_grid(const std::string& path, Grid3d grid, const Placement& pl
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         bodies.push_back({fmt::format("block {}", grid.blocks[i].number), mean_of(surfaces[i].vertices),
-                          [&, i](IncomingFile&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
+                          [&, i](Reductions&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
     add_bodies(file, path, bodies);
     return file;
 }
@@ -120,12 +120,6 @@ Solid solid_of(const NamedSurface& body, const Flatness& flatness) {
     }
 }
 
-double volume_of(const Solid& solid) {
-    double volume = 0;
-    for (const Polyhedron& part : solid.parts) volume += mass_properties(part).volume;
-    return volume;
-}
-
 /// Few convex parts in place of many.
 void enclose(Solid& solid, std::size_t most, SimplifyCounts& counts) {
     if (solid.parts.size() <= most) return;
@@ -149,15 +143,16 @@ IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups,
     for (NamedSurface& body : surfaces.surfaces) {
         const std::string quoted = body.name.empty() ? "" : fmt::format(" '{}'", body.name);
         bodies.push_back({fmt::format("body {}{}", bodies.size() + 1, quoted), mean_of(body.surface.vertices),
-                          [&](IncomingFile& counts) {
+                          [&](Reductions& reductions) {
                               if (options.simplification.wanted())
-                                  simplify(body, options.simplification, counts.simplified);
+                                  simplify(body, options.simplification, reductions.triangles);
                               Flatness flatness = of_files;
                               const double joined = options.repair.near / size_of(body.surface.vertices);
                               flatness.merged = std::clamp(joined, flatness.merged, flatness.mended);
                               IncomingBlock block{solid_of(body, flatness), {}, body.name, 0, 0};
                               if (options.convex > 0)
-                                  enclose(block.solid, static_cast<std::size_t>(options.convex), counts.enclosed);
+                                  enclose(block.solid, static_cast<std::size_t>(options.convex),
+                                          reductions.convex_parts);
                               return block;
                           }});
     }
@@ -166,6 +161,12 @@ IncomingFile from_surfaces(const std::string& path, std::vector<FaceSoup> soups,
 }
 
 } // namespace
+
+double volume_of(const Solid& solid) {
+    double volume = 0;
+    for (const Polyhedron& part : solid.parts) volume += mass_properties(part).volume;
+    return volume;
+}
 
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options) {
     const Placement placement(options);

@@ -20,12 +20,16 @@ struct IncomingBlock {
     std::int32_t region = 0, material = 0; ///< 0: not given in the file
 };
 
+/// How bodies became simpler.
+struct Reductions {
+    SimplifyCounts triangles, convex_parts;
+};
+
 struct IncomingFile {
     std::vector<IncomingBlock> blocks;
     std::vector<Diagnostic> refused; ///< of bodies that are wrong; each names the body and its place
     RepairCounts repaired;
-    SimplifyCounts simplified; ///< triangles
-    SimplifyCounts enclosed;   ///< convex parts
+    Reductions reductions;
 };
 
 /// How the coordinates of the file become those of the model, and what is repaired and simplified on the way.
@@ -36,6 +40,8 @@ struct IncomingOptions {
     Simplification simplification; ///< of surfaces
     std::int64_t convex = 0;       ///< greatest number of convex parts of a body, 0: as many as it has
 };
+
+double volume_of(const Solid& solid);
 
 /// Throws Diagnostic when the file as a whole cannot be read.
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options);

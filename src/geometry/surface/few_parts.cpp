@@ -27,10 +27,6 @@ struct Piece {
     double excess() const { return volume_of_hull - volume; }
 };
 
-bool comes_first(const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
 void add_hull(Piece& piece) {
     std::vector<Vec3> points;
     for (const auto& part : piece.parts) points.insert(points.end(), part->vertices.begin(), part->vertices.end());
@@ -71,15 +67,15 @@ std::vector<Piece> divide(const Piece& piece, const Plane& plane, double near) {
 /// Planes across the principal axes of the piece.
 void add_cross_sections(const Piece& piece, std::vector<Plane>& planes) {
     constexpr int sections = 5; // along each axis
+    std::vector<MassProperties> masses;
     Vec3 sum = Vec3::Zero();
     for (const auto& part : piece.parts) {
-        const auto mass = mass_properties(*part);
-        sum += mass.volume * mass.centroid;
+        masses.push_back(mass_properties(*part));
+        sum += masses.back().volume * masses.back().centroid;
     }
     const Vec3 centre = sum / piece.volume;
     Mat3 inertia = Mat3::Zero();
-    for (const auto& part : piece.parts) {
-        const auto mass = mass_properties(*part);
+    for (const MassProperties& mass : masses) {
         const Vec3 arm = mass.centroid - centre;
         inertia += mass.inertia + mass.volume * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
     }

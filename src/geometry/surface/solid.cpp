@@ -9,10 +9,11 @@
 
 namespace kaya {
 
+bool comes_first(const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
 void put_in_order(Surface& surface) {
-    const auto comes_first = [](const Vec3& a, const Vec3& b) {
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    };
     std::vector<int> order(surface.vertices.size()), number(order.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),

@@ -44,6 +44,9 @@ using Diagonals = std::map<std::string, int>;
 double flatten(Surface& surface, const Flatness& flatness, const Diagonals& diagonals,
                std::vector<std::string>& triangulated);
 
+/// The order of places: by x, then y, then z.
+bool comes_first(const Vec3& a, const Vec3& b);
+
 /// Sorts vertices by place, loops and faces by vertices: what is made of the surface then depends on its shape alone.
 void put_in_order(Surface& surface);
 
