@@ -12,7 +12,9 @@
 #include <functional>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 /// As reported by the system.
@@ -135,6 +137,21 @@ void materials(std::vector<Row>& rows) {
     rows.push_back({"10,000 blocks with three joint materials over the same with one", median(ratios), "", 1.1, 1.05});
 }
 
+/// Blocks that meet along lines, in most of which rounding alone makes an overlap.
+void prisms(std::vector<Row>& rows) {
+    bench::RigidKernel kernel(10);
+    for (int i = 0; i < 2000; ++i) kernel.step();
+    const auto per_contact = [&](const std::string& deck) {
+        Run run(deck);
+        run.cycles(100);
+        const auto paired = against_kernel(kernel, 5, 50, [&] { run.cycles(50); });
+        return paired.ratio * count(kernel.pairs()) / count(run.model().contacts.size());
+    };
+    rows.push_back({"wall of 2,303 prisms, time per contact over the kernel's per face pair",
+                    per_contact("prism-wall.3dd"), "", 0, 0});
+    rows.push_back({"the same held", per_contact("prism-wall-held.3dd"), "", 0, 0});
+}
+
 void building(std::vector<Row>& rows) {
     rows.push_back({"10,000 blocks by joint sets, contacts included", timed([] {
                         Run run("jointed-rock.3dd");
@@ -183,10 +200,14 @@ std::string processor() {
 
 int main(int argc, char** argv) {
     const std::string csv = argc > 1 ? argv[1] : "ratios.csv";
-    const bool zones_only = argc > 2 && argv[2] == std::string("zones");
+    const std::string wanted = argc > 2 ? argv[2] : "";
     std::vector<Row> rows;
-    for (const auto part : {packed_cubes, threads, small_models, materials, building, growth, bench::zones, yade}) {
-        if (zones_only && part != bench::zones) continue;
+    const std::pair<std::string_view, void (*)(std::vector<Row>&)> parts[] = {
+        {"cubes", packed_cubes},  {"threads", threads},    {"one", small_models},
+        {"materials", materials}, {"prisms", prisms},      {"building", building},
+        {"growth", growth},       {"zones", bench::zones}, {"yade", yade}};
+    for (const auto& [name, part] : parts) {
+        if (!wanted.empty() && name != wanted) continue;
         const std::size_t first = rows.size();
         part(rows);
         for (std::size_t i = first; i < rows.size(); ++i)

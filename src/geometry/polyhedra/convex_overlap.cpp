@@ -13,6 +13,12 @@ void ConvexClip::clear() {
     faces_.clear();
 }
 
+void ConvexClip::copy(const ConvexClip& other) {
+    vertices_ = other.vertices_;
+    corners_ = other.corners_;
+    faces_ = other.faces_;
+}
+
 /// The vertex at which an edge leaves the plane's lower side; both faces at the edge find the same one.
 int ConvexClip::cut_at(int inside, int outside) {
     for (std::size_t i = 0; i < cuts_.size(); ++i)
@@ -103,25 +109,56 @@ Vec3 ConvexClip::area_vector(std::size_t face) const {
     return 0.5 * sum;
 }
 
+namespace {
+
+/// The mean of the vertices: numbers stay small.
+Vec3 middle_of(const ConvexClip& part) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& v : part.vertices()) sum += v;
+    return sum / static_cast<double>(part.vertices().size());
+}
+
+/// Calls `each` with the volume of the tetrahedra between a place and the triangles of the faces, and with their corners from there.
+template <class Each> void each_tetrahedron(const ConvexClip& part, const Vec3& from, Each each) {
+    for (std::size_t f = 0; f < part.face_count(); ++f) {
+        const Vec3 a = part.corner(f, 0) - from;
+        for (int i = 1; i + 1 < part.corner_count(f); ++i) {
+            const Vec3 b = part.corner(f, i) - from, c = part.corner(f, i + 1) - from;
+            each(a.dot(b.cross(c)) / 6, a, b, c);
+        }
+    }
+}
+
+struct VolumeCentre {
+    double volume = 0;
+    Vec3 centroid = Vec3::Zero();
+};
+
+VolumeCentre volume_centre(const ConvexClip& part) {
+    const Vec3 origin = middle_of(part);
+    double whole = 0;
+    Vec3 first = Vec3::Zero();
+    each_tetrahedron(part, origin, [&](double volume, const Vec3& a, const Vec3& b, const Vec3& c) {
+        whole += volume;
+        first += 0.25 * volume * (a + b + c);
+    });
+    return {whole, origin + first / whole};
+}
+
+} // namespace
+
 OverlapMoments moments_of(const ConvexClip& part) {
     OverlapMoments m;
     if (part.empty() || part.vertices().empty()) return m;
-    Vec3 origin = Vec3::Zero();
-    for (const Vec3& v : part.vertices()) origin += v;
-    origin /= static_cast<double>(part.vertices().size());
+    const Vec3 origin = middle_of(part);
     Vec3 first = Vec3::Zero();
     Mat3 second = Mat3::Zero();
-    for (std::size_t f = 0; f < part.face_count(); ++f) {
-        const Vec3 a = part.corner(f, 0) - origin;
-        for (int i = 1; i + 1 < part.corner_count(f); ++i) {
-            const Vec3 b = part.corner(f, i) - origin, c = part.corner(f, i + 1) - origin, sum = a + b + c;
-            const double volume = a.dot(b.cross(c)) / 6;
-            m.volume += volume;
-            first += 0.25 * volume * sum;
-            second +=
-                0.05 * volume * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
-        }
-    }
+    each_tetrahedron(part, origin, [&](double volume, const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 sum = a + b + c;
+        m.volume += volume;
+        first += 0.25 * volume * sum;
+        second += 0.05 * volume * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+    });
     if (!(m.volume > 0)) return {};
     const Vec3 centre = first / m.volume;
     m.centroid = origin + centre;
@@ -188,9 +225,9 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
     const auto near = [&](std::size_t i) { return least[i] <= deepest; };
     const auto add = [&](const ConvexClip& region, const HalfSpace& face) {
         const auto depth = [&](const Vec3& x) { return face.depth(x); };
-        const OverlapMoments moments = moments_of(region);
-        if (!(moments.volume > 0)) return;
-        gradient.value += moments.volume * face.depth(moments.centroid);
+        const VolumeCentre centre = volume_centre(region);
+        if (!(centre.volume > 0)) return;
+        gradient.value += centre.volume * face.depth(centre.centroid);
         for (std::size_t f = 0; f < region.face_count(); ++f)
             if (region.origin(f) == pushed) push(region, f, sense, depth, gradient);
     };
@@ -206,7 +243,7 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
     }
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (!near(i)) continue;
-        piece = part;
+        piece.copy(part);
         for (std::size_t j = 0; j < faces.size() && !piece.empty(); ++j)
             if (j != i && near(j))
                 piece.clip({faces[j].normal - faces[i].normal, faces[j].reach - faces[i].reach}, FaceOrigin::inner);

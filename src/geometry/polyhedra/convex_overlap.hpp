@@ -29,6 +29,8 @@ struct HalfSpace {
 class ConvexClip {
 public:
     void clear();
+    /// Becomes a copy of another one, without its working memory.
+    void copy(const ConvexClip& other);
     /// Vertices first, then the faces with their corners anticlockwise from outside.
     void add_vertex(const Vec3& place) { vertices_.push_back(place); }
     void begin_face() { faces_.push_back({static_cast<int>(corners_.size()), FaceOrigin::subject}); }

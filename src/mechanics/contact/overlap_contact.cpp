@@ -265,6 +265,9 @@ void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
     contacts.offset_tilt[c].setZero();
     const OverlapPair pair = pair_of(contacts, c);
     ClosureOffset offset;
+    if (gap_along(model, pair.block1, pair.block2, contacts.normal[c], offset) >=
+        -rounding_of_gap(model, pair.block1, pair.block2))
+        return;
     const OverlapPatch patch = overlap_patch(model, pair, contacts.normal[c], offset, scratch);
     if (!(patch.carried > 0)) return;
     const Vec3 n = patch.normal;
@@ -329,12 +332,11 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     patch.normal = n;
     ClosureOffset offset = offset_of(contacts, c);
     const auto comes_near = [&] {
-        // In parts of the margin: adjacent blocks that only rounding moves.
-        constexpr double no_overlap = 1e-12, no_motion = 1e-10;
+        constexpr double no_motion = 1e-10; // of the margin: of adjacent blocks that only rounding moves
         const double margin = std::min(model.blocks.margin[b1], model.blocks.margin[b2]);
         const double gap =
             offset.closure == 0 && offset.tilt.isZero(0) ? between.gap : gap_along(model, b1, b2, n, offset);
-        return gap < -no_overlap * margin || gap < closing - no_motion * margin;
+        return gap < -rounding_of_gap(model, b1, b2) || gap < closing - no_motion * margin;
     };
     const bool near = contacts.depth[c] > 0 || comes_near();
     double area = 0;
@@ -343,7 +345,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
         area = patch.area;
         if (closing > 0.25 * patch.depth) {
             offset.closure += closing;
-            area = std::max(area, overlap_patch(model, pair_of(contacts, c), patch.normal, offset, scratch).area);
+            area = std::max(area, overlap_area(model, pair_of(contacts, c), patch.normal, offset, scratch));
         }
     }
     n = patch.normal;

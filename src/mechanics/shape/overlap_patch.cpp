@@ -226,9 +226,9 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
     return found ? Flat::found : Flat::apart;
 }
 
-/// Clips one block with the faces of the other. False where nothing remains, or nothing carries.
-bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
-                  const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
+/// Clips one block with the faces of the other. False where nothing remains.
+bool clip_pair(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
+               const ClosureOffset& offset, OverlapScratch& work) {
     work.clip.clear();
     work.of_subject.clear();
     work.of_other.clear();
@@ -236,7 +236,14 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
     const Side one{pair.block1, 1}, two{pair.block2, -1};
     add_subject(model, second ? two : one, origin, offset, model.blocks.centroid[pair.block1], work);
     clip_by(model, second ? one : two, origin, normal, work);
-    if (work.clip.empty()) return false;
+    return !work.clip.empty();
+}
+
+/// The common part of two blocks. False where nothing remains, or nothing carries.
+bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
+                  const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
+    if (!clip_pair(model, pair, normal, origin, offset, work)) return false;
+    const bool second = second_is_subject(model.blocks, pair);
     common.moments = moments_of(work.clip);
     if (!(common.moments.volume > 0)) return false;
     const Flatness flatness(model, pair);
@@ -270,13 +277,33 @@ double area_along(const ConvexClip& clip, const Vec3& n) {
     return area;
 }
 
+/// Places are relative to it.
+Vec3 origin_of(const Model& model, const OverlapPair& pair) {
+    return model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
+}
+
+ClosureOffset along_normal_or(const ClosureOffset& offset, const Vec3& normal) {
+    ClosureOffset moved = offset;
+    if (moved.along.isZero(0)) moved.along = normal;
+    return moved;
+}
+
 } // namespace
+
+double overlap_area(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
+                    OverlapScratch& work) {
+    const Vec3 origin = origin_of(model, pair);
+    const ClosureOffset moved = along_normal_or(offset, normal);
+    const Flat flat = find_flat(model, pair, origin, moved, work);
+    if (flat == Flat::found) return work.flat.area();
+    if (flat == Flat::apart || !clip_pair(model, pair, normal, origin, moved, work)) return 0;
+    return area_along(work.clip, normal);
+}
 
 OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
                            OverlapScratch& work) {
-    const Vec3 origin = model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
-    ClosureOffset moved = offset;
-    if (moved.along.isZero(0)) moved.along = normal;
+    const Vec3 origin = origin_of(model, pair);
+    const ClosureOffset moved = along_normal_or(offset, normal);
     OverlapPatch patch;
     patch.normal = normal;
     CommonPart common;
