@@ -254,6 +254,49 @@ TEST(Concave, SurfacesInsideOthersAreHollows) {
     }
 }
 
+/// A plate of square cells with a hole in each cell whose row and column are both odd, as quadrilaterals.
+Loops plate_with_holes(int holes, double thickness) {
+    const int cells = 2 * holes + 1;
+    const auto filled = [&](int i, int j) {
+        return i >= 0 && j >= 0 && i < cells && j < cells && !(i % 2 == 1 && j % 2 == 1);
+    };
+    Loops loops;
+    const auto wall = [&](const Vec3& a, const Vec3& b) {
+        const Vec3 up(0, 0, thickness);
+        loops.push_back({a, b, b + up, a + up});
+    };
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j) {
+            if (!filled(i, j)) continue;
+            const Vec3 a(i, j, 0), b(i + 1, j, 0), c(i + 1, j + 1, 0), d(i, j + 1, 0), up(0, 0, thickness);
+            loops.push_back({a, d, c, b});
+            loops.push_back({a + up, b + up, c + up, d + up});
+            if (!filled(i, j - 1)) wall(a, b);
+            if (!filled(i + 1, j)) wall(b, c);
+            if (!filled(i, j + 1)) wall(c, d);
+            if (!filled(i - 1, j)) wall(d, a);
+        }
+    return loops;
+}
+
+TEST(Concave, BodiesMayHaveManyHoles) {
+    Random random(48);
+    for (int k = 0; k < 12; ++k) {
+        const int holes = 1 + k % 4;
+        const double thickness = 0.3 + 2 * random.uniform();
+        const Pose pose(random);
+        Loops loops = plate_with_holes(holes, thickness);
+        for (auto& loop : loops)
+            for (Vec3& v : loop) v = pose(v);
+        shuffle(loops, random, true);
+        const SurfaceFile file = surfaces_of({FaceSoup{{}, loops}});
+        const double cells = (2 * holes + 1) * (2 * holes + 1) - holes * holes;
+        const double wanted = cells * thickness * std::pow(pose.scale, 3);
+        EXPECT_EQ(file.surfaces.size(), 1u) << k;
+        EXPECT_NEAR(volume_of(file), wanted, 1e-6 * wanted) << k;
+    }
+}
+
 // Thin saddles whose lower and upper faces have their lowest corners at different ends: the usual diagonals cross.
 TEST(Concave, WarpedFacesAreDividedSoThatNothingCrosses) {
     Random random(46);
