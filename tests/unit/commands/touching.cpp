@@ -51,7 +51,7 @@ TEST_F(Touching, RoundingMakesNoOverlapsOfHeldBlocks) {
             EXPECT_GE(contacts.size(), 600u);
             for (std::size_t c = 0; c < contacts.size(); ++c) {
                 ASSERT_EQ(contacts.depth[c], 0);
-                ASSERT_EQ(contacts.offset[c], 0); // seeking it anew in each cycle costs ten times the contact
+                ASSERT_EQ(contacts.offset[c], 0); // seeking it in each cycle costs ten times the contact
             }
         }
 }
