@@ -13,11 +13,28 @@
 namespace kaya {
 namespace {
 
-/// The components of a force along held directions.
-Vec3 held_part(const Vec3& force, std::uint8_t fixed, const Roller& roller) {
-    Vec3 free = free_part(force, fixed);
-    if (roller.count != 0) free += roller_change(roller, free, fixed, Vec3::Zero());
-    return force - free;
+/// What holds a body.
+struct Hold {
+    std::uint8_t fixed = 0;
+    Roller roller;
+
+    bool any() const { return (fixed & 7) != 0 || roller.count != 0; }
+    /// The force that holds against a sum of forces.
+    Vec3 against(const Vec3& force) const {
+        Vec3 free = free_part(force, fixed);
+        if (roller.count != 0) free += roller_change(roller, free, fixed, Vec3::Zero());
+        return free - force;
+    }
+};
+
+Hold hold_of(const Model& model, std::span<const Row> members) {
+    Hold hold{0, members.size() == 1 ? roller_of(model, members.front()) : roller_of_body(model, members)};
+    for (const Row b : members) hold.fixed |= model.blocks.fixed[b];
+    return hold;
+}
+
+Hold hold_of_gridpoint(const Model& model, Row g) {
+    return {model.gridpoints.fixed[g], model.rollers[static_cast<std::size_t>(model.gridpoints.roller[g])]};
 }
 
 class Sum {
@@ -27,19 +44,13 @@ public:
     /// A rigid block, or joined ones.
     void add_rigid(std::span<const Row> members) {
         const auto& blocks = model_.blocks;
-        std::uint8_t fixed = 0;
-        Vec3 force = Vec3::Zero(), weight = Vec3::Zero(), load = Vec3::Zero();
+        Vec3 weight = Vec3::Zero(), load = Vec3::Zero();
         for (const Row b : members) {
-            fixed |= blocks.fixed[b];
-            force += blocks.force[b];
             weight += blocks.mass[b] * model_.settings.gravity;
             load += blocks.load[b];
         }
-        const Roller roller =
-            members.size() == 1 ? roller_of(model_, members.front()) : roller_of_body(model_, members);
         add_body(weight, load);
-        if ((fixed & 7) == 0 && roller.count == 0) return;
-        add_held(members.front(), -held_part(force + weight + load, fixed, roller), weight);
+        if (hold_of(model_, members).any()) add_held(members.front(), reaction_on(model_, members), weight);
     }
 
     void add_zoned(Row block) {
@@ -48,13 +59,11 @@ public:
         bool held = false;
         const Span span = model_.blocks.gridpoints[block];
         for (Row g = span.first; g < span.end(); ++g) {
-            const Vec3 own = points.mass[g] * model_.settings.gravity, given = points.load[g];
-            weight += own;
-            load += given;
-            const Roller& roller = model_.rollers[static_cast<std::size_t>(points.roller[g])];
-            if ((points.fixed[g] & 7) == 0 && roller.count == 0) continue;
+            weight += points.mass[g] * model_.settings.gravity;
+            load += points.load[g];
+            if (!hold_of_gridpoint(model_, g).any()) continue;
             held = true;
-            reaction -= held_part(Vec3(points.force[g]) + own + given, points.fixed[g], roller);
+            reaction += reaction_on_gridpoint(model_, g);
         }
         add_body(weight, load);
         if (held) add_held(block, reaction, weight);
@@ -89,6 +98,19 @@ private:
 };
 
 } // namespace
+
+Vec3 reaction_on(const Model& model, std::span<const Row> members) {
+    const auto& blocks = model.blocks;
+    Vec3 force = Vec3::Zero();
+    for (const Row b : members) force += blocks.force[b] + blocks.mass[b] * model.settings.gravity + blocks.load[b];
+    return hold_of(model, members).against(force);
+}
+
+Vec3 reaction_on_gridpoint(const Model& model, Row g) {
+    const auto& points = model.gridpoints;
+    return hold_of_gridpoint(model, g).against(points.force[g] + points.mass[g] * model.settings.gravity +
+                                               points.load[g]);
+}
 
 Reactions reactions_of(const Model& model, const std::function<bool(Row)>& picked) {
     Sum sum(model, picked);

@@ -4,6 +4,7 @@
 #include "model/tables/model.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace kaya {
@@ -26,5 +27,10 @@ struct Reactions {
 
 /// From the forces of the last cycle. `groups` has the supports of blocks that are picked, the sums have all.
 Reactions reactions_of(const Model& model, const std::function<bool(Row block)>& picked);
+
+/// The force of the supports on a rigid body, of one block or of all that are joined: minus the held components of all other forces.
+Vec3 reaction_on(const Model& model, std::span<const Row> members);
+/// The same of a gridpoint of zones.
+Vec3 reaction_on_gridpoint(const Model& model, Row gridpoint);
 
 } // namespace kaya

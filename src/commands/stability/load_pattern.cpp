@@ -1,22 +1,16 @@
 #include "commands/stability/load_pattern.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/stability/scaled_histories.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/held.hpp"
 
-#include <fmt/format.h>
 #include <map>
 
 namespace kaya {
 
 namespace {
-
-/// Without the components that are held; `bits` begin with x.
-Vec3 free_part(Vec3 vector, unsigned bits) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (bits & (1U << axis)) vector[axis] = 0;
-    return vector;
-}
 
 constexpr unsigned translations(std::uint8_t fixed) { return fixed & 7U; }
 constexpr unsigned rotations(std::uint8_t fixed) { return fixed >> 3U & 7U; }
@@ -34,7 +28,8 @@ LoadPattern::LoadPattern(const Model& model, const Vec3& gravity, const std::str
         force_ += part.force.norm();
         moments += moment_now(model, part).norm();
     }
-    if (force_ == 0) force_ = moments;
+    turns_ = force_ == 0;
+    if (turns_) force_ = moments;
     if (!(force_ > 0))
         throw Diagnostic("nothing that is free carries the loads that are scaled",
                          "free the blocks that are pushed, or load others");
@@ -64,19 +59,8 @@ void LoadPattern::add_gravity(const Model& model, const Vec3& gravity) {
 
 void LoadPattern::add_loads(const Model& model, const std::string& variable) {
     const auto& histories = model.boundary_histories;
-    const auto has_it = [&](std::size_t i) {
-        const TimeFunction& function = model.time_functions[static_cast<std::size_t>(histories.function[i])];
-        return function.kind == TimeFunction::Kind::script && function.script == variable;
-    };
-    bool loads = false;
-    for (std::size_t i = 0; i < histories.size(); ++i) {
+    for (const Row i : scaled_histories(model, variable).rows) {
         const Row b = model.blocks.ids.row(histories.block[i]);
-        if (b == no_row || !has_it(i)) continue;
-        if (histories.what[i] == BoundaryHistories::What::velocity)
-            throw Diagnostic(
-                fmt::format("'@{}' scales a velocity, which is driven and not pushed", variable),
-                "scale loads; a boundary whose velocity is prescribed needs no control: list reactions has its force");
-        loads = true;
         const double amount = histories.amplitude[i];
         const int component = histories.component[i];
         if (histories.gridpoint[i] != no_row) {
@@ -89,9 +73,6 @@ void LoadPattern::add_loads(const Model& model, const std::string& variable) {
         else if (component < BoundaryHistories::motions) part.moment[component - 3] += amount;
         else part.arms(place % 3, place / 3) += amount;
     }
-    if (!loads)
-        throw Diagnostic(fmt::format("no load is scaled by '@{}'", variable),
-                         fmt::format("give one first, e.g. apply xload 1000 hist @{}", variable));
 }
 
 Vec3 LoadPattern::moment_now(const Model& model, const Part& part) {

@@ -24,6 +24,7 @@ public:
     double force() const {
         return force_;
     } ///< sum of the amounts of all forces, or of the moments where there is no force
+    bool turns() const { return turns_; } ///< there are moments only, and the displacement is a rotation
     double velocity(const Model& model) const;
     /// Change of the acceleration with the factor, where nothing else acts.
     double answer(const Model& model) const;
@@ -43,6 +44,7 @@ private:
     std::map<std::pair<Row, Row>, std::size_t> places_; ///< of the part of a block and a gridpoint
     std::size_t blocks_ = 0, gridpoints_ = 0;
     double force_ = 0;
+    bool turns_ = false;
 };
 
 } // namespace kaya

@@ -159,6 +159,7 @@ std::string before(std::string_view example) {
         return "geometry set 'fault'\ngeometry polygon create by-positions (-9,-9,0.4) (9,-9,0.4) (9,9,0.4) (-9,9,0.4)\n";
     if (example.find("frequencies") != example.npos || example.find("dynamic eigen") != example.npos)
         return "new\npoly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 density 2000\nfix range z 0 1\njmodel model mohr\njmodel jkn 1e9 jks 1e9\n";
+    if (example.find("@drive") != example.npos) return "set @drive = 0\napply xvel 1 hist @drive range region 1\n";
     if (example.starts_with("solve control"))
         return "gravity 0 0 -10\nset @push = 0\napply xload 10 hist @push range region 1\n";
     if (example.starts_with("range delete")) return "range name low z 0 1\n";

@@ -1,0 +1,48 @@
+// The curve of solve control.
+#pragma once
+
+#include "commands/session/session.hpp"
+#include "lang/commands/commands.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kaya {
+
+/// Some cycles: displacement and load are means, the rest is that of the last one.
+struct CurveRow {
+    double displacement = 0, load = 0, time = 0;
+    Vec3 reaction = Vec3::Zero();
+    double lost = 0, damped = 0, ratio = 0;
+    double stored = 0, zone_work = 0; ///< in joints; on zones
+};
+
+class LoadCurve {
+public:
+    /// `at_rest`: hardly any work went into motion and damping. Only such rows are the peak, once there is one.
+    void add(const CurveRow& row, bool at_rest);
+    std::size_t size() const { return rows_.size(); }
+    bool empty() const { return rows_.empty(); }
+    const CurveRow& back() const { return rows_.back(); }
+    /// Row of the greatest load; there must be one.
+    const CurveRow& peak() const { return rows_[peak_]; }
+    /// Whether the load was at most `load` in the last rows, so that it has not only jumped there.
+    bool stays_below(double load) const;
+
+    /// How far, over the peak, the true peak may lie above it, by the larger of the last two steps of the load up to a sharp peak. A flat
+    /// one has 0, as one that may still rise.
+    double doubt_of_peak() const;
+
+    /// Writes the table and the CSV file that the command wants.
+    void store(Session& session, const lang::SolveControl& command) const;
+    /// The load over the displacement, with its peak. Names of axes are quantities with their units: "force [force]".
+    Chart picture(const Session& session, const std::string& displacement, const std::string& load) const;
+
+private:
+    std::vector<CurveRow> rows_;
+    std::size_t peak_ = 0;
+    bool peak_at_rest_ = false;
+};
+
+} // namespace kaya
