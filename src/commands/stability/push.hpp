@@ -16,8 +16,8 @@ public:
 
     virtual double velocity() const = 0; ///< of the displacement
     virtual double load() const = 0;
-    virtual double force() const = 0;   ///< load times this times displacement is the work of the load
-    virtual Vec3 reaction() const = 0;  ///< of all supports but a driven one
+    virtual double force() const = 0;     ///< load times this times displacement is the work of the load
+    virtual Vec3 reaction() const = 0;    ///< of all supports but a driven one
     virtual bool is_boundary() const = 0; ///< a boundary, no load
     /// Adjusts to masses, and to bodies that have come or gone. Throws Diagnostic when none is left.
     virtual void renew() = 0;
