@@ -5,7 +5,7 @@
 #include "commands/run/run_cycles.hpp"
 #include "commands/stability/load_curve.hpp"
 #include "commands/stability/other_motion.hpp"
-#include "commands/stability/push.hpp"
+#include "commands/stability/push_of.hpp"
 #include "model/kinds/nearest.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What must not act in a run whose speed and time have no meaning of their own.
+// What must not act in a run whose speed and time mean nothing.
 #pragma once
 
 #include "commands/session/session.hpp"

@@ -1,10 +1,8 @@
 // What solve control moves: a load that is scaled, or a boundary that is driven. docs/push-over.md
 #pragma once
 
-#include "commands/session/session.hpp"
-#include "lang/commands/commands.hpp"
+#include "base/vector.hpp"
 
-#include <memory>
 #include <string>
 
 namespace kaya {
@@ -33,8 +31,5 @@ public:
     /// Why a run ends when the load is 0.
     virtual std::string end_of_load() const = 0;
 };
-
-/// Throws Diagnostic when there is nothing to push. Masses and forces must be known: Cycle::prepare.
-std::unique_ptr<Push> push_of(Session& session, const lang::SolveControl& command);
 
 } // namespace kaya

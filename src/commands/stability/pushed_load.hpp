@@ -1,8 +1,10 @@
 // A load that is scaled such that its bodies move at a given speed.
 #pragma once
 
+#include "commands/session/session.hpp"
 #include "commands/stability/load_pattern.hpp"
 #include "commands/stability/push.hpp"
+#include "lang/commands/commands.hpp"
 
 namespace kaya {
 

@@ -10,7 +10,7 @@ namespace kaya {
 
 /// Rows of Model::boundary_histories of one kind, all of blocks that are there.
 struct ScaledHistories {
-    bool drives = false; ///< velocities, not loads
+    bool are_velocities = false; ///< velocities, not loads
     std::vector<Row> rows;
 };
 

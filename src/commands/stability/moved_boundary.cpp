@@ -1,4 +1,4 @@
-#include "commands/stability/driven_boundary.hpp"
+#include "commands/stability/moved_boundary.hpp"
 
 #include "base/diagnostic.hpp"
 #include "commands/list/reactions.hpp"
@@ -47,14 +47,14 @@ double power_on(const Model& model, std::span<const Row> members) {
 }
 
 /// Bodies that the histories move, with their motions.
-struct Driven {
+struct Moved {
     std::map<Row, Motion> blocks;     ///< rigid
     std::map<Row, Motion> gridpoints; ///< of zones
 };
 
-Driven driven_by(const Model& model, const std::string& variable) {
+Moved moved_by(const Model& model, const std::string& variable) {
     const auto& histories = model.boundary_histories;
-    Driven driven;
+    Moved moved;
     for (const Row i : scaled_histories(model, variable).rows) {
         const Row b = model.blocks.ids.row(histories.block[i]);
         const auto component = static_cast<std::size_t>(histories.component[i]);
@@ -62,21 +62,21 @@ Driven driven_by(const Model& model, const std::string& variable) {
         const auto move = [&](std::map<Row, Motion>& bodies, Row row, unsigned fixed) {
             if (fixed & (1U << component)) bodies.try_emplace(row).first->second[component] = histories.amplitude[i];
         };
-        const auto move_gridpoint = [&](Row g) { move(driven.gridpoints, g, model.gridpoints.fixed[g]); };
+        const auto move_gridpoint = [&](Row g) { move(moved.gridpoints, g, model.gridpoints.fixed[g]); };
         if (histories.gridpoint[i] != no_row) move_gridpoint(points.first + histories.gridpoint[i]);
-        else if (!model.blocks.deformable[b]) move(driven.blocks, b, model.blocks.fixed[b]);
+        else if (!model.blocks.deformable[b]) move(moved.blocks, b, model.blocks.fixed[b]);
         else
             for (Row g = points.first; g < points.end(); ++g) move_gridpoint(g);
     }
-    return driven;
+    return moved;
 }
 
 /// Joined blocks move by the first one that is held in a direction. Throws Diagnostic when that one is not driven like `block`.
-void check_drive(const Model& model, const Driven& driven, Row block, std::span<const Row> members) {
+void check_motion(const Model& model, const Moved& moved, Row block, std::span<const Row> members) {
     for (int k = 0; k < BoundaryHistories::motions; ++k) {
         const auto speed = [&](Row b) {
-            const auto found = driven.blocks.find(b);
-            return found == driven.blocks.end() ? 0 : found->second[static_cast<std::size_t>(k)];
+            const auto found = moved.blocks.find(b);
+            return found == moved.blocks.end() ? 0 : found->second[static_cast<std::size_t>(k)];
         };
         const auto first =
             std::ranges::find_if(members, [&](Row b) { return (model.blocks.fixed[b] & (1 << k)) != 0; });
@@ -89,20 +89,20 @@ void check_drive(const Model& model, const Driven& driven, Row block, std::span<
 
 } // namespace
 
-DrivenBoundary::DrivenBoundary(Session& session, const lang::SolveControl& command)
+MovedBoundary::MovedBoundary(Session& session, const lang::SolveControl& command)
     : session_(session), model_(session.engine.model), variable_(command.variable) {
     renew();
 }
 
-bool DrivenBoundary::is_outdated() const {
+bool MovedBoundary::is_outdated() const {
     return model_.blocks.size() != blocks_ || model_.gridpoints.size() != all_gridpoints_;
 }
 
-void DrivenBoundary::renew() {
+void MovedBoundary::renew() {
     if (!is_outdated()) return;
     blocks_ = model_.blocks.size();
     all_gridpoints_ = model_.gridpoints.size();
-    const Driven driven = driven_by(model_, variable_);
+    const Moved moved = moved_by(model_, variable_);
     bodies_.clear();
     gridpoints_.clear();
     double along_most = 0, about_most = 0;
@@ -110,14 +110,14 @@ void DrivenBoundary::renew() {
     const JoinedBodies parts = joined_bodies(model_);
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (const Row b : parts.members(i)) joined[b].assign(parts.members(i).begin(), parts.members(i).end());
-    for (const auto& [b, motion] : driven.blocks) {
+    for (const auto& [b, motion] : moved.blocks) {
         const std::vector<Row> members = joined.contains(b) ? joined.at(b) : std::vector{b};
-        check_drive(model_, driven, b, members);
+        check_motion(model_, moved, b, members);
         along_most = std::max(along_most, along(motion));
         about_most = std::max(about_most, about(motion));
         if (std::ranges::find(bodies_, members) == bodies_.end()) bodies_.push_back(members);
     }
-    for (const auto& [g, motion] : driven.gridpoints) {
+    for (const auto& [g, motion] : moved.gridpoints) {
         along_most = std::max(along_most, along(motion));
         gridpoints_.push_back(g);
     }
@@ -128,7 +128,7 @@ void DrivenBoundary::renew() {
                          fmt::format("give one, e.g. apply xvel 1 hist @{}", variable_));
 }
 
-double DrivenBoundary::load() const {
+double MovedBoundary::load() const {
     if (factor_ == 0) return 0;
     double power = 0;
     for (const auto& members : bodies_) power += power_on(model_, members);
@@ -136,23 +136,23 @@ double DrivenBoundary::load() const {
     return power / velocity();
 }
 
-Vec3 DrivenBoundary::reaction() const {
+Vec3 MovedBoundary::reaction() const {
     Vec3 others = reactions_of(model_, [](Row) { return false; }).reaction;
     for (const auto& members : bodies_) others -= reaction_on(model_, members);
     for (const Row g : gridpoints_) others -= reaction_on_gridpoint(model_, g);
     return others;
 }
 
-void DrivenBoundary::set(double factor) {
+void MovedBoundary::set(double factor) {
     factor_ = factor;
     session_.engine.scripts->set(variable_, factor);
 }
 
-void DrivenBoundary::advance(double, double wanted) {
+void MovedBoundary::advance(double, double wanted) {
     constexpr double part = 0.2; // of what is missing: a jump would be an impact
     set(factor_ + part * (wanted / size_ - factor_));
 }
 
-void DrivenBoundary::end() { set(0); }
+void MovedBoundary::end() { set(0); }
 
 } // namespace kaya

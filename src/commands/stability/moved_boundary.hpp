@@ -1,7 +1,9 @@
 // Bodies whose velocity is prescribed by a variable of scripts, as one force on one displacement.
 #pragma once
 
+#include "commands/session/session.hpp"
 #include "commands/stability/push.hpp"
+#include "lang/commands/commands.hpp"
 
 #include <vector>
 
@@ -9,9 +11,9 @@ namespace kaya {
 
 /// The displacement is that of the fastest body: of its centroid, or its rotation when none is moved along. The load is the force, or
 /// moment, that does the work of all reactions of the driven bodies on it: docs/push-over.md, equation (3).
-class DrivenBoundary : public Push {
+class MovedBoundary : public Push {
 public:
-    DrivenBoundary(Session& session, const lang::SolveControl& command);
+    MovedBoundary(Session& session, const lang::SolveControl& command);
 
     double velocity() const override { return factor_ * size_; }
     double load() const override;
