@@ -97,6 +97,9 @@ constexpr ModeRow rows[] = {
     {"solve elastic"},
     {"solve fos joints"},
     {"solve fos zones", "eyyyyy"},
+    {"solve control gravity"},
+    {"solve control scale, load"},
+    {"solve control scale, velocity"},
     {"list stability"},
     {"limit equilibrium"},
 };
