@@ -53,7 +53,7 @@ public:
         : session_(session), model_(session.engine.model), command_(command), push_(push_of(session, command)),
           follower_(model_, command), damped_at_start_(model_.energy.damped) {
         paced_damped_ = damped_at_start_;
-        lost_to_motion_ = lost_to_motion();
+        motion_ = motion();
         if (push_->is_boundary()) push_->advance(0, wanted()); // a boundary moves from the first cycle
     }
 
@@ -120,20 +120,22 @@ private:
         }
         pace_ = std::clamp(pace_ * std::exp2(change_ / static_cast<double>(span)), slowest, 1.0);
     }
-    /// Without the motion that was given from outside.
-    double lost_to_motion() const { return model_.energy.damped + model_.energy.kinetic - model_.energy.start; }
+    /// Kinetic energy, without that of velocities set from outside.
+    double motion() const { return model_.energy.kinetic - model_.energy.start; }
     double wanted() const { return command_.speed * speed_ratio_ * pace_; }
     double counted() const { return follower_.follows() ? follower_.displacement() : travelled_; }
 
     std::string add_row() {
         const auto mean = [&](double& sum) { return std::exchange(sum, 0) / static_cast<double>(command_.every); };
         CurveRow row{mean(displacement_sum_), mean(load_sum_), model_.clock.time};
-        const double lost = lost_to_motion() - lost_to_motion_;
+        const double gained = motion() - motion_;
+        const double damped = model_.energy.damped - (curve_.empty() ? damped_at_start_ : curve_.back().damped);
         const double work = push_->force() * (travelled_ - travelled_at_row_); // of a load of 1
-        const double share = std::abs(lost / (row.load * work));
+        row.pushed = row.load;
+        const double share = (std::abs(gained) + std::abs(damped)) / std::abs(row.load * work);
         constexpr double jump = 0.1; // of a crack or the like: the boundary feels nothing of its energy
-        if (work != 0 && (share < jump || !push_->is_boundary())) row.load -= lost / work; // equation (4)
-        lost_to_motion_ += lost;
+        if (work != 0 && (share < jump || !push_->is_boundary())) row.load -= (gained + damped) / work; // equation (4)
+        motion_ += gained;
         row.reaction = push_->reaction();
         row.lost = model_.energy.joint_friction;
         row.damped = model_.energy.damped;
@@ -142,7 +144,7 @@ private:
         row.zone_work = model_.energy.zone_work;
         if (follower_.follows()) follow(counted() - counted_at_row_);
         travelled_at_row_ = travelled_, counted_at_row_ = counted();
-        curve_.add(row, share <= command_.damped);
+        curve_.add(row, std::max(share, row.ratio) <= command_.damped);
         push_->renew();
         constexpr std::size_t few = 64;
         if (curve_.size() >= few && std::has_single_bit(curve_.size())) store(); // what a run leaves that is cut off
@@ -178,7 +180,7 @@ private:
     Follower follower_;
     double damped_at_start_;
     double travelled_ = 0, travelled_at_row_ = 0, counted_at_row_ = 0, speed_ratio_ = 1, work_ = 0, load_sum_ = 0,
-           displacement_sum_ = 0, pace_ = slowest, paced_work_ = 0, paced_damped_ = 0, change_ = 1, lost_to_motion_ = 0;
+           displacement_sum_ = 0, pace_ = slowest, paced_work_ = 0, paced_damped_ = 0, change_ = 1, motion_ = 0;
     std::int64_t cycles_ = 0;
     LoadCurve curve_;
 };

@@ -17,8 +17,9 @@ void LoadCurve::add(const CurveRow& row, bool at_rest) {
 
 bool LoadCurve::stays_below(double load) const {
     constexpr std::size_t last = 3;
-    return rows_.size() >= last &&
-           std::all_of(rows_.end() - last, rows_.end(), [&](const CurveRow& row) { return row.load <= load; });
+    return rows_.size() >= last && std::all_of(rows_.end() - last, rows_.end(), [&](const CurveRow& row) {
+               return std::max(row.load, row.pushed) <= load;
+           });
 }
 
 double LoadCurve::doubt_of_peak() const {

@@ -13,6 +13,7 @@ namespace kaya {
 /// Some cycles: displacement and load are means, the rest is that of the last one.
 struct CurveRow {
     double displacement = 0, load = 0, time = 0;
+    double pushed = 0; ///< the load with what motion and damping take
     Vec3 reaction = Vec3::Zero();
     double lost = 0, damped = 0, ratio = 0;
     double stored = 0, zone_work = 0; ///< in joints; on zones
@@ -27,7 +28,7 @@ public:
     const CurveRow& back() const { return rows_.back(); }
     /// Row of the greatest load; there must be one.
     const CurveRow& peak() const { return rows_[peak_]; }
-    /// Whether the load was at most `load` in the last rows, so that it has not only jumped there.
+    /// Whether the load was at most `load` in the last rows, also with what motion takes: it has not only jumped there.
     bool stays_below(double load) const;
 
     /// How far, over the peak, the true peak may lie above it, by the larger of the last two steps of the load up to a sharp peak. A flat
