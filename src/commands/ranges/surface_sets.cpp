@@ -3,10 +3,12 @@
 #include "commands/ranges/saved_text.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace kaya {
@@ -72,12 +74,30 @@ std::string details_text(const SurfaceSets& sets) {
     return text;
 }
 
+/// Each value of a sample is a number of doubles, behind them stands its sum of weights.
+template <class T> auto numbers_of_value(T& value) {
+    if constexpr (std::is_same_v<std::remove_const_t<T>, double>) return std::array{&value};
+    else return std::array{&value.dip, &value.dip_direction};
+}
+template <class T> std::string text_of(const Sample<T>& sample) {
+    std::string text = fmt::format("{}", sample.values.size());
+    for (std::size_t i = 0; i < sample.values.size(); ++i) {
+        for (const double* number : numbers_of_value(sample.values[i])) text += fmt::format(" {:a}", *number);
+        text += fmt::format(" {:a}", sample.sums[i]);
+    }
+    return text + '\n';
+}
+
+/// Samples stand behind the numbers of the laws that draw from them.
 std::string text_of(const std::map<std::string, FractureLaw>& laws) {
     std::string text = fmt::format("{}\n", laws.size());
-    for (const auto& [name, law] : laws)
+    for (const auto& [name, law] : laws) {
         text +=
             fmt::format("{} {} {}", name_text(name), static_cast<int>(law.orientation), static_cast<int>(law.size)) +
             text_of(law_numbers(law));
+        if (law.orientation == FractureLaw::Orientation::bootstrapped) text += text_of(law.planes);
+        if (law.size == FractureLaw::Size::bootstrapped) text += text_of(law.diameters);
+    }
     return text;
 }
 
@@ -155,16 +175,32 @@ void read_details(SavedText& text, SurfaceSets& sets) {
         }
 }
 
+template <class T> Sample<T> read_sample(SavedText& text) {
+    Sample<T> sample;
+    for (std::size_t left = text.count(); left > 0; --left) {
+        T& value = sample.values.emplace_back();
+        for (double* number : numbers_of_value(value)) *number = finite(text);
+        const double before = sample.sums.empty() ? 0 : sample.sums.back();
+        sample.sums.push_back(finite(text));
+        if (sample.sums.back() < before) text.refuse();
+    }
+    if (sample.values.empty() || !(sample.sums.back() > 0)) text.refuse();
+    return sample;
+}
+
 std::map<std::string, FractureLaw> read_laws(SavedText& text) {
     std::map<std::string, FractureLaw> laws;
     for (std::size_t left = text.count(); left > 0; --left) {
         FractureLaw& law = laws[text.name()];
-        law.orientation = static_cast<FractureLaw::Orientation>(text.whole(0, 2));
-        law.size = static_cast<FractureLaw::Size>(text.whole(0, 4));
+        law.orientation = static_cast<FractureLaw::Orientation>(text.whole(0, 3));
+        law.size = static_cast<FractureLaw::Size>(text.whole(0, 5));
         for (double* number : law_numbers(law)) {
             *number = text.number();
             if (std::isnan(*number)) text.refuse();
         }
+        if (law.orientation == FractureLaw::Orientation::bootstrapped) law.planes = read_sample<MeasuredPlane>(text);
+        if (law.size == FractureLaw::Size::bootstrapped) law.diameters = read_sample<double>(text);
+        if (std::ranges::any_of(law.diameters.values, [](double d) { return !(d > 0); })) text.refuse();
     }
     return laws;
 }

@@ -58,6 +58,12 @@ void direct(Disc& disc, const FractureLaw& law, Random& random) {
         disc.dip_direction = law.dip_direction + law.dip_direction_deviation * normal_number(random);
         set_normal(disc, normal_of(disc));
         return;
+    case bootstrapped: {
+        const MeasuredPlane& plane = law.planes.draw(random);
+        disc.dip = plane.dip;
+        disc.dip_direction = plane.dip_direction;
+        return;
+    }
     }
 }
 
@@ -80,8 +86,27 @@ double draw_size(const FractureLaw& law, Random& random) {
     case gauss: return law.mean + law.deviation * normal_number(random);
     case exponential: return -law.mean * std::log(above_zero(random));
     case uniform: return law.sizes.low + random.uniform() * (law.sizes.high - law.sizes.low);
+    case bootstrapped: return law.diameters.draw(random);
     }
     return 0;
+}
+
+/// A sample has a value within the limits.
+void check_samples(const FractureLaw& law) {
+    const auto plane = [&](const MeasuredPlane& p) {
+        return law.dips.hold(p.dip) && law.dip_directions.hold(p.dip_direction);
+    };
+    if (law.orientation == FractureLaw::Orientation::bootstrapped && std::ranges::none_of(law.planes.values, plane))
+        throw Diagnostic(
+            fmt::format(
+                "none of the {} measured planes has a dip from {:g} to {:g} and a dip direction from {:g} to {:g}",
+                law.planes.values.size(), law.dips.low, law.dips.high, law.dip_directions.low, law.dip_directions.high),
+            "widen dip-limits and dip-direction-limits");
+    if (law.size == FractureLaw::Size::bootstrapped &&
+        std::ranges::none_of(law.diameters.values, [&](double d) { return law.sizes.hold(d); }))
+        throw Diagnostic(fmt::format("none of the {} measured sizes is from {:g} to {:g}", law.diameters.values.size(),
+                                     law.sizes.low, law.sizes.high),
+                         "widen size-limits");
 }
 
 } // namespace
@@ -101,6 +126,7 @@ void check(const FractureLaw& law) {
             throw Diagnostic(fmt::format("the limits of {} are {:g} and {:g}: the first is the greater one", what,
                                          limits.low, limits.high),
                              "give the least value first");
+    check_samples(law);
 }
 
 Disc draw(const FractureLaw& law, const Vec3& low, const Vec3& high, Random& random) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/fractures/disc.hpp"
+#include "geometry/fractures/sample.hpp"
 #include "geometry/polyhedra/random.hpp"
 
 #include <array>
@@ -13,20 +14,25 @@ namespace kaya {
 struct Interval {
     double low, high;
     bool hold(double x) const { return x >= low && x <= high; }
+    bool operator==(const Interval&) const = default;
 };
 
 /// How fractures are directed and how large they are.
 struct FractureLaw {
-    enum class Orientation { uniform, fisher, gauss } orientation = Orientation::uniform;
+    enum class Orientation { uniform, fisher, gauss, bootstrapped } orientation = Orientation::uniform;
     double dip = 0, dip_direction = 0; ///< degrees: the mean
     double kappa = 0;                  ///< of Fisher's distribution
     double dip_deviation = 0, dip_direction_deviation = 0;
     Interval dips{0, 90}, dip_directions{0, 360};
+    Sample<MeasuredPlane> planes = {}; ///< of bootstrapped orientations
 
-    enum class Size { power_law, log_normal, gauss, exponential, uniform } size = Size::uniform;
+    enum class Size { power_law, log_normal, gauss, exponential, uniform, bootstrapped } size = Size::uniform;
     double exponent = 0;            ///< of a power law: the density of diameters falls with diameter^-exponent
     double mean = 0, deviation = 0; ///< of the diameter, before the limits
     Interval sizes{1, std::numeric_limits<double>::infinity()};
+    Sample<double> diameters = {}; ///< of bootstrapped sizes
+
+    bool operator==(const FractureLaw&) const = default;
 };
 
 /// Throws Diagnostic when nothing can be drawn from the law.

@@ -19,6 +19,13 @@ SurfaceSets two_networks() {
     set_group(polygon, "large");
     add_fracture(sets, "a", {{{5, 6, 7}, 80, 270, 1.5}});
     sets.laws["steep"].size = FractureLaw::Size::power_law;
+    FractureLaw& measured = sets.laws["measured"];
+    measured.orientation = FractureLaw::Orientation::bootstrapped;
+    measured.planes.add({30.1, 120});
+    measured.planes.add({88, 359.9}, 0.3);
+    measured.size = FractureLaw::Size::bootstrapped;
+    measured.diameters.add(2.7);
+    measured.sizes = {0, 1e12};
     sets.last_law = "steep";
     return sets;
 }
@@ -30,6 +37,7 @@ TEST(SurfaceSets, FracturesAreSavedWithTheirNumbersAndGroups) {
     EXPECT_EQ(again.networks, sets.networks);
     EXPECT_EQ(again.next_fracture, 4);
     EXPECT_EQ(again.surfaces, sets.surfaces);
+    EXPECT_EQ(again.laws, sets.laws);
     EXPECT_EQ(again.last_law, "steep");
 }
 
