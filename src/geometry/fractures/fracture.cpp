@@ -152,6 +152,24 @@ bool crosses(const Fracture& fracture, const Vec3& begin, const Vec3& end) {
     return true;
 }
 
+double excluded_volume(double radius) { return std::pow(std::numbers::pi, 2) * std::pow(radius, 3); }
+
+double percolation(const std::vector<Fracture>& fractures, const Vec3& low, const Vec3& high, AtSides at_sides) {
+    double sum = 0;
+    for (const Fracture& fracture : fractures) {
+        const Box box = box_of(fracture);
+        const double radius = 0.5 * fracture.disc.diameter;
+        if ((box.low - low).minCoeff() >= 0 && (high - box.high).minCoeff() >= 0) {
+            sum += excluded_volume(radius);
+            continue;
+        }
+        if (at_sides == AtSides::nothing) continue;
+        const double share = area_in_box(fracture, low, high) / area_of(fracture);
+        sum += excluded_volume(radius * (at_sides == AtSides::area_inside ? std::sqrt(share) : share));
+    }
+    return sum / (high - low).prod();
+}
+
 bool cut_to_box(Fracture& fracture, const Vec3& low, const Vec3& high, int sides) {
     const Box box = box_of(fracture);
     if ((box.low - low).minCoeff() >= 0 && (high - box.high).minCoeff() >= 0) return true;

@@ -44,6 +44,20 @@ double area_in_box(const Fracture& fracture, const Vec3& low, const Vec3& high);
 double distance_to(const Fracture& fracture, const Vec3& place);
 bool crosses(const Fracture& fracture, const Vec3& begin, const Vec3& end);
 
+/// Which part of a fracture that crosses the sides of a box counts for the percolation parameter.
+enum class AtSides {
+    nothing,      ///< it is left out
+    area_inside,  ///< a disc of the area inside
+    scaled_radius ///< a disc whose radius is less by the share of its area inside
+};
+
+/// The mean volume, over all orientations of two equal discs, in which the centre of one lies if it meets the other: pi^2 r^3 (Balberg,
+/// Anderson, Alexander and Wagner 1984, Phys. Rev. B 30).
+double excluded_volume(double radius);
+
+/// Percolation parameter: the sum of pi^2 r^3 over the volume of the box, without unit. A polygon has the radius of the disc of its area.
+double percolation(const std::vector<Fracture>& fractures, const Vec3& low, const Vec3& high, AtSides at_sides);
+
 /// Where the fracture crosses a box it becomes the polygon inside; a disc is taken as a polygon of that many sides. False: nothing is left.
 bool cut_to_box(Fracture& fracture, const Vec3& low, const Vec3& high, int sides);
 

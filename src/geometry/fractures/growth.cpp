@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "geometry/fractures/fracture.hpp"
 
 #include <array>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ double gain(const Growth& growth, const Disc& disc) {
     switch (growth.until) {
     case count: return 1;
     case area: return p32(std::array{disc}, growth.low, growth.high);
+    case percolation: return excluded_volume(0.5 * disc.diameter) / (growth.high - growth.low).prod();
     case crossings: return p10(std::array{disc}, growth.begin, growth.end);
     }
     return 0;

@@ -11,8 +11,9 @@ namespace kaya {
 /// Where fractures are drawn, and how many.
 struct Growth {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero(); ///< the box of their centres
-    enum class Until { count, area, crossings } until = Until::count;
-    double target = 1; ///< number; area per volume of the box; crossings per length of the line
+    enum class Until { count, area, crossings, percolation } until = Until::count;
+    /// Number; area per volume of the box; crossings per length of the line; pi^2 r^3 of whole discs per volume of the box.
+    double target = 1;
     Vec3 begin = Vec3::Zero(), end = Vec3::Zero(); ///< of the line
 };
 

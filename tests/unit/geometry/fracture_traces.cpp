@@ -150,3 +150,70 @@ TEST(FractureTraces, ClustersAreOrderedBySize) {
     const auto clusters = clusters_of(chain.size(), intersections_of(chain));
     EXPECT_EQ(clusters, (std::vector<std::size_t>{2, 0, 0, 0, 1, 1}));
 }
+
+namespace {
+
+Vec3 uniform_direction(Random& random) {
+    const double z = random.symmetric(), turn = 2 * std::numbers::pi * random.uniform(), r = std::sqrt(1 - z * z);
+    return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+} // namespace
+
+/// The mean volume in which the centre of a disc lies if it meets another one, by a hundred thousand pairs.
+TEST(Percolation, ExcludedVolumeIsThatOfPairsThatMeet) {
+    Random random(31);
+    const double radius = 1.5, side = 4 * radius;
+    std::size_t meet = 0;
+    constexpr std::size_t pairs = 100'000;
+    for (std::size_t k = 0; k < pairs; ++k) {
+        Fracture one{{Vec3::Zero(), 0, 0, 2 * radius}}, other = one;
+        set_normal(one.disc, uniform_direction(random));
+        set_normal(other.disc, uniform_direction(random));
+        other.disc.centre = 0.5 * side * Vec3(random.symmetric(), random.symmetric(), random.symmetric());
+        meet += intersections_of({one, other}).size();
+    }
+    const double share = excluded_volume(radius) / std::pow(side, 3);
+    EXPECT_NEAR(static_cast<double>(meet) / pairs, share, 4.9 * std::sqrt(share * (1 - share) / pairs));
+}
+
+TEST(Percolation, SidesOfABoxCountInThreeWays) {
+    const Vec3 low = Vec3::Zero(), high = Vec3::Constant(10);
+    const double pi = std::numbers::pi, whole = pi * pi * 8 / 1000;
+    const Fracture inside{{{5, 5, 5}, 30, 40, 4}}, half{{{0, 5, 5}, 0, 0, 4}}, outside{{{-3, 5, 5}, 0, 0, 4}};
+    for (const AtSides way : {AtSides::nothing, AtSides::area_inside, AtSides::scaled_radius}) {
+        EXPECT_NEAR(percolation({inside}, low, high, way), whole, 1e-15);
+        EXPECT_LT(percolation({outside}, low, high, way), 1e-15 * whole);
+        // In other units the same number.
+        const Fracture larger{{{5000, 5000, 5000}, 30, 40, 4000}};
+        EXPECT_NEAR(percolation({larger}, low, 1000 * high, way), whole, 1e-15);
+        // A polygon has the radius of the disc of its area.
+        const Fracture square = polygon_fracture(outline_of(inside, 4));
+        EXPECT_NEAR(percolation({square}, low, high, way), whole, 1e-14);
+    }
+    EXPECT_EQ(percolation({half}, low, high, AtSides::nothing), 0);
+    EXPECT_NEAR(percolation({half, inside}, low, high, AtSides::area_inside), whole * (1 + std::pow(0.5, 1.5)), 1e-15);
+    EXPECT_NEAR(percolation({half, inside}, low, high, AtSides::scaled_radius), whole * 1.125, 1e-15);
+}
+
+TEST(Percolation, NetworksGrowUntilItIsReached) {
+    FractureLaw law;
+    law.size = FractureLaw::Size::power_law;
+    law.exponent = 3.5;
+    law.sizes = {1, 12};
+    Growth growth;
+    growth.high = Vec3(40, 30, 20);
+    growth.until = Growth::Until::percolation;
+    growth.target = 2.5;
+    std::vector<Fracture> fractures;
+    double sum = 0, largest = 0;
+    for (const Disc& disc : grow(law, growth, Random(4))) {
+        fractures.push_back({disc});
+        sum += excluded_volume(0.5 * disc.diameter) / 24'000;
+        largest = std::max(largest, disc.diameter);
+    }
+    EXPECT_NEAR(sum, 2.5, 0.5 * excluded_volume(0.5 * 12) / 24'000);
+    // In a box that holds all of them, with the same volume.
+    const Vec3 low = Vec3::Constant(-largest), high = growth.high + Vec3::Constant(largest);
+    EXPECT_NEAR(percolation(fractures, low, high, AtSides::nothing) * (high - low).prod(), 24'000 * sum, 1e-9 * 24'000);
+}
