@@ -1,0 +1,95 @@
+#include "geometry/fractures/combine.hpp"
+
+#include "base/stop_point.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kaya {
+namespace {
+
+/// Smaller differences of areas, in parts of the smaller area, are rounding.
+constexpr double rounding = 1e-9;
+
+/// Between two planes, in degrees; accurate for small ones.
+double angle_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * 180 / std::numbers::pi;
+}
+
+/// Turns the fracture about its centre into the direction of a plane, and moves it by `shift`.
+void put_into(Fracture& fracture, const Fracture& larger, const Vec3& shift) {
+    const Vec3 normal = plane_of(larger).normal, own = plane_of(fracture).normal, centre = fracture.disc.centre;
+    const bool over = own.dot(normal) < 0; // two steep planes that dip to opposite sides
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(own, over ? Vec3(-normal) : normal);
+    for (Vec3& corner : fracture.corners) corner = centre + shift + turn * (corner - centre);
+    if (over) std::ranges::reverse(fracture.corners); // anticlockwise about the upward normal
+    fracture.disc.centre = centre + shift;
+    fracture.disc.dip = larger.disc.dip;
+    fracture.disc.dip_direction = larger.disc.dip_direction;
+}
+
+enum class Relation { apart, overlap, inside };
+
+/// Of a fracture to a larger one in the same plane.
+Relation relation(const Fracture& smaller, const Fracture& larger) {
+    if (smaller.corners.empty() && larger.corners.empty()) {
+        const double apart = (smaller.disc.centre - larger.disc.centre).norm(), own = 0.5 * smaller.disc.diameter,
+                     its = 0.5 * larger.disc.diameter;
+        if (apart >= own + its) return Relation::apart;
+        return apart + own <= its * (1 + rounding) ? Relation::inside : Relation::overlap;
+    }
+    const double common =
+        larger.corners.empty() ? area_within(larger, smaller.corners) : area_within(smaller, larger.corners);
+    const double area = area_of(smaller);
+    if (common <= rounding * area) return Relation::apart;
+    return common >= (1 - rounding) * area ? Relation::inside : Relation::overlap;
+}
+
+/// About its centre, to an area that is larger by `more`.
+void grow(Fracture& fracture, double more) {
+    const double factor = std::sqrt(1 + more / area_of(fracture));
+    fracture.disc.diameter *= factor;
+    for (Vec3& corner : fracture.corners) corner = fracture.disc.centre + factor * (corner - fracture.disc.centre);
+}
+
+} // namespace
+
+Combined combine(const std::vector<Fracture*>& fractures, const Combining& how) {
+    using Joining = Combining::Joining;
+    std::vector<Fracture*> sorted = fractures;
+    std::ranges::sort(sorted, [](const Fracture* a, const Fracture* b) {
+        return a->disc.diameter != b->disc.diameter ? a->disc.diameter > b->disc.diameter : a->id < b->id;
+    });
+    Combined result;
+    std::vector<char> done(sorted.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        stop_point();
+        if (done[i]) continue;
+        Fracture& larger = *sorted[i];
+        const Plane plane = plane_of(larger);
+        for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+            Fracture& smaller = *sorted[j];
+            const double height = plane.distance(smaller.disc.centre);
+            if (done[j] || std::abs(height) > how.distance ||
+                angle_between(plane.normal, plane_of(smaller).normal) > how.angle)
+                continue;
+            done[j] = true;
+            ++result.turned;
+            const bool moves = how.joining == Joining::collapse;
+            put_into(smaller, larger, moves ? Vec3(-height * plane.normal) : Vec3(Vec3::Zero()));
+            result.moved += moves;
+            if (how.joining != Joining::merge) continue;
+            Fracture moved = smaller;
+            put_into(moved, larger, -height * plane.normal);
+            const Relation to_larger = relation(moved, larger);
+            if (to_larger == Relation::apart) continue;
+            if (to_larger == Relation::overlap) grow(larger, area_of(moved));
+            result.taken_up.push_back(&smaller);
+        }
+    }
+    return result;
+}
+
+} // namespace kaya
