@@ -40,6 +40,7 @@ public:
         case FractureFormat::discs: return disc(values);
         case FractureFormat::polygons: return corner(values);
         case FractureFormat::traces: return trace(values);
+        case FractureFormat::fracman: break; // has its own reader
         }
     }
     std::vector<Fracture> finish() {
@@ -112,6 +113,7 @@ private:
 } // namespace
 
 std::vector<Fracture> read_fractures(std::string_view text, const std::string& file, FractureFormat format) {
+    if (format == FractureFormat::fracman) return read_fracman(text, file);
     FractureLines lines(file, format);
     each_line(text, [&](int line, std::string_view content) { lines.read(line, content); });
     return lines.finish();
