@@ -189,7 +189,8 @@ using ShapeCommands = CommandList<PolyBrick, PolyPrism, PolyFace, PolyTet, PolyC
 using CutCommands = CommandList<JointSetCommand, TunnelCommand, CutGround, CutSurface, CutPolygons, CutFractures,
                                 Densify, Join, JoinContact>;
 using SurfaceCommands = CommandList<GeometryCommand>;
-using FractureCommands = CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport>;
+using FractureCommands =
+    CommandList<FractureCommand, FractureTemplate, FractureGenerate, FractureImport, FractureExport>;
 using FractureChangeCommands = CommandList<FractureChange>;
 using FractureMeasureCommands = CommandList<FractureMeasure>;
 using ExchangeCommands = CommandList<Import, Export>;

@@ -1,63 +1,12 @@
-// Networks of fractures: made one by one, drawn from laws, read from files, measured.
+// Fractures: made one by one, changed, measured.
 #include "lang/commands/builder.hpp"
 #include "lang/commands/commands.hpp"
+#include "lang/commands/fracture_words.hpp"
 #include "lang/commands/language.hpp"
-#include "lang/commands/slots.hpp"
 
 namespace kaya::lang {
 
 namespace {
-
-/// The name of a group, and its slot if it follows. `group(struct)` is the name.
-template <class Command, class Group> Parts<Command> group_of(Group group) {
-    const auto name = Parts<std::string>()
-                          .then(
-                              text("name"), [](std::string & whole) -> auto& { return whole; })
-                          .words(slot_words());
-    const Lens<Command, std::string> lens{[group](Command& c) -> std::string& { return group(c); },
-                                          [group](const Command& wanted, const Command&) {
-                                              const std::string& there = group(const_cast<Command&>(wanted));
-                                              return there.empty() ? nullptr : &there;
-                                          }};
-    return Parts<Command>().in(lens, name);
-}
-
-/// The words by which `fracture` commands choose fractures.
-template <class Command> void add_choice(Entry<Command>& entry) {
-    entry.keyword(
-        {"dfn"}, text("name"), [](Command & c) -> auto& { return c.choice.network; },
-        "fractures of this network; of all networks if not given");
-    using Ids = std::array<std::int64_t, 2>;
-    const auto first = integer("n").at_least(1), last = integer("m").at_least(1).optional();
-    const auto one = [](Ids& ids, std::int64_t n) { ids = {n, n}; };
-    const auto choice = [](auto part) {
-        return [part](Command & c) -> auto& { return c.choice.*part; };
-    };
-    entry.keyword(
-        {"ids"},
-        Parts<Command>().in(made_at<Command, Ids>(choice(&FractureChoice::ids)),
-                            Parts<Ids>()
-                                .then(first, Through{one, [](const Ids& ids) { return std::optional(ids[0]); }})
-                                .maybe(
-                                    last, [](Ids & ids) -> auto& { return ids[1]; })),
-        "fractures of this number, or from the first to the last");
-    entry.keyword({"sizes"}, pair("diameter diameter").unit("length").at_least(0), choice(&FractureChoice::sizes),
-                  "fractures whose diameter is between two limits; of a polygon that of the disc of its area");
-    entry.keyword({"of-group"}, group_of<Command>(choice(&FractureChoice::group)),
-                  "members of a group: name, slot=name, or name slot s");
-}
-
-/// The group and the rank of new fractures.
-template <class Command> void add_group(Entry<Command>& entry) {
-    entry.keyword({"group"}, group_of<Command>([](Command & c) -> auto& { return c.group; }),
-                  "group of the fractures: name, slot=name, or name slot s");
-    entry.keyword({"dominance", "dfn-dominance"}, integer("n").at_least(0).at_most(1e6), &Command::dominance,
-                  "rank: fractures of a lower one are cut first; 0 if not given");
-}
-
-template <class Command> void add_box(Entry<Command>& entry, std::vector<Spelling> words, const char* help) {
-    entry.keyword(std::move(words), tensor("x1 x2 y1 y2 z1 z2").unit("length"), &Command::box, help);
-}
 
 CommandSpec create_fracture() {
     Entry<FractureCommand> entry({Spelling{"fracture", 6}}, {"create"});
@@ -136,6 +85,34 @@ CommandSpec truncate_fractures() {
     return entry;
 }
 
+CommandSpec combine_fractures() {
+    using Joining = FractureChange::Joining;
+    auto entry = change_line({"combine"}, FractureChange::What::combine);
+    entry.help("turns fractures that nearly lie in the plane of a larger one into its direction");
+    entry.keyword({"angle"}, real("angle").unit("degrees").at_least(0).at_most(90), &FractureChange::angle,
+                  "greatest angle between both planes");
+    entry.keyword({"distance"}, real("d").unit("length").at_least(0), &FractureChange::distance,
+                  "greatest distance of the centre of the smaller fracture from the plane of the larger one");
+    entry.action(
+        {"collapse"}, [](FractureChange& c) { c.joining = Joining::collapse; },
+        "also moves them into the plane of the larger one");
+    entry.action(
+        {"merge"}, [](FractureChange& c) { c.joining = Joining::merge; },
+        "moves those that overlap the larger one in its plane, and makes one fracture of both");
+    entry.not_yet({"merge-convex"}, "convex hulls of fractures in one plane: write merge");
+    add_choice(entry);
+    entry.finish([](const Reader& reader, FractureChange& command) {
+        if (!command.angle || !command.distance)
+            incomplete_line(reader, "combine needs an angle and a distance", "write: angle 10 distance 0.5");
+    });
+    entry.right("fracture combine angle 10 distance 0.5")
+        .right("fracture combine angle 5 distance 1 merge dfn 'faults'");
+    entry.right("fracture combine angle 5 distance 1 collapse sizes 0 9");
+    entry.wrong("fracture combine angle 10", "combine needs an angle and a distance");
+    entry.wrong("fracture combine angle 91 distance 1", "angle must be at most 90, not 91");
+    return entry;
+}
+
 CommandSpec group_fractures() {
     auto entry = change_line({"group"}, FractureChange::What::group);
     entry.help("puts fractures into a group");
@@ -160,199 +137,6 @@ CommandSpec cluster_fractures() {
     entry.not_yet({"intersection-set"}, "sets of intersections");
     entry.right("fracture cluster").right("fracture cluster group-slot net dfn 'faults'");
     entry.wrong("fracture cluster 'faults'", "expected a keyword of fracture cluster, found the text 'faults'");
-    return entry;
-}
-
-auto angle_at(std::size_t k) {
-    return [k](FractureTemplate & made) -> auto& { return made.angles[k]; };
-}
-auto size_at(std::size_t k) {
-    return [k](FractureTemplate & made) -> auto& { return made.sizes[k]; };
-}
-
-Parts<FractureTemplate> orientation() {
-    using enum FractureTemplate::Orientation;
-    const auto angle = real("angle").unit("degrees"), deviation = real("deviation").unit("degrees").at_least(0);
-    const auto law = [](FractureTemplate::Orientation orientation) {
-        return Parts<FractureTemplate>().set([orientation](FractureTemplate& made) {
-            made.orientation = orientation;
-            made.angles = {};
-        });
-    };
-    const auto around_a_mean = law(fisher)
-                                   .then(angle, angle_at(0))
-                                   .then(angle, angle_at(1))
-                                   .then(real("kappa").at_least(0).at_most(1e6), angle_at(2));
-    const auto of_angles = law(gauss)
-                               .then(angle, angle_at(0))
-                               .then(deviation, angle_at(1))
-                               .then(angle, angle_at(2))
-                               .then(deviation, angle_at(3));
-    return Parts<FractureTemplate>().one_of(
-        text("uniform|fisher dip dd kappa|gauss dip deviation dd deviation").spec, "a law of orientations",
-        {{"uniform", law(uniform)}, {"fisher", around_a_mean}, {"gauss", of_angles}});
-}
-
-Parts<FractureTemplate> sizes() {
-    using enum FractureTemplate::Size;
-    const auto exponent = real("exponent").at_least(0).at_most(20), mean = real("mean").unit("length").above(0),
-               deviation = real("deviation").unit("length").at_least(0);
-    const auto law = [](FractureTemplate::Size size) {
-        return Parts<FractureTemplate>().set([size](FractureTemplate& made) {
-            made.size = size;
-            made.sizes = {};
-        });
-    };
-    const auto one = [&](FractureTemplate::Size size, const Argument<double>& number) {
-        return law(size).then(number, size_at(0));
-    };
-    const auto two = [&](FractureTemplate::Size size) {
-        return law(size).then(mean, size_at(0)).then(deviation, size_at(1));
-    };
-    return Parts<FractureTemplate>().one_of(
-        text("power-law exponent|log-normal mean deviation|gauss mean deviation|exponential mean|uniform").spec,
-        "a law of sizes",
-        {{"power-law", one(power_law, exponent)},
-         {"log-normal", two(log_normal)},
-         {"gauss", two(gauss)},
-         {"exponential", one(exponential, mean)},
-         {"uniform", law(uniform)}});
-}
-
-void add_limits(Entry<FractureTemplate>& entry, const char* word, const Argument<double>& limit,
-                std::optional<std::array<double, 2>> FractureTemplate::*limits, const char* help) {
-    using Limits = std::array<double, 2>;
-    entry.keyword({word},
-                  Parts<FractureTemplate>().in(made(limits), Parts<Limits>()
-                                                                 .then(
-                                                                     limit, [](Limits & l) -> auto& { return l[0]; })
-                                                                 .then(
-                                                                     limit, [](Limits & l) -> auto& { return l[1]; })),
-                  help);
-}
-
-CommandSpec make_template() {
-    Entry<FractureTemplate> entry({Spelling{"fracture", 6}}, {"template"});
-    entry.then({"create"});
-    entry.help("names the orientations and sizes from which fractures are drawn").place(&FractureTemplate::place);
-    entry.argument(text("name").help("name of the template"), &FractureTemplate::name);
-    entry.keyword(
-        {"orientation"}, orientation(),
-        "uniform on the sphere if not given; around a mean with Fisher's constant; or angles with normal distributions");
-    entry.keyword({"size"}, sizes(), "law of the diameters; values outside of size-limits are drawn again");
-    entry.keyword({"position"},
-                  Parts<FractureTemplate>().one_of(text("uniform").spec, "a law of positions", {{"uniform", {}}}),
-                  "centres are uniform in the box of fracture generate");
-    const auto angle = real("angle").unit("degrees");
-    add_limits(entry, "dip-limits", angle, &FractureTemplate::dip_limits,
-               "least and greatest dip, 0 and 90 if not given");
-    add_limits(entry, "dip-direction-limits", angle, &FractureTemplate::dip_direction_limits,
-               "least and greatest dip direction, 0 and 360 if not given");
-    add_limits(entry, "size-limits", real("diameter").unit("length").above(0), &FractureTemplate::size_limits,
-               "least and greatest diameter, 1 and no limit if not given");
-    entry.finish([](const Reader& reader, FractureTemplate& made) {
-        if (!made.size)
-            incomplete_line(reader, "a template needs a law of sizes", "write: size power-law 3 size-limits 1 50");
-    });
-    entry.right("fracture template create 'set-1' orientation fisher 30 120 50 size power-law 3 size-limits 2 40");
-    entry.right("fracture template create bed orientation gauss 30 5 120 10 dip-limits 10 60 size log-normal 5 2");
-    entry.wrong("fracture template create 'a'", "a template needs a law of sizes");
-    entry.wrong("fracture template create 'a' size powerlow 3", "'powerlow' is not a law of sizes");
-    entry.wrong("fracture template create 'a' orientation fisher 30 120 size uniform",
-                "expected a number, found 'size'");
-    entry.wrong("fracture template create 'a' size exponential 0", "mean must be greater than 0, not 0");
-    return entry;
-}
-
-CommandSpec delete_template() {
-    Entry<FractureTemplate> entry({Spelling{"fracture", 6}}, {"template"});
-    entry.then({"delete"}).help("deletes a template of fractures");
-    entry.start([](const Statement& statement, FractureTemplate& command) {
-        command.remove = true;
-        command.place = statement.words.front().place;
-    });
-    entry.argument(text("name").help("name of the template"), &FractureTemplate::name);
-    entry.right("fracture template delete 'set-1'");
-    entry.wrong("fracture template delete", "a word is missing after 'delete'");
-    return entry;
-}
-
-template <class Command> void add_line(Entry<Command>& entry) {
-    entry.keyword(
-        {"begin"}, vector("x y z").unit("length"), [](Command & c) -> auto& { return c.line[0]; },
-        "of the line of p10");
-    entry.keyword(
-        {"end"}, vector("x y z").unit("length"), [](Command & c) -> auto& { return c.line[1]; }, "of the line of p10");
-}
-
-template <class Command> void check_line(const Reader& reader, const Command& command, bool needed) {
-    if (needed && !reader.wildcards() && command.line[0] == command.line[1])
-        incomplete_line(reader, "p10 needs a line", "write: begin x y z end x y z");
-}
-
-CommandSpec generate_fractures() {
-    Entry<FractureGenerate> entry({Spelling{"fracture", 6}}, {"generate"});
-    entry.help("draws fractures from a template until there are enough").place(&FractureGenerate::place);
-    entry.keyword({"template"}, text("name"), &FractureGenerate::source,
-                  "name of the template; the last one if not given");
-    entry.keyword({"dfn"}, text("name"), &FractureGenerate::network, "name of the network");
-    entry.keyword({"fracture-count"}, integer("n").at_least(1).at_most(1e6), &FractureGenerate::count,
-                  "number of fractures");
-    entry.keyword({"mass-density", "p32"}, real("p32").unit("1/length").above(0), &FractureGenerate::area,
-                  "until the fractures have this area per volume of the box");
-    entry.keyword({"p10"}, real("p10").unit("1/length").above(0), &FractureGenerate::crossings,
-                  "until a line crosses so many fractures per length");
-    add_line(entry);
-    add_box(entry, {"generation-box"}, "box of the centres, and of mass-density; that around the model if not given");
-    entry.keyword({"seed"}, integer("n").at_least(0).at_most(1e9), &FractureGenerate::seed,
-                  "other fractures of the same kind; 1 if not given");
-    add_group(entry);
-    entry.not_yet({"percolation", "connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
-    entry.finish([](const Reader& reader, FractureGenerate& command) {
-        const int ends = command.count.has_value() + command.area.has_value() + command.crossings.has_value();
-        if (ends != 1)
-            incomplete_line(reader, ends == 0 ? "nothing says how many fractures are wanted" : "a network has one end",
-                            "write one of: fracture-count n, mass-density p32, p10 n begin x y z end x y z");
-        check_line(reader, command, command.crossings.has_value());
-    });
-    entry.right("fracture generate template 'set-1' dfn 'faults' fracture-count 20");
-    entry.right("fracture generate mass-density 0.5 generation-box 0 10 0 10 0 10 seed 7");
-    entry.right("fracture generate dfn 'faults' p10 2 begin 0 0 0 end 0 0 10");
-    entry.wrong("fracture generate template 'a'", "nothing says how many fractures are wanted");
-    entry.wrong("fracture generate fracture-count 9 mass-density 1", "a network has one end");
-    entry.wrong("fracture generate p10 2", "p10 needs a line");
-    entry.wrong("fracture generate fracture-count 0", "fracture-count must be at least 1, not 0");
-    return entry;
-}
-
-CommandSpec import_fractures() {
-    Entry<FractureImport> entry({Spelling{"fracture", 6}}, {"import"});
-    entry.help("adds the fractures in a file to a network").place(&FractureImport::place);
-    entry.keyword({"from-file"}, text("file").help("lines of numbers"), &FractureImport::file, "name of the file");
-    using enum FractureImport::Format;
-    const auto format = [](FractureImport::Format which) {
-        return Parts<FractureImport>().set(&FractureImport::format, which);
-    };
-    entry.keyword(
-        {"format"},
-        Parts<FractureImport>().one_of(
-            text("discs|polygons|traces").spec, "a format of fractures",
-            {{"discs", format(discs)}, {"polygons", format(polygons)}, {"traces", format(traces)}}),
-        "what the lines are: discs, if not given: x, y, z, dip, dip direction and diameter; polygons: corners x, y, z, "
-        "with an empty line after each polygon; traces: both ends, and the dip and dip direction if the fracture is not upright");
-    entry.keyword({"dfn"}, text("name"), &FractureImport::network, "name of the network");
-    add_group(entry);
-    entry.not_yet({"from-geometry", "center", "clean", "offset", "make-disk", "make-planar", "truncate"},
-                  "changes of fractures that are read");
-    entry.finish([](const Reader& reader, FractureImport& command) {
-        if (command.file.empty())
-            incomplete_line(reader, "a file is missing", "write: fracture import from-file 'name'");
-    });
-    entry.right("fracture import from-file 'faults.txt' dfn 'faults'");
-    entry.right("fracture import from-file 'faults.txt' format discs group main dominance 2");
-    entry.wrong("fracture import", "a file is missing");
-    entry.wrong("fracture import 'faults.txt'", "expected a keyword of fracture import, found the text 'faults.txt'");
-    entry.wrong("fracture import from-file 'a' format fracman", "'fracman' is not a format of fractures");
     return entry;
 }
 
@@ -382,20 +166,30 @@ CommandSpec measure_fractures() {
     add_line(entry);
     add_box(entry, {"box"}, "that around the model if not given");
     add_choice(entry);
-    entry.not_yet({"percolation"}, "ends of clusters on sides of a box: fracture cluster makes groups of clusters");
+    entry.action(
+        {"percolation"}, [](FractureMeasure& m) { m.what = What::percolation, m.set.clear(); },
+        "percolation parameter: pi^2 r^3, summed over the fractures in a box, over its volume");
+    entry.keyword({"option"}, integer("i").at_least(0).at_most(2), &FractureMeasure::option,
+                  "of percolation: fractures that cross the sides of the box are left out (0, if not given), have the "
+                  "area inside (1), or a radius in proportion to the area inside (2)");
     entry.finish([](const Reader& reader, FractureMeasure& command) {
         if (command.what == What::list)
             incomplete_line(reader, "nothing says what is measured",
-                            "write one of: p10, mass-density, center-density, trace-mass-density");
+                            "write one of: p10, mass-density, center-density, percolation, trace-mass-density");
         check_line(reader, command, command.what == What::crossings);
+        if (command.option && command.what != What::percolation && !reader.wildcards())
+            incomplete_line(reader, "option belongs to percolation", "write: fracture compute percolation option 1");
     });
     entry.right("fracture compute p10 begin 0 0 0 end 0 0 10");
     entry.right("fracture compute mass-density box 0 10 0 10 0 10 dfn 'faults'")
         .right("fracture compute center-density");
     entry.right("fracture compute trace-mass-density 'wall' sizes 0 99").right("fracture compute p20 'wall'");
+    entry.right("fracture compute percolation option 2 box 0 10 0 10 0 10");
     entry.wrong("fracture compute", "nothing says what is measured");
     entry.wrong("fracture compute p10 begin 0 0 0", "p10 needs a line");
     entry.wrong("fracture compute p21", "a word is missing after 'p21'");
+    entry.wrong("fracture compute mass-density option 1", "option belongs to percolation");
+    entry.wrong("fracture compute percolation option 3", "option must be at most 2, not 3");
     return entry;
 }
 
@@ -431,9 +225,12 @@ CommandSpec intersect_fractures() {
 } // namespace
 
 std::vector<CommandSpec> fracture_commands() {
-    return {create_fracture(),   delete_fractures(),    copy_fractures(),  truncate_fractures(), group_fractures(),
-            cluster_fractures(), make_template(),       delete_template(), generate_fractures(), import_fractures(),
-            measure_fractures(), intersect_fractures(), list_fractures()};
+    std::vector<CommandSpec> commands{create_fracture(),   delete_fractures(), copy_fractures(),   truncate_fractures(),
+                                      combine_fractures(), group_fractures(),  cluster_fractures()};
+    for (CommandSpec& command : network_commands()) commands.push_back(std::move(command));
+    for (CommandSpec& command : std::vector{measure_fractures(), intersect_fractures(), list_fractures()})
+        commands.push_back(std::move(command));
+    return commands;
 }
 
 } // namespace kaya::lang

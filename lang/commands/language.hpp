@@ -25,6 +25,7 @@ std::vector<CommandSpec> cut_commands();       ///< jset
 std::vector<CommandSpec> selection_commands(); ///< group, mark, excavate, fill
 std::vector<CommandSpec> surface_commands();   ///< geometry, cut geometry, cut dfn
 std::vector<CommandSpec> fracture_commands();  ///< fracture
+std::vector<CommandSpec> network_commands();   ///< fracture template|generate|import|export
 
 /// Parts of the family boundary.
 CommandSpec insitu();

@@ -290,27 +290,31 @@ struct FractureCommand {
     std::int64_t dominance = 0;
     Place place;
 };
-/// fracture delete|copy|truncate|group|cluster: changes networks.
+/// fracture delete|copy|truncate|combine|group|cluster: changes networks.
 struct FractureChange {
-    enum class What { remove, copy, truncate, group, cluster } what = What::remove;
+    enum class What { remove, copy, truncate, combine, group, cluster } what = What::remove;
     FractureChoice choice;
     std::optional<std::array<double, 6>> box; ///< remove: those that do not reach it; truncate: nothing is left outside
     double share = 1;                         ///< remove: chance of each
     std::int64_t seed = 1;
-    std::int64_t sides = 12; ///< truncate: of the polygon for a disc
-    std::string name;        ///< copy: network; group: name or slot=name; cluster: slot
-    bool out = false;        ///< group remove
+    std::int64_t sides = 12;               ///< truncate: of the polygon for a disc
+    std::string name;                      ///< copy: network; group: name or slot=name; cluster: slot
+    bool out = false;                      ///< group remove
+    std::optional<double> angle, distance; ///< combine; degrees
+    enum class Joining { turn, collapse, merge } joining = Joining::turn;
     Place place;
 };
 /// fracture template create|delete: orientations and sizes to draw fractures from.
 struct FractureTemplate {
     std::string name;
     bool remove = false;
-    enum class Orientation { uniform, fisher, gauss } orientation = Orientation::uniform;
+    enum class Orientation { uniform, fisher, gauss, bootstrapped } orientation = Orientation::uniform;
     std::array<double, 4> angles{}; ///< dip, direction, kappa; or dip, its deviation, direction, its deviation; degrees
-    enum class Size { power_law, log_normal, gauss, exponential, uniform };
+    std::string planes;             ///< file of bootstrapped orientations
+    enum class Size { power_law, log_normal, gauss, exponential, uniform, bootstrapped };
     std::optional<Size> size;
     std::array<double, 2> sizes{}; ///< exponent; or mean, deviation
+    std::string diameters;         ///< file of bootstrapped sizes
     std::optional<std::array<double, 2>> dip_limits, dip_direction_limits, size_limits;
     Place place;
 };
@@ -321,6 +325,7 @@ struct FractureGenerate {
     std::optional<std::int64_t> count;
     std::optional<double> area;      ///< per volume of the box
     std::optional<double> crossings; ///< per length of the line
+    std::optional<double> percolation;
     std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
     std::optional<std::array<double, 6>> box; ///< least and greatest x, y, z; none: that around the model
     std::int64_t seed = 1;
@@ -328,13 +333,23 @@ struct FractureGenerate {
     std::int64_t dominance = 0;
     Place place;
 };
+/// What the lines of a file of fractures are.
+enum class FractureLines { discs, polygons, traces, fracman };
 /// fracture import from-file FILE.
 struct FractureImport {
     std::string file;
     std::string network; ///< "": the network without a name
-    enum class Format { discs, polygons, traces } format = Format::discs;
+    FractureLines format = FractureLines::discs;
     std::string group;
     std::int64_t dominance = 0;
+    Place place;
+};
+/// fracture export file FILE.
+struct FractureExport {
+    std::string file;
+    FractureLines format = FractureLines::discs; ///< not traces
+    std::int64_t sides = 12;                     ///< of the polygon for a disc
+    FractureChoice choice;
     Place place;
 };
 /// fracture compute|list|intersections: what is measured on fractures.
@@ -346,13 +361,15 @@ struct FractureMeasure {
         crossings,
         area,
         number,
+        percolation,
         trace_length, ///< mean of a trace
         trace_area,   ///< length of traces over the area of the set
         trace_number  ///< centres of traces over the area of the set
     } what = What::list;
     std::array<Vec3, 2> line{Vec3::Zero(), Vec3::Zero()};
     std::optional<std::array<double, 6>> box;
-    std::string set; ///< of polygons, for traces
+    std::string set;                    ///< of polygons, for traces
+    std::optional<std::int64_t> option; ///< of percolation: how fractures count that cross the box
     FractureChoice choice;
     Place place;
 };

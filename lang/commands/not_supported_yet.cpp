@@ -33,7 +33,6 @@ const std::vector<Known>& known() {
         {{"flowplane", "fplane"}, {}, "flow in joints"},
         {{"creep"}, {}, "creep"},
         {{"dfn"}, {}, "networks of fractures: write fracture create, cut dfn"},
-        {{Spelling{"fracture", 6}}, {"export"}, "files of fractures"},
         {{"topography"}, {}, "stresses below a hilly surface: see insitu topography"},
         {{"factor", "fos"}, {}, "factors of safety: see solve fos"},
         {{"pstress", "prestress"}, {}, "prestress"},

@@ -58,6 +58,18 @@ CommandSpec truncate_fractures() {
     return leaf;
 }
 
+CommandSpec combine_fractures() {
+    Leaf<FractureChange> leaf("fracture combine", "fracture combine");
+    leaf.word("angle", "angle").word("distance", "distance").word("collapse", "collapse").word("merge", "merge");
+    add_choice(leaf);
+    leaf.checks_of_meaning();
+    leaf.not_yet({"merge-convex"}, "convex hulls of fractures in one plane: write merge");
+    refuse_range(leaf);
+    leaf.right("fracture combine angle 10 distance 0.5 merge", "fracture combine angle 10 distance 0.5 merge");
+    leaf.wrong("fracture combine angle 10", "combine needs an angle and a distance");
+    return leaf;
+}
+
 CommandSpec group_fractures() {
     Leaf<FractureChange> leaf("fracture group", "fracture group");
     leaf.arguments_of_meaning().word("slot", "slot").word("remove", "remove");
@@ -94,6 +106,8 @@ CommandSpec make_template() {
     leaf.word("size-limits", "size-limits").checks_of_meaning();
     leaf.right("fracture template create 'a' orientation fisher 30 120 50 size power-law 3 size-limits 2 40",
                "fracture template create a orientation fisher 30 120 50 size power-law 3 size-limits 2 40");
+    leaf.right("fracture template create 'a' orientation bootstrapped 'planes.txt' size bootstrapped 'sizes.txt'",
+               "fracture template create a orientation bootstrapped planes.txt size bootstrapped sizes.txt");
     leaf.wrong("fracture template create 'a'", "a template needs a law of sizes");
     return leaf;
 }
@@ -110,9 +124,10 @@ CommandSpec generate_fractures() {
     Leaf<FractureGenerate> leaf("fracture generate", "fracture generate");
     leaf.word("template", "template").word("dfn", "dfn").word("fracture-count", "fracture-count");
     leaf.word("mass-density", "mass-density").word("p10", "p10").word("begin", "begin").word("end", "end");
+    leaf.word("percolation", "percolation");
     leaf.word("generation-box", "generation-box").word("seed", "seed").checks_of_meaning();
     add_group(leaf);
-    leaf.not_yet({"percolation", "connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
+    leaf.not_yet({"connectivity", "fish-stop", "modify", "tolerance-box"}, "other ends of a network");
     leaf.right("fracture generate template 'a' dfn 'faults' mass-density 0.5 generation-box 0 10 0 10 0 10",
                "fracture generate template a dfn faults mass-density 0.5 generation-box 0 10 0 10 0 10");
     leaf.wrong("fracture generate dfn 'faults'", "nothing says how many fractures are wanted");
@@ -132,6 +147,17 @@ CommandSpec import_fractures() {
     return leaf;
 }
 
+CommandSpec export_fractures() {
+    Leaf<FractureExport> leaf("fracture export", "fracture export");
+    leaf.word("file", "file").word("format", "format").word("sides", "sides").checks_of_meaning();
+    add_choice(leaf);
+    leaf.not_yet({"property-file", "template-file", "intersect-with-plane"}, "other files of networks");
+    refuse_range(leaf);
+    leaf.right("fracture export file 'new.fab' format fracman", "fracture export file new.fab format fracman");
+    leaf.wrong("fracture export", "a file is missing");
+    return leaf;
+}
+
 CommandSpec measure_fractures() {
     Leaf<FractureMeasure> leaf("fracture compute", "fracture compute");
     leaf.word("p10", "p10").word("mass-density", "mass-density").word("center-density", "center-density");
@@ -139,8 +165,9 @@ CommandSpec measure_fractures() {
     leaf.word("average-trace-length", "average-trace-length");
     leaf.word("begin", "begin").word("end", "end").word("box", "box").checks_of_meaning();
     add_choice(leaf);
-    leaf.not_yet({"percolation"}, "ends of clusters: write fracture cluster");
+    leaf.word("percolation", "percolation").word("option", "option");
     leaf.right("fracture compute trace-mass-density 'wall'", "fracture compute trace-mass-density wall");
+    leaf.right("fracture compute percolation option 1", "fracture compute percolation option 1");
     leaf.right("fracture compute p10 begin 0 0 0 end 0 0 10", "fracture compute p10 begin 0 0 0 end 0 0 10");
     leaf.wrong("fracture compute", "nothing says what is measured");
     return leaf;
@@ -161,9 +188,9 @@ CommandSpec list_fractures() {
 Family fracture_family() {
     return {"fracture",
             "networks of fractures",
-            {create_fracture(), delete_fractures(), copy_fractures(), truncate_fractures(), group_fractures(),
-             cluster_fractures(), make_template(), delete_template(), generate_fractures(), import_fractures(),
-             measure_fractures(), intersect_fractures(), list_fractures()}};
+            {create_fracture(), delete_fractures(), copy_fractures(), truncate_fractures(), combine_fractures(),
+             group_fractures(), cluster_fractures(), make_template(), delete_template(), generate_fractures(),
+             import_fractures(), export_fractures(), measure_fractures(), intersect_fractures(), list_fractures()}};
 }
 
 } // namespace kaya::lang

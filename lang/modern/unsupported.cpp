@@ -86,7 +86,6 @@ constexpr Known known[] = {
     {"fblock", "faces of blocks as blocks"},
     {"feblock", "blocks of finite elements"},
     {"fracture joint-set", "sets of fractures: write block cut joint-set"},
-    {"fracture export", "files of fractures"},
     {"fracture", "other commands of networks of fractures"},
     {"geometry generate", "shapes of surfaces: write geometry polygon create"},
     {"geometry", "other commands of surfaces: set, import, export, polygon create and delete run"},

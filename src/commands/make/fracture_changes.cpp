@@ -1,13 +1,15 @@
-// fracture delete|copy|truncate|group|cluster: changes of networks.
+// fracture delete|copy|truncate|combine|group|cluster: changes of networks.
 #include "commands/make/networks.hpp"
 #include "commands/session/handlers.hpp"
 
 #include "base/lower_case.hpp"
+#include "geometry/fractures/combine.hpp"
 #include "geometry/fractures/traces.hpp"
 #include "geometry/polyhedra/random.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace kaya {
 
@@ -65,6 +67,22 @@ void truncate_fractures(Session& session, const lang::FractureChange& command) {
         fmt::format("{} deleted, {} became {}", fractures_text(deleted), cut, cut == 1 ? "a polygon" : "polygons"));
 }
 
+void combine_fractures(Session& session, const lang::FractureChange& command) {
+    std::vector<Fracture*> fractures;
+    for (Network* network : networks_of(session.deck.surface_sets, command.choice, command.place))
+        for (Fracture& fracture : *network)
+            if (chosen(command.choice, fracture)) fractures.push_back(&fracture);
+    const Combined combined =
+        combine(fractures, {*command.angle, *command.distance, static_cast<Combining::Joining>(command.joining)});
+    std::set<std::int64_t> taken_up;
+    for (const Fracture* fracture : combined.taken_up) taken_up.insert(fracture->id);
+    change_chosen(session, command, [&](const Fracture& fracture) { return !taken_up.contains(fracture.id); });
+    std::string text = fractures_text(combined.turned) + " turned";
+    if (combined.moved > 0) text += fmt::format(", {} moved", combined.moved);
+    if (!taken_up.empty()) text += fmt::format(", {} taken up by larger ones", taken_up.size());
+    session.program.output.say(text);
+}
+
 void group_fractures(Session& session, const lang::FractureChange& command) {
     std::size_t number = 0;
     change_chosen(session, command, [&](Fracture& fracture) {
@@ -99,6 +117,7 @@ void run(Session& session, const lang::FractureChange& command) {
     case What::remove: return remove_fractures(session, command);
     case What::copy: return copy_fractures(session, command);
     case What::truncate: return truncate_fractures(session, command);
+    case What::combine: return combine_fractures(session, command);
     case What::group: return group_fractures(session, command);
     case What::cluster: return cluster_fractures(session, command);
     }

@@ -77,6 +77,9 @@ std::string of_traces(const Session& session, const lang::FractureMeasure& comma
 std::string in_box(const Session& session, const lang::FractureMeasure& command, const Network& fractures) {
     const Box box = box_given(session, command.box, "box", command.place);
     if (command.what == Measure::area) return fmt::format("p32 = {:.9g}", p32(fractures, box.low, box.high));
+    if (command.what == Measure::percolation)
+        return fmt::format("percolation = {:.9g}",
+                           percolation(fractures, box.low, box.high, static_cast<AtSides>(command.option.value_or(0))));
     const auto inside = std::ranges::count_if(fractures, [&](const Fracture& f) {
         return (f.disc.centre - box.low).minCoeff() >= 0 && (box.high - f.disc.centre).minCoeff() >= 0;
     });
@@ -90,6 +93,7 @@ std::string measured(const Session& session, const lang::FractureMeasure& comman
     case Measure::intersection_sums: return intersection_sums(fractures);
     case Measure::crossings: return fmt::format("p10 = {:.9g}", p10(fractures, command.line[0], command.line[1]));
     case Measure::area:
+    case Measure::percolation:
     case Measure::number: return in_box(session, command, fractures);
     case Measure::trace_length:
     case Measure::trace_area:

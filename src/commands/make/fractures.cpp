@@ -1,11 +1,14 @@
-// fracture create|template|generate|import: networks of fractures, made one by one, drawn from laws, read from files.
+// fracture create|template|generate|import|export: networks of fractures, made one by one, drawn from laws, read from files, written.
 #include "commands/make/networks.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/long_work.hpp"
 
+#include "base/counted.hpp"
 #include "base/lower_case.hpp"
 #include "geometry/fractures/growth.hpp"
 #include "geometry/read/read_fractures.hpp"
+#include "geometry/read/read_sample.hpp"
+#include "geometry/read/write_fractures.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
@@ -18,7 +21,12 @@ namespace kaya {
 
 namespace {
 
-FractureLaw law_of(const lang::FractureTemplate& command) {
+std::string text_of(Session& session, const std::string& file) {
+    if (auto text = file_text(session.input_file(file))) return *std::move(text);
+    throw Diagnostic(fmt::format("the file '{}' cannot be read", file), "look at its name");
+}
+
+FractureLaw law_of(Session& session, const lang::FractureTemplate& command) {
     FractureLaw law;
     law.orientation = static_cast<FractureLaw::Orientation>(command.orientation);
     const auto& angles = command.angles;
@@ -35,6 +43,11 @@ FractureLaw law_of(const lang::FractureTemplate& command) {
     if (law.size == FractureLaw::Size::power_law) law.exponent = command.sizes[0];
     else law.mean = command.sizes[0];
     law.deviation = command.sizes[1];
+    if (!command.planes.empty()) law.planes = read_planes(text_of(session, command.planes), command.planes);
+    if (!command.diameters.empty()) {
+        law.diameters = read_diameters(text_of(session, command.diameters), command.diameters);
+        law.sizes = {0, largest_fracture}; // what was measured is drawn
+    }
     const auto take = [](const auto& limits, Interval& into) {
         if (limits) into = {(*limits)[0], (*limits)[1]};
     };
@@ -63,6 +76,10 @@ Growth growth_of(const Session& session, const lang::FractureGenerate& command) 
     if (command.area) {
         growth.until = Growth::Until::area;
         growth.target = *command.area;
+    }
+    if (command.percolation) {
+        growth.until = Growth::Until::percolation;
+        growth.target = *command.percolation;
     }
     if (command.crossings) {
         growth.until = Growth::Until::crossings;
@@ -114,7 +131,7 @@ void run(Session& session, const lang::FractureTemplate& command) {
             if (sets.last_law == name) sets.last_law.clear();
             return;
         }
-        sets.laws[name] = law_of(command);
+        sets.laws[name] = law_of(session, command);
         sets.last_law = name;
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
@@ -149,15 +166,28 @@ void run(Session& session, const lang::FractureGenerate& command) {
 
 void run(Session& session, const lang::FractureImport& command) {
     try {
-        const auto text = file_text(session.input_file(command.file));
-        if (!text) throw Diagnostic(fmt::format("the file '{}' cannot be read", command.file), "look at its name");
-        std::vector<Fracture> read = read_fractures(*text, command.file, static_cast<FractureFormat>(command.format));
+        std::vector<Fracture> read =
+            read_fractures(text_of(session, command.file), command.file, static_cast<FractureFormat>(command.format));
         session.program.output.say(fmt::format("fractures: {} read, {}", read.size(), sizes_text(read)));
         const std::string network = lower_case(command.network);
         for (Fracture& fracture : read) {
             given_to(fracture, command);
             add_fracture(session.deck.surface_sets, network, std::move(fracture));
         }
+    } catch (Diagnostic& mistake) {
+        mistake.at(command.place);
+        throw;
+    }
+}
+
+void run(Session& session, const lang::FractureExport& command) {
+    try {
+        const Network chosen = chosen_fractures(session.deck.surface_sets, command.choice, command.place);
+        if (chosen.empty()) throw Diagnostic("there are no fractures to write", "fracture list shows all fractures");
+        const auto format = static_cast<FractureFormat>(command.format);
+        write_whole_file(session.program.output_file(command.file),
+                         fractures_text(chosen, format, static_cast<int>(command.sides)));
+        session.program.output.say(fmt::format("{} written to {}", counted(chosen.size(), "fracture"), command.file));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

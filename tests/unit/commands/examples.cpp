@@ -137,6 +137,8 @@ void write_inputs(const std::function<void(const char*, const std::string&)>& wr
     write("shear.csv", "normal_stress,shear_displacement\n1,0\n1,0.001\n");
     write("average.lua", "average = 1\n");
     write("faults.txt", "x y z dip dd size\n0 0 0.5 30 90 4\n");
+    write("planes.txt", "dip dd\n30 90\n85 210\n");
+    write("sizes.txt", "2\n3.5\n");
 }
 
 /// Additional lines that an example needs.
