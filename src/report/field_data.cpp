@@ -1,6 +1,7 @@
 #include "report/field_data.hpp"
 
 #include "model/measure/measure.hpp"
+#include "base/json_text.hpp"
 #include "report/packed.hpp"
 
 #include <algorithm>

@@ -34,15 +34,4 @@ std::string packed_rounded(std::vector<float> numbers) {
     return packed(std::span<const float>(numbers));
 }
 
-std::string json_text(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') result += {'\\', c};
-        else if (byte < 32 || c == '<' || c == '>' || c == '&' || byte == 127) result += fmt::format("\\u{:04x}", byte);
-        else result += c;
-    }
-    return result + '"';
-}
-
 } // namespace kaya

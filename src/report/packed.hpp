@@ -26,7 +26,4 @@ float rounded(float number);
 /// Packed after rounding.
 std::string packed_rounded(std::vector<float> numbers);
 
-/// The text in quotes, for JSON inside of a page: no '<' in it.
-std::string json_text(std::string_view text);
-
 } // namespace kaya

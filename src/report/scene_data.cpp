@@ -5,6 +5,7 @@
 #include "model/measure/joint_polygons.hpp"
 #include "report/block_corners.hpp"
 #include "report/field_data.hpp"
+#include "base/json_text.hpp"
 #include "report/packed.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The surfaces of blocks in the formats of other programs. A block is an object of the file; its group is the name of the object.
+#include "base/json_text.hpp"
 #include "geometry/grid/file_formats.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
@@ -12,16 +13,6 @@ namespace {
 /// Calls write(block, its surface, faces outward).
 void each_surface(const Grid3d& grid, auto write) {
     for (const Grid3d::Block& block : grid.blocks) write(block, surface_of(grid, block));
-}
-
-/// A text in quotes as JSON has it.
-std::string json_text(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return result + '"';
 }
 
 } // namespace

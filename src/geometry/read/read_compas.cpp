@@ -1,5 +1,6 @@
 // Meshes of COMPAS in JSON: every object with the members "vertex" and "face" (or "vertices" and "faces") is a body, wherever it stands.
 #include "base/diagnostic.hpp"
+#include "base/json_text.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/read/surface_files.hpp"
 
@@ -103,14 +104,11 @@ private:
 
     std::string read_text() {
         expect('"');
-        std::string result;
-        for (; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-            if (text_[at_] == '\n') fail("a quote is not closed");
-            if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_; // of names only
-            result += text_[at_];
-        }
+        JsonText read = json_decoded(text_.substr(at_));
+        if (!read.wrong.empty()) fail(read.wrong);
+        at_ += read.length;
         expect('"');
-        return result;
+        return std::move(read.text);
     }
 
     /// A number, true, false or null.

@@ -58,9 +58,5 @@ TEST(Packed, NumbersKeepFiveDigits) {
     EXPECT_EQ(rounded(-std::numeric_limits<float>::infinity()), -std::numeric_limits<float>::infinity());
 }
 
-TEST(Packed, TextsCannotLeaveTheirPlace) {
-    EXPECT_EQ(json_text("a\"b\\c</script>\n"), "\"a\\\"b\\\\c\\u003c/script\\u003e\\u000a\"");
-}
-
 } // namespace
 } // namespace kaya
