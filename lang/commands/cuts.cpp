@@ -110,8 +110,9 @@ CommandSpec tunnel() {
 CommandSpec cut_ground() {
     Entry<CutGround> entry({"cut"}, {"ground"});
     entry.help("cuts visible blocks along a ground surface; no block is removed");
-    entry.argument(text("file").help("of the surface: .stl, .obj, .ply, .asc, .pit, or lines of x y z"),
-                   &CutGround::file);
+    entry.argument(
+        text("file").help("of the surface: .asc, .pit, a surface file as `import` reads it, or lines of x y z"),
+        &CutGround::file);
     entry.keyword({"shift"}, vector("dx dy dz").unit("length"), &CutGround::shift, "moves the surface first");
     entry.keyword({"id"}, integer("n").at_least(1).at_most(1e9), &CutGround::id,
                   "joint set number of the faces; the next free one if not given");

@@ -127,8 +127,7 @@ Ground ground_from_grid(std::string_view text, const std::string& file) {
 }
 
 Ground read_ground(const std::string& path) {
-    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
-    if (suffix == ".stl" || suffix == ".obj" || suffix == ".ply") {
+    if (const FileFormat* format = file_format(path); format != nullptr && format->surfaces != nullptr) {
         std::vector<Vec3> corners;
         std::vector<std::array<int, 3>> triangles;
         std::vector<Surface> surfaces;
@@ -145,6 +144,7 @@ Ground read_ground(const std::string& path) {
         return {std::move(corners), std::move(triangles)};
     }
     const std::string text = input_text(path);
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
     if (suffix == ".pit") return ground_from_pit(text, path);
     return suffix == ".asc" ? ground_from_grid(text, path) : ground_from_points(text, path);
 }

@@ -203,4 +203,45 @@ TEST(Ground, FilesAreReadOrRefusedWithTheirLine) {
     EXPECT_THAT(refusal([&] { read_ground(folder / "none.xyz"); }), HasSubstr("cannot be opened"));
 }
 
+/// A roof of two triangles, z = 1 + min(x, y) over a square, in each format with surfaces.
+TEST(Ground, EverySurfaceFormatIsGround) {
+    const test::ScratchFolder folder;
+    const std::string points = "0 0 1\n4 0 1\n4 4 5\n0 4 1\n";
+    const auto corners = [](std::initializer_list<std::array<int, 3>> places) { // of a 3DFACE
+        std::string text = "0\n3DFACE\n8\nA\n";
+        int k = 0;
+        for (const auto& [x, y, z] : places) {
+            text += "1" + std::to_string(k) + "\n" + std::to_string(x) + "\n2" + std::to_string(k) + "\n" +
+                    std::to_string(y) + "\n3" + std::to_string(k) + "\n" + std::to_string(z) + "\n";
+            ++k;
+        }
+        return text;
+    };
+    const std::vector<std::pair<const char*, std::string>> files{
+        {"a.obj", "v 0 0 1\nv 4 0 1\nv 4 4 5\nv 0 4 1\nf 1 2 3\nf 1 3 4\n"},
+        {"a.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                  "element face 2\nproperty list uchar int vertex_indices\nend_header\n" +
+                      points + "3 0 1 2\n3 0 2 3\n"},
+        {"a.dxf", "0\nSECTION\n2\nENTITIES\n" + corners({{0, 0, 1}, {4, 0, 1}, {4, 4, 5}, {4, 4, 5}}) +
+                      corners({{0, 0, 1}, {4, 4, 5}, {0, 4, 1}, {0, 4, 1}}) + "0\nENDSEC\n0\nEOF\n"},
+        {"a.ts",
+         "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 1\nVRTX 2 4 0 1\nVRTX 3 4 4 5\nVRTX 4 0 4 1\nTRGL 1 2 3\nTRGL 1 3 4\n"
+         "END\n"},
+        {"a.wrl", "#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [ 0 0 1, 4 0 1, 4 4 5, "
+                  "0 4 1 ] } coordIndex [ 0 1 2 -1 0 2 3 -1 ] } }\n"},
+        {"a.json", "{\"vertex\": [[0,0,1],[4,0,1],[4,4,5],[0,4,1]], \"face\": [[0,1,2],[0,2,3]]}"},
+        {"a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n" + points +
+                      "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\n"},
+    };
+    for (const auto& [name, text] : files) {
+        test::put(folder / name, text);
+        const Ground ground = read_ground(folder / name);
+        for (const auto& [x, y] : {std::pair(1., 2.), {3., 0.5}, {2., 2.}, {0., 4.}, {4., 4.}}) {
+            const auto height = ground.height(x, y);
+            ASSERT_TRUE(height.has_value()) << name;
+            EXPECT_NEAR(*height, 1 + std::min(x, y), 1e-6) << name;
+        }
+    }
+}
+
 } // namespace kaya
