@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/lower_case.hpp"
+#include "geometry/grid/vtk_contents.hpp"
 #include "geometry/read/input_text.hpp"
 
 #include <algorithm>
@@ -19,7 +20,15 @@ constexpr std::array file_formats{
     FileFormat{".tess", read_tess},
     FileFormat{".vtu", read_vtk_blocks, read_vtk_surfaces, write_vtu, FileFormat::Holds::zones},
     FileFormat{".vtk", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".vts", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".vtr", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".vti", read_vtk_blocks, read_vtk_surfaces},
     FileFormat{".vtp", nullptr, read_vtk_surfaces},
+    FileFormat{".pvtu", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".pvts", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".pvtr", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".pvti", read_vtk_blocks, read_vtk_surfaces},
+    FileFormat{".pvtp", nullptr, read_vtk_surfaces},
     FileFormat{".stl", nullptr, read_stl, write_stl},
     FileFormat{".obj", nullptr, read_obj, write_obj},
     FileFormat{".ply", nullptr, read_ply, write_ply},
@@ -35,6 +44,32 @@ std::string suffixes_where(auto holds) {
     for (const FileFormat& format : file_formats)
         if (holds(format)) suffixes.push_back(format.suffix);
     return fmt::format("{}", fmt::join(suffixes, ", "));
+}
+
+bool is_vtk(const FileFormat& format) { return format.surfaces == read_vtk_surfaces; }
+
+/// The place of a piece, which is in the folder of the file that names it or below.
+std::string place_of_piece(const std::string& path, const std::string& piece) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
+    const fs::path inside = fs::weakly_canonical(folder / piece).lexically_relative(folder);
+    if (inside.empty() || *inside.begin() == "..")
+        throw Diagnostic(fmt::format("{}: its piece '{}' is in another folder", path, piece),
+                         "put the files of the pieces beside the file that names them");
+    return (fs::path(path).parent_path() / inside).string();
+}
+
+/// The mesh of a file, or those in the files of its pieces.
+VtkMesh mesh_in(const std::string& path) {
+    const std::string bytes = input_text(path);
+    const std::vector<std::string> pieces = vtk_piece_files(bytes, path);
+    if (pieces.empty()) return read_vtk_mesh(bytes, path);
+    VtkMesh mesh(path);
+    for (const std::string& piece : pieces) {
+        const std::string place = place_of_piece(path, piece);
+        mesh.append(read_vtk_mesh(input_text(place), place));
+    }
+    return mesh;
 }
 
 } // namespace
@@ -62,12 +97,25 @@ std::string surface_suffixes_written() {
         [](const FileFormat& format) { return format.write && format.holds == FileFormat::Holds::surfaces; });
 }
 
+FileContents read_contents(const std::string& path) {
+    const FileFormat* format = file_format(path);
+    if (format == nullptr)
+        throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
+                         fmt::format("use one of {}", suffixes_read()));
+    if (format->blocks == nullptr) return {{}, read_soups(path)};
+    if (!is_vtk(*format)) return {format->blocks(input_text(path), path), {}};
+    const VtkMesh mesh = mesh_in(path);
+    FileContents contents{blocks_of(mesh), {}};
+    if (contents.grid.blocks.empty()) contents.soups = faces_of(mesh);
+    return contents;
+}
+
 std::vector<FaceSoup> read_soups(const std::string& path) {
     const FileFormat* format = file_format(path);
     if (format == nullptr || format->surfaces == nullptr)
         throw Diagnostic(fmt::format("{} does not have the suffix of a surface file", path),
                          fmt::format("use one of {}", surface_suffixes_read()));
-    std::vector<FaceSoup> soups = format->surfaces(input_text(path), path);
+    std::vector<FaceSoup> soups = is_vtk(*format) ? faces_of(mesh_in(path)) : format->surfaces(input_text(path), path);
     if (std::ranges::all_of(soups, [](const FaceSoup& soup) { return soup.loops.empty(); }))
         throw Diagnostic(fmt::format("{} holds no faces", path));
     return soups;

@@ -11,7 +11,8 @@ struct FileFormat {
     using ReadSurfaces = std::vector<FaceSoup> (*)(std::string_view bytes, const std::string& file);
 
     std::string_view suffix;
-    ReadBlocks blocks = nullptr;     ///< with faces or zones; no block when the file holds surfaces
+    ReadBlocks blocks =
+        nullptr; ///< with faces or zones; no block when the file holds surfaces; null: such files hold none
     ReadSurfaces surfaces = nullptr; ///< null: such files hold none
     std::string (*write)(const Grid3d&) = nullptr;
     /// What the format keeps of the grid that is written.
@@ -30,6 +31,14 @@ std::string suffixes_read();
 std::string suffixes_written();
 std::string surface_suffixes_read();
 std::string surface_suffixes_written();
+
+/// Blocks with faces or zones; or, when there are none, the objects of a surface file.
+struct FileContents {
+    Grid3d grid;
+    std::vector<FaceSoup> soups;
+};
+/// What a file holds. Throws Diagnostic with file and line when it cannot be read.
+FileContents read_contents(const std::string& path);
 
 /// The objects of a surface file. Throws Diagnostic with file and line when the file cannot be read or holds no faces.
 std::vector<FaceSoup> read_soups(const std::string& path);

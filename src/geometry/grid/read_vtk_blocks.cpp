@@ -2,6 +2,7 @@
 // rigid blocks.
 #include "base/stop_point.hpp"
 #include "geometry/grid/cell_zones.hpp"
+#include "geometry/grid/vtk_contents.hpp"
 #include "geometry/read/vtk_mesh.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace kaya {
 namespace {
 
-constexpr int voxel = 11, polyhedron = 42;
+constexpr int left_out = 0, voxel = 11, polyhedron = 42;
 
 /// A type of cells with the number of its nodes, the corners first; 0: as many as its order needs.
 struct CellType {
@@ -41,7 +42,7 @@ bool is_other_solid(int type) {
 
 class VtkBlocks {
 public:
-    explicit VtkBlocks(VtkMesh mesh) : mesh_(std::move(mesh)), labels_(mesh_.labels()) {}
+    explicit VtkBlocks(const VtkMesh& mesh) : mesh_(mesh), labels_(mesh_.labels()) {}
 
     Grid3d grid() {
         for (std::size_t k = 0; k < mesh_.points.size(); ++k)
@@ -57,7 +58,7 @@ public:
             else if (is_other_solid(type))
                 mesh_.fail_at_cell(cell, fmt::format("it is of type {}, which is not read", type),
                                    "tetrahedra, pyramids, wedges, hexahedra, voxels and polyhedra are read");
-            else any_face = any_face || mesh_.corners(cell).size() > 2;
+            else any_face = any_face || (type != left_out && mesh_.corners(cell).size() > 2);
         }
         for (auto& [first_cell, found] : found_) {
             if (const auto* set = std::get_if<ZoneSet>(&found)) make_blocks(grid_, *set);
@@ -108,7 +109,7 @@ private:
         found_[cell] = std::move(result);
     }
 
-    VtkMesh mesh_;
+    const VtkMesh& mesh_;
     std::vector<VtkLabel> labels_;
     Grid3d grid_;
     std::map<std::size_t, std::variant<ZoneSet, Grid3d::Block>> found_; ///< by their first cell
@@ -118,8 +119,10 @@ private:
 
 } // namespace
 
+Grid3d blocks_of(const VtkMesh& mesh) { return VtkBlocks(mesh).grid(); }
+
 Grid3d read_vtk_blocks(std::string_view bytes, const std::string& file) {
-    return VtkBlocks(read_vtk_mesh(bytes, file)).grid();
+    return blocks_of(read_vtk_mesh(bytes, file));
 }
 
 } // namespace kaya

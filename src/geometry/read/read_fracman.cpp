@@ -14,7 +14,7 @@
 namespace kaya {
 namespace {
 
-/// Corners farther off their plane, in parts of the polygon's size, are no rounding.
+/// Rounding of corners leaves them off their plane by less, in parts of the size of the polygon.
 constexpr double most_rounding = 1e-3;
 
 /// The corners in their mean plane, if they are off by rounding only.

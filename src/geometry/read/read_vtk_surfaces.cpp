@@ -40,8 +40,7 @@ void add_faces(FaceSoup& soup, const VtkMesh& mesh, std::span<const int> corners
 
 } // namespace
 
-std::vector<FaceSoup> read_vtk_surfaces(std::string_view bytes, const std::string& file) {
-    const VtkMesh mesh = read_vtk_mesh(bytes, file);
+std::vector<FaceSoup> faces_of(const VtkMesh& mesh) {
     const std::vector<VtkLabel> labels = mesh.labels();
     std::map<VtkLabel, std::size_t> soup_of;
     std::vector<FaceSoup> soups;
@@ -58,6 +57,10 @@ std::vector<FaceSoup> read_vtk_surfaces(std::string_view bytes, const std::strin
                   type->outline);
     }
     return soups;
+}
+
+std::vector<FaceSoup> read_vtk_surfaces(std::string_view bytes, const std::string& file) {
+    return faces_of(read_vtk_mesh(bytes, file));
 }
 
 } // namespace kaya

@@ -9,6 +9,8 @@
 
 namespace kaya {
 
+class VtkMesh;
+
 /// The faces of one object as a file lists them, corner by corner.
 struct FaceSoup {
     std::string name; ///< as the file calls it; may be empty
@@ -42,5 +44,8 @@ std::vector<FaceSoup> read_dxf(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_gocad(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_compas(std::string_view text, const std::string& file);
 std::vector<FaceSoup> read_vtk_surfaces(std::string_view bytes, const std::string& file);
+
+/// The faces among the cells of a mesh, an object for each label.
+std::vector<FaceSoup> faces_of(const VtkMesh& mesh);
 
 } // namespace kaya

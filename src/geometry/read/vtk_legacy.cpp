@@ -88,6 +88,7 @@ public:
         }
         if (!known_dataset_) fail("the file ends before DATASET");
         close_cells();
+        if (is_structured() && !along_done_) fail(fmt::format("the file ends before the points of the {}", kind_));
         return std::move(mesh_);
     }
 
@@ -246,13 +247,25 @@ private:
         const auto list = std::ranges::find(legacy_cells, name, &LegacyCells::word);
         if (name == "dataset") {
             const std::string kind = lower_case(std::string(word(line, 1, "the kind of data")));
-            if (kind != "unstructured_grid" && kind != "polydata")
-                fail(fmt::format("the data are a {}; UNSTRUCTURED_GRID and POLYDATA are read", shown(line[1])),
-                     "convert them, for example in ParaView: Append Datasets, then save");
+            static constexpr std::array kinds{"unstructured_grid", "polydata", "structured_grid", "rectilinear_grid",
+                                              "structured_points"};
+            if (std::ranges::find(kinds, kind) == kinds.end())
+                fail(
+                    fmt::format("the data are a {}; UNSTRUCTURED_GRID, POLYDATA, STRUCTURED_GRID, RECTILINEAR_GRID and "
+                                "STRUCTURED_POINTS are read",
+                                shown(line[1])),
+                    "convert them, for example in ParaView: Append Datasets, then save");
+            kind_ = kind;
             known_dataset_ = true;
+        } else if (is_structured() && structured(name, line)) {
+            return true;
         } else if (name == "points") {
-            mesh_.add_points(
-                array(word(line, 2, "the type of coordinates"), count(line, 1, "the number of points"), 3));
+            const std::size_t points = count(line, 1, "the number of points");
+            if (is_structured() && points != along_[0] * along_[1] * along_[2])
+                fail(fmt::format("there are {} points, and DIMENSIONS are {} {} {}", points, along_[0], along_[1],
+                                 along_[2]));
+            mesh_.add_points(array(word(line, 2, "the type of coordinates"), points, 3));
+            if (is_structured()) end_grid();
         } else if (name == "cells") {
             cells_ = cell_list(line);
         } else if (name == "cell_types") {
@@ -267,6 +280,56 @@ private:
             tuples_ = count(line, 1, "the number of values");
         } else return false;
         return true;
+    }
+
+    bool is_structured() const { return kind_.starts_with("structured") || kind_ == "rectilinear_grid"; }
+
+    /// Sections of grids whose points are counted along three axes.
+    bool structured(const std::string& name, const Tokens& line) {
+        static constexpr std::array axes{"x_coordinates", "y_coordinates", "z_coordinates"};
+        const auto axis = std::ranges::find(axes, name);
+        if (name == "dimensions") {
+            for (std::size_t k = 0; k < 3; ++k) along_[k] = count(line, k + 1, "a number of points");
+            mesh_.require_size(line_, along_, text_.size());
+        } else if (axis != axes.end()) {
+            const auto k = static_cast<std::size_t>(axis - axes.begin());
+            const std::size_t points = count(line, 1, "the number of coordinates");
+            if (points != along_[k])
+                fail(fmt::format("there are {} coordinates, and DIMENSIONS are {} {} {}", points, along_[0], along_[1],
+                                 along_[2]));
+            on_axis_[k] = array(word(line, 2, "the type of coordinates"), points, 1).numbers;
+            if (k == 2) add_box_grid();
+        } else if (name == "origin" || name == "spacing" || name == "aspect_ratio") {
+            auto& into = name == "origin" ? origin_ : spacing_;
+            std::array<double, 3> values{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto value = number(word(line, k + 1, "a number"));
+                if (!value) fail(fmt::format("'{}' is not a number", shown(line[k + 1])));
+                values[k] = *value;
+            }
+            into = values;
+            if (!origin_ || !spacing_) return true;
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t i = 0; i < along_[k]; ++i)
+                    on_axis_[k].push_back((*origin_)[k] + (*spacing_)[k] * static_cast<double>(i));
+            add_box_grid();
+        } else return false;
+        return true;
+    }
+
+    /// The points of three axes.
+    void add_box_grid() {
+        VtkArray places{"", 3, {}, {}, line_};
+        for (const double z : on_axis_[2])
+            for (const double y : on_axis_[1])
+                for (const double x : on_axis_[0]) places.numbers.insert(places.numbers.end(), {x, y, z});
+        mesh_.add_points(places);
+        end_grid();
+    }
+    void end_grid() {
+        if (along_done_) fail("the points are given twice");
+        mesh_.add_grid(along_);
+        along_done_ = true;
     }
 
     struct Cells {
@@ -410,6 +473,11 @@ private:
     StopPoints stops_;
     VtkMesh mesh_;
     bool is_binary_ = false, has_offsets_ = false, known_dataset_ = false;
+    std::string kind_;                   ///< of the data, in lower case
+    std::array<std::size_t, 3> along_{}; ///< of a structured grid: points along each axis
+    std::array<std::vector<double>, 3> on_axis_;
+    std::optional<std::array<double, 3>> origin_, spacing_;
+    bool along_done_ = false; ///< the points and cells of that grid are in the mesh
     std::optional<Cells> cells_;
     std::optional<VtkArray> types_;
     std::optional<bool> of_cells_; ///< none before the data of points and cells: those of the whole

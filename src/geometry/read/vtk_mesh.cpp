@@ -42,6 +42,11 @@ constexpr std::array label_names{
 };
 constexpr std::string_view list_ending = "_names";
 
+/// Values above 0 mark cells that belong to another piece or are hidden.
+bool marks_left_out(std::string_view lower_name) {
+    return lower_name == "vtkghosttype" || lower_name == "vtkghostlevels";
+}
+
 bool is_whole(double number) { return number == std::floor(number) && std::abs(number) < 1e15; }
 
 int positive(double number) {
@@ -106,6 +111,65 @@ void VtkMesh::add_cells(const VtkArray& corners, std::span<const double> ends, s
     }
 }
 
+void VtkMesh::require_size(int line, const std::array<std::size_t, 3>& along, std::size_t bytes) const {
+    const double points = static_cast<double>(along[0]) * static_cast<double>(along[1]) * static_cast<double>(along[2]);
+    constexpr double always = 1e6, of_a_byte = 8;
+    if (points > always + of_a_byte * static_cast<double>(bytes))
+        fail(line,
+             fmt::format("{} times {} times {} points are more than the file can hold", along[0], along[1], along[2]));
+}
+
+void VtkMesh::add_grid(const std::array<std::size_t, 3>& along) {
+    // Steps to the corners of a cell, around its base and then around its top, along the axes that have cells.
+    constexpr std::array<std::array<std::size_t, 3>, 8> around{
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+    constexpr std::array<double, 4> types_of{1, 3, 9, 12}; // vertex, line, quadrilateral, hexahedron
+    const std::array<std::size_t, 3> stride{1, along[0], along[0] * along[1]};
+    std::vector<std::size_t> axes;
+    std::array<std::size_t, 3> cells{1, 1, 1};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (along[k] == 0) return;
+        if (along[k] == 1) continue;
+        axes.push_back(k);
+        cells[k] = along[k] - 1;
+    }
+    const std::size_t corners_of_cell = std::size_t{1} << axes.size();
+    VtkArray corners;
+    std::vector<double> ends;
+    for (std::size_t k = 0; k < cells[2]; ++k)
+        for (std::size_t j = 0; j < cells[1]; ++j)
+            for (std::size_t i = 0; i < cells[0]; ++i) {
+                const std::size_t first = i * stride[0] + j * stride[1] + k * stride[2];
+                for (std::size_t c = 0; c < corners_of_cell; ++c) {
+                    std::size_t corner = first;
+                    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+                        corner += around[c][axis] * stride[axes[axis]];
+                    corners.numbers.push_back(static_cast<double>(corner));
+                }
+                ends.push_back(static_cast<double>(corners.numbers.size()));
+            }
+    add_cells(corners, ends, std::span(&types_of[axes.size()], 1));
+}
+
+void VtkMesh::append(const VtkMesh& other) {
+    const auto first = static_cast<int>(points.size());
+    const std::size_t first_cell = types.size(), first_corner = corners_.size();
+    if (points.size() + other.points.size() >= static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        fail(0, "there are more points than a model can hold");
+    first_point_ = points.size();
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    types.insert(types.end(), other.types.begin(), other.types.end());
+    for (const int corner : other.corners_) corners_.push_back(first + corner);
+    for (const std::size_t end : other.ends_) ends_.push_back(first_corner + end);
+    for (const auto& [cell, loops] : other.faces) {
+        auto& moved = faces[first_cell + cell] = loops;
+        for (auto& loop : moved)
+            for (int& corner : loop) corner += first;
+    }
+    for (const VtkArray& array : other.cell_data) add_cell_data(array);
+    names.insert(other.names.begin(), other.names.end());
+}
+
 void VtkMesh::add_polyhedron(std::size_t cell, std::span<const double> list) {
     auto& loops = faces[cell];
     for (std::size_t at = 0; at < list.size();) {
@@ -124,12 +188,21 @@ bool VtkMesh::wanted(std::string_view name) {
     const std::string_view stem = lower.ends_with(list_ending)
                                       ? std::string_view(lower).substr(0, lower.size() - list_ending.size())
                                       : std::string_view(lower);
-    return std::ranges::find(label_names, stem, &LabelName::name) != label_names.end();
+    return marks_left_out(lower) || std::ranges::find(label_names, stem, &LabelName::name) != label_names.end();
 }
 
 void VtkMesh::add_cell_data(VtkArray array) {
     if (array.components != 1) return; // not a label
     array.name = lower_case(array.name);
+    if (marks_left_out(array.name)) {
+        if (array.numbers.size() > types.size())
+            fail(array.line,
+                 fmt::format("'{}' has {} values for {} cells", array.name, array.numbers.size(), types.size()));
+        const std::size_t first = types.size() - array.numbers.size();
+        for (std::size_t k = 0; k < array.numbers.size(); ++k)
+            if (array.numbers[k] > 0) types[first + k] = 0;
+        return;
+    }
     const auto known = std::ranges::find(cell_data, array.name, &VtkArray::name);
     if (known == cell_data.end()) {
         cell_data.push_back(std::move(array));

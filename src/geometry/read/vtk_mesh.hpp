@@ -3,6 +3,7 @@
 
 #include "base/vector.hpp"
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <map>
@@ -36,7 +37,7 @@ public:
 
     std::string file;
     std::vector<Vec3> points;
-    std::vector<int> types;                                     ///< of cells, by the numbers that VTK gives them
+    std::vector<int> types; ///< of cells, by the numbers that VTK gives them; 0: left out
     std::map<std::size_t, std::vector<std::vector<int>>> faces; ///< of the cells that are polyhedra: their loops
     std::vector<VtkArray> cell_data;                            ///< those that label cells, with a value for each cell
     std::map<std::string, std::vector<std::string>> names;      ///< lists of texts by the name of their array
@@ -52,12 +53,20 @@ public:
     void add_points(const VtkArray& coordinates);
     /// Cells of the last piece: the corners of all, and the end of those of each. `types` has one for each cell, or one for all.
     void add_cells(const VtkArray& corners, std::span<const double> ends, std::span<const double> types);
+    /// Cells between the points of the last piece, which stand on a grid with that many points along each axis, the first axis fastest:
+    /// hexahedra, or quadrilaterals where one axis has one point.
+    void add_grid(const std::array<std::size_t, 3>& points_along);
     /// A cell whose faces follow each other: the number of corners of each and its corners.
     void add_polyhedron(std::size_t cell, std::span<const double> face_list);
-    /// The array labels cells or names labels.
+    /// The array labels cells, leaves out cells, or names labels.
     static bool wanted(std::string_view name);
-    /// The values of a piece are added to the array of that name.
+    /// The values of the last piece are added to the array of that name. Those that mark cells as copies of cells of another piece, or as
+    /// hidden, leave these out.
     void add_cell_data(VtkArray array);
+    /// Adds another mesh as further pieces.
+    void append(const VtkMesh& other);
+    /// Fails when a grid of that many points would be far larger than its file of so many bytes.
+    void require_size(int line, const std::array<std::size_t, 3>& points_along, std::size_t bytes) const;
 
     /// The label of each cell. Throws Diagnostic when an array has another number of values.
     std::vector<VtkLabel> labels() const;
@@ -74,5 +83,8 @@ private:
 VtkMesh read_vtk_mesh(std::string_view bytes, const std::string& file);
 VtkMesh read_vtk_legacy(std::string_view bytes, const std::string& file);
 VtkMesh read_vtk_xml(std::string_view bytes, const std::string& file);
+
+/// The names of the files of its pieces, when that is what an XML file holds; otherwise none.
+std::vector<std::string> vtk_piece_files(std::string_view bytes, const std::string& file);
 
 } // namespace kaya

@@ -1,4 +1,4 @@
-// VTK's XML files of unstructured grids (.vtu) and polygonal data (.vtp): https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html.
+// VTK's XML files of unstructured grids (.vtu), polygonal data (.vtp), structured grids (.vts), rectilinear ones (.vtr) and images (.vti): https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html.
 #include "base/base64.hpp"
 #include "base/deflate.hpp"
 #include "base/lower_case.hpp"
@@ -213,10 +213,12 @@ class XmlPieceReader {
 public:
     XmlPieceReader(const XmlPiece& piece, XmlData& data, VtkMesh& mesh) : piece_(piece), data_(data), mesh_(mesh) {}
 
-    void read(bool is_grid) {
-        points();
+    void read(const XmlDocument& document, std::size_t file_size) {
+        const bool is_structured = document.kind != "UnstructuredGrid" && document.kind != "PolyData";
+        if (!is_structured) points();
         const std::size_t first = mesh_.types.size();
-        if (is_grid) cells("Cells", "NumberOfCells", {});
+        if (is_structured) structured(document, file_size);
+        else if (document.kind == "UnstructuredGrid") cells("Cells", "NumberOfCells", {});
         else
             for (const XmlCells& list : xml_cells)
                 if (find(list.section, "connectivity") != nullptr) cells(list.section, list.count, list.type);
@@ -256,6 +258,87 @@ private:
         const VtkArray coordinates = needed("Points", "");
         require_count(coordinates, 3 * wanted, "the coordinates of the points");
         mesh_.add_points(coordinates);
+    }
+
+    using Along = std::array<std::size_t, 3>;
+
+    /// Numbers of an attribute, with blanks between them.
+    template <std::size_t Count>
+    std::array<double, Count> numbers_in(const XmlAttributes& attributes, std::string_view name, int line) const {
+        const std::string_view text = value_of(attributes, name);
+        const auto words = words_of(text);
+        std::array<double, Count> numbers{};
+        for (std::size_t k = 0; k < Count; ++k) {
+            const auto value = words.size() == Count ? number(words[k]) : std::nullopt;
+            if (!value)
+                mesh_.fail(line, fmt::format("{} is '{}', and must be {} numbers", name, text.substr(0, 60), Count));
+            numbers[k] = *value;
+        }
+        return numbers;
+    }
+
+    /// A grid whose points are counted along three axes from the extent of its piece.
+    void structured(const XmlDocument& document, std::size_t file_size) {
+        const auto extent = numbers_in<6>(piece_.attributes, "Extent", piece_.line);
+        Along along{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double points = extent[2 * k + 1] - extent[2 * k] + 1;
+            if (points != std::floor(points) || !(points < 1e9))
+                mesh_.fail(piece_.line, fmt::format("the extent from {} to {} is not a range of whole numbers",
+                                                    extent[2 * k], extent[2 * k + 1]));
+            if (points < 1) return; // an empty piece
+            along[k] = static_cast<std::size_t>(points);
+        }
+        mesh_.require_size(piece_.line, along, file_size);
+        VtkArray places;
+        if (document.kind == "StructuredGrid") {
+            places = needed("Points", "");
+            require_count(places, 3 * along[0] * along[1] * along[2], "the coordinates of the points");
+        } else {
+            places = document.kind == "ImageData" ? image(document, extent, along) : rectilinear(along);
+        }
+        mesh_.add_points(places);
+        mesh_.add_grid(along);
+    }
+
+    /// Calls place(i, j, k) for the coordinates of each point.
+    static VtkArray each_point(const Along& along, int line, auto place) {
+        VtkArray places{"", 3, {}, {}, line};
+        for (std::size_t k = 0; k < along[2]; ++k)
+            for (std::size_t j = 0; j < along[1]; ++j)
+                for (std::size_t i = 0; i < along[0]; ++i)
+                    for (const double x : place(i, j, k)) places.numbers.push_back(x);
+        return places;
+    }
+
+    VtkArray rectilinear(const Along& along) const {
+        std::vector<VtkArray> axes;
+        for (const XmlArray& array : piece_.arrays)
+            if (array.section == "Coordinates") axes.push_back(data_.array(array));
+        if (axes.size() != 3)
+            mesh_.fail(piece_.line, fmt::format("there are {} arrays of Coordinates, and three axes", axes.size()));
+        for (std::size_t k = 0; k < 3; ++k) require_count(axes[k], along[k], "the coordinates of an axis");
+        return each_point(along, piece_.line, [&](std::size_t i, std::size_t j, std::size_t k) {
+            return std::array{axes[0].numbers[i], axes[1].numbers[j], axes[2].numbers[k]};
+        });
+    }
+
+    /// The direction is a matrix by rows, none if it is not given.
+    VtkArray image(const XmlDocument& document, const std::array<double, 6>& extent, const Along& along) const {
+        const auto origin = numbers_in<3>(document.data, "Origin", piece_.line),
+                   spacing = numbers_in<3>(document.data, "Spacing", piece_.line);
+        std::array<double, 9> direction{1, 0, 0, 0, 1, 0, 0, 0, 1};
+        if (!value_of(document.data, "Direction").empty())
+            direction = numbers_in<9>(document.data, "Direction", piece_.line);
+        return each_point(along, piece_.line, [&](std::size_t i, std::size_t j, std::size_t k) {
+            const std::array steps{spacing[0] * (extent[0] + static_cast<double>(i)),
+                                   spacing[1] * (extent[2] + static_cast<double>(j)),
+                                   spacing[2] * (extent[4] + static_cast<double>(k))};
+            std::array<double, 3> place = origin;
+            for (std::size_t row = 0; row < 3; ++row)
+                for (std::size_t axis = 0; axis < 3; ++axis) place[row] += direction[3 * row + axis] * steps[axis];
+            return place;
+        });
     }
 
     void cells(std::string_view section, std::string_view number, std::optional<double> type) {
@@ -339,17 +422,39 @@ private:
 
 } // namespace
 
+namespace {
+
+bool is_of_pieces(const XmlDocument& document) { return document.kind.starts_with('P') && document.kind != "PolyData"; }
+
+} // namespace
+
 VtkMesh read_vtk_xml(std::string_view bytes, const std::string& file) {
     VtkMesh mesh(file);
     const XmlDocument document = read_xml_document(bytes, mesh);
+    if (is_of_pieces(document))
+        mesh.fail(0, fmt::format("the data are a <{}> again", document.kind),
+                  "a piece is a file with points and cells");
     XmlData data(document, mesh, bytes.size());
     for (const XmlArray& list : document.whole) {
         VtkArray array = data.array(list);
         mesh.names[lower_case(array.name)] = std::move(array.texts);
     }
-    for (const XmlPiece& piece : document.pieces)
-        XmlPieceReader(piece, data, mesh).read(document.kind == "UnstructuredGrid");
+    for (const XmlPiece& piece : document.pieces) XmlPieceReader(piece, data, mesh).read(document, bytes.size());
     return mesh;
+}
+
+std::vector<std::string> vtk_piece_files(std::string_view bytes, const std::string& file) {
+    std::vector<std::string> files;
+    if (bytes.starts_with("# vtk") || bytes.substr(0, 1000).find('<') == bytes.npos) return files;
+    const VtkMesh mesh(file);
+    const XmlDocument document = read_xml_document(bytes, mesh);
+    if (!is_of_pieces(document)) return files;
+    for (const XmlPiece& piece : document.pieces) {
+        files.emplace_back(value_of(piece.attributes, "Source"));
+        if (files.back().empty()) mesh.fail(piece.line, "a Piece has no Source", "save the mesh again");
+    }
+    if (files.empty()) mesh.fail(0, "it has no pieces", "save the mesh again");
+    return files;
 }
 
 } // namespace kaya

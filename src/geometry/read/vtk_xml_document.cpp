@@ -14,7 +14,15 @@
 namespace kaya {
 namespace {
 
-constexpr std::array xml_sections{"Points", "Cells", "CellData", "Polys", "Strips", "Verts", "Lines", "FieldData"};
+constexpr std::array xml_sections{"Points", "Coordinates", "Cells", "CellData", "Polys",
+                                  "Strips", "Verts",       "Lines", "FieldData"};
+constexpr std::array kinds{"UnstructuredGrid", "PolyData", "StructuredGrid", "RectilinearGrid", "ImageData"};
+
+/// Whether an element holds data of a kind that is read, in this file or in files of pieces.
+bool is_data(std::string_view name) {
+    if (std::ranges::find(kinds, name) != kinds.end()) return true;
+    return name.starts_with('P') && std::ranges::find(kinds, name.substr(1)) != kinds.end();
+}
 
 /// The elements of a document. Exceptions of handlers wait until expat, which is C, has returned.
 class XmlReader {
@@ -51,7 +59,7 @@ public:
             if (is_last) break;
         }
         if (document_.kind.empty())
-            fail("there is neither an UnstructuredGrid nor PolyData in it", "save the mesh as .vtu or .vtp");
+            fail("there is no grid and no PolyData in it", "save the mesh as .vtu, .vtp, .vts, .vtr or .vti");
         return std::move(document_);
     }
 
@@ -91,11 +99,11 @@ private:
         } else if (parent == "VTKFile" && name == "AppendedData") {
             appended(value_of(attributes, "encoding"));
         } else if (parent == "VTKFile") {
-            if (name != "UnstructuredGrid" && name != "PolyData")
-                fail(fmt::format("the data are a <{}>; UnstructuredGrid and PolyData are read", name.substr(0, 30)),
-                     name[0] == 'P' ? "read the files of its pieces one by one"
-                                    : "convert them, for example in ParaView: Append Datasets, then save");
+            if (!is_data(name))
+                fail(fmt::format("the data are a <{}>; {} are read", name.substr(0, 30), fmt::join(kinds, ", ")),
+                     "convert them, for example in ParaView: Append Datasets, then save");
             document_.kind = name;
+            document_.data = std::move(attributes);
         } else if (parent == document_.kind && name == "Piece") {
             document_.pieces.push_back({std::move(attributes), {}, line()});
         } else if (name == "DataArray" || name == "Array") {
@@ -112,7 +120,8 @@ private:
         constexpr std::size_t most = 100; // points, cells and labels have 20 at most
         if (arrays.size() >= most) fail(fmt::format("there are more than {} arrays of points and cells", most));
         for (const XmlArray& other : arrays)
-            if (other.section == section && value_of(other.attributes, "Name") == value_of(attributes, "Name"))
+            if (other.section == section && section != "Coordinates" && // which count by their order
+                value_of(other.attributes, "Name") == value_of(attributes, "Name"))
                 fail(fmt::format("{} has two arrays '{}'", section, value_of(attributes, "Name").substr(0, 30)));
         arrays.push_back({section, std::move(attributes), {}, line()});
         in_array_ = &arrays.back();

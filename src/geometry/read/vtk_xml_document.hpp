@@ -32,8 +32,10 @@ struct XmlPiece {
 };
 
 struct XmlDocument {
-    std::string kind;   ///< UnstructuredGrid or PolyData
+    std::string
+        kind; ///< UnstructuredGrid, PolyData, StructuredGrid, RectilinearGrid or ImageData; behind a P: of files of pieces
     XmlAttributes file; ///< attributes of VTKFile
+    XmlAttributes data; ///< attributes of the element of that kind
     std::vector<XmlPiece> pieces;
     std::vector<XmlArray> whole;  ///< arrays of FieldData
     std::string_view appended;    ///< after its mark

@@ -226,6 +226,8 @@ TEST(SurfaceFiles, AreChosenBySuffix) {
         FAIL();
     } catch (const Diagnostic& diagnostic) {
         EXPECT_EQ(diagnostic.message, "model.dwg does not have the suffix of a surface file");
-        EXPECT_EQ(diagnostic.hint, "use one of .vtu, .vtk, .vtp, .stl, .obj, .ply, .wrl, .vrml, .dxf, .ts, .json");
+        EXPECT_EQ(
+            diagnostic.hint,
+            "use one of .vtu, .vtk, .vts, .vtr, .vti, .vtp, .pvtu, .pvts, .pvtr, .pvti, .pvtp, .stl, .obj, .ply, .wrl, .vrml, .dxf, .ts, .json");
     }
 }

@@ -174,7 +174,10 @@ TEST(VtkFiles, PolyhedraInTheLayoutOfVtk94) {
 TEST(VtkFiles, MessagesNameLineOrCell) {
     EXPECT_EQ(message_of("nothing"), "a.vtk is not a file of VTK: it begins with neither '# vtk DataFile' nor XML");
     EXPECT_EQ(message_of("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n"),
-              "a.vtk, line 4: the data are a STRUCTURED_GRID; UNSTRUCTURED_GRID and POLYDATA are read");
+              "a.vtk, line 4: the file ends before the points of the structured_grid");
+    EXPECT_EQ(message_of("# vtk DataFile Version 3.0\nt\nASCII\nDATASET FIELD\n"),
+              "a.vtk, line 4: the data are a FIELD; UNSTRUCTURED_GRID, POLYDATA, STRUCTURED_GRID, RECTILINEAR_GRID and "
+              "STRUCTURED_POINTS are read");
     EXPECT_EQ(message_of(with(legacy(two_cells), "1 1 1", "1 1 one")), "a.vtk, line 6: 'one' is not a number");
     EXPECT_EQ(message_of(with(legacy(two_cells), "POINTS 5", "POINTS 5e9")),
               "a.vtk, line 5: the number of points is 5000000000, more than the file can hold");
