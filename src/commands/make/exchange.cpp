@@ -3,13 +3,17 @@
 #include "commands/session/handlers.hpp"
 #include "commands/make/incoming.hpp"
 #include "geometry/grid/file_formats.hpp"
+#include "geometry/surface/outer_surface.hpp"
 #include "model/edit/build.hpp"
 #include "model/kinds/groups.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <fmt/format.h>
-#include <ranges>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace kaya {
 
@@ -120,20 +124,84 @@ TetMesh zones_of(const Model& model, Row block) {
     return mesh;
 }
 
-Grid3d grid_of_rows(const Model& model, const std::vector<Row>& rows, const FileFormat& format) {
-    std::vector<Polyhedron> shapes;
-    std::vector<TetMesh> meshes;
-    shapes.reserve(rows.size());
-    meshes.reserve(rows.size());
-    std::vector<GridShape> blocks;
+/// The rows of each body, in the order of their first; with `apart` each row is one.
+std::vector<std::vector<Row>> bodies_of(const Model& model, const std::vector<Row>& rows, bool apart) {
+    std::vector<std::vector<Row>> bodies;
+    std::map<std::int32_t, std::size_t> place;
     for (const Row row : rows) {
-        shapes.push_back(shape_of(model, row));
-        meshes.push_back(zones_of(model, row));
+        const std::int32_t body = model.blocks.body[row];
+        if (apart || body == 0) {
+            bodies.push_back({row});
+            continue;
+        }
+        const auto [found, is_new] = place.try_emplace(body, bodies.size());
+        if (is_new) bodies.emplace_back();
+        bodies[found->second].push_back(row);
+    }
+    return bodies;
+}
+
+/// The polygons of a surface as the faces of a block.
+Polyhedron shape_of_surface(const Surface& surface) {
+    Polyhedron shape{surface.vertices, {}};
+    for (const Surface::Face& face : surface.faces) shape.faces.push_back({face.vertices});
+    return shape;
+}
+
+/// What is written.
+struct Outgoing {
+    Grid3d grid;
+    std::size_t open_bodies = 0;  ///< written block by block, because the surface around them is not closed
+    std::size_t mixed_groups = 0; ///< bodies whose blocks are in several groups
+};
+
+Outgoing grid_of_rows(const Model& model, const std::vector<Row>& rows, const FileFormat& format) {
+    Outgoing outgoing;
+    std::deque<Polyhedron> shapes;
+    std::deque<TetMesh> meshes;
+    std::vector<GridShape> blocks;
+    const auto add = [&](Row row, Polyhedron shape, bool zones) {
+        shapes.push_back(std::move(shape));
+        if (zones) meshes.push_back(zones_of(model, row));
+        const bool has_zones = zones && !meshes.back().tetrahedra.empty();
         blocks.push_back({model.blocks.number[row], model.blocks.region[row],
                           std::string(default_group(model, model.blocks.group[row])), &shapes.back(),
-                          model.blocks.material[row], meshes.back().tetrahedra.empty() ? nullptr : &meshes.back()});
+                          model.blocks.material[row], has_zones ? &meshes.back() : nullptr});
+    };
+    const bool surfaces = format.holds == FileFormat::Holds::surfaces;
+    for (const std::vector<Row>& body : bodies_of(model, rows, !surfaces)) {
+        if (body.size() > 1) {
+            std::vector<Polyhedron> parts;
+            for (const Row row : body) parts.push_back(shape_of(model, row));
+            if (const auto surface = outer_surface(parts)) {
+                add(body.front(), shape_of_surface(*surface), false);
+                outgoing.mixed_groups += std::ranges::any_of(body, [&](Row row) {
+                    return default_group(model, model.blocks.group[row]) !=
+                           default_group(model, model.blocks.group[body.front()]);
+                });
+                continue;
+            }
+            ++outgoing.open_bodies;
+        }
+        for (const Row row : body) add(row, shape_of(model, row), true);
     }
-    return grid_of(blocks, format.holds == FileFormat::Holds::grid ? Corners::shared : Corners::own);
+    outgoing.grid = grid_of(blocks, format.holds == FileFormat::Holds::grid ? Corners::shared : Corners::own);
+    return outgoing;
+}
+
+/// Faces with a joint set that is not written, because no other block lies against them with it.
+std::size_t sets_left_out(const Model& model, const std::vector<Row>& rows, const Grid3d& grid) {
+    std::set<std::pair<int, int>> written; // block and joint set
+    for (const Grid3d::JointSet& set : grid.joint_sets)
+        for (const auto& pair : set.blocks)
+            for (const int block : pair) written.emplace(block, set.number);
+    std::size_t lost = 0;
+    for (const Row row : rows)
+        for (Row face = model.blocks.faces[row].first; face < model.blocks.faces[row].end(); ++face) {
+            const std::int32_t set = model.faces.joint_set[face];
+            lost += set != 0 && !written.contains({model.blocks.number[row], set});
+        }
+    return lost;
 }
 
 } // namespace
@@ -147,23 +215,32 @@ void run(Session& session, const lang::Export& command) {
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
     const Model& model = session.engine.model;
-    const Grid3d grid = grid_of_rows(model, rows, *format);
-    const auto zoned = std::ranges::count_if(grid.blocks, [](const auto& block) { return !block.zones.empty(); });
+    const auto [grid, open_bodies, mixed_groups] = grid_of_rows(model, rows, *format);
+    const auto zoned = std::ranges::count_if(rows, [&](Row row) { return model.blocks.zones[row].count > 0; });
+    if (open_bodies > 0)
+        session.note_once(
+            fmt::format("{} of joined blocks {} written block by block: their faces do not lie against each other",
+                        counted(open_bodies, "body"), open_bodies == 1 ? "is" : "are"),
+            "`.3dgrid` keeps blocks one by one");
+    if (mixed_groups > 0)
+        session.note_once("joined blocks of several groups are written under the group of the first",
+                          "`.3dgrid` keeps blocks one by one");
     if (zoned > 0 && format->holds == FileFormat::Holds::surfaces)
         session.note_once("of blocks with zones the surfaces are written", "`save` keeps everything");
-    const auto has_joint_sets = [&](const Row row) {
-        const Span faces = model.blocks.faces[row];
-        return model.blocks.deformable[row] != 0 &&
-               std::ranges::any_of(std::views::iota(faces.first, faces.end()),
-                                   [&](const Row face) { return model.faces.joint_set[face] != 0; });
-    };
-    if (format->holds == FileFormat::Holds::grid && std::ranges::any_of(rows, has_joint_sets))
-        session.note_once("joint set numbers of faces of blocks with zones are not written", "`save` keeps everything");
+    const std::size_t lost =
+        format->holds == FileFormat::Holds::grid ? sets_left_out(model, rows, grid) : std::size_t{0};
+    if (lost > 0)
+        session.note_once(
+            fmt::format("the joint sets of {} without a neighbour in the file are not written", counted(lost, "face")),
+            "`save` keeps everything");
     if (zoned < std::ssize(rows) && format->holds == FileFormat::Holds::zones && !format->surfaces)
         session.note_once("rigid blocks are written as zones around their middle",
                           "`import` makes blocks with zones of them");
     write_whole_file(session.program.output_file(command.file), format->write(grid));
-    session.program.output.say(fmt::format("{} written to {}", counted(rows.size(), "block"), command.file));
+    const std::string as_bodies =
+        grid.blocks.size() < rows.size() ? " as " + counted(grid.blocks.size(), "body") : std::string();
+    session.program.output.say(
+        fmt::format("{} written{} to {}", counted(rows.size(), "block"), as_bodies, command.file));
 }
 
 void add_handlers(HandlerTable& table, lang::ExchangeCommands list) { fill(table, list); }

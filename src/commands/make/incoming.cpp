@@ -3,12 +3,13 @@
 #include "base/parallel.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/grid/file_formats.hpp"
-#include "geometry/read/input_text.hpp"
+#include "geometry/grid/joint_sets.hpp"
 #include "geometry/surface/few_parts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <map>
 
 namespace kaya {
 
@@ -75,7 +76,8 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
 }
 
 IncomingBlock block_of(const Grid3d& grid, const Grid3d::Block& block, const Surface& surface) {
-    IncomingBlock incoming{solid_from_surface(surface, of_files), {}, block.group, block.region, block.material};
+    IncomingBlock incoming{
+        solid_from_surface(surface, of_files), {}, block.group, block.region, block.material, block.number};
     if (block.zones.empty()) return incoming;
     if (incoming.solid.parts.size() > 1)
         throw Diagnostic("the block is concave and has zones", "give its faces without zones, or convex blocks");
@@ -93,6 +95,12 @@ IncomingFile from_grid(const std::string& path, Grid3d grid, const Placement& pl
         bodies.push_back({fmt::format("block {}", grid.blocks[i].number), mean_of(surfaces[i].vertices),
                           [&, i](Reductions&) { return block_of(grid, grid.blocks[i], surfaces[i]); }});
     add_bodies(file, path, bodies);
+    std::map<int, IncomingBlock*> by_number;
+    for (IncomingBlock& block : file.blocks) by_number[block.number] = &block;
+    give_joint_sets(grid, [&](int number) {
+        const auto found = by_number.find(number);
+        return found == by_number.end() ? nullptr : &found->second->solid.parts;
+    });
     return file;
 }
 
@@ -170,18 +178,12 @@ double volume_of(const Solid& solid) {
 
 IncomingFile read_blocks(const std::string& path, const IncomingOptions& options) {
     const Placement placement(options);
-    const FileFormat* format = file_format(path);
-    if (format == nullptr)
-        throw Diagnostic(fmt::format("{} does not have the suffix of a file that is read", path),
-                         fmt::format("use one of {}", suffixes_read()));
-    if (format->blocks != nullptr) {
-        Grid3d grid = format->blocks(input_text(path), path);
-        if (!grid.blocks.empty() && (options.simplification.wanted() || options.convex > 0))
-            throw Diagnostic(fmt::format("{} holds blocks or zones; only surfaces can be simplified", path),
-                             "leave out `simplify`, `deviation` and `convex`");
-        if (!grid.blocks.empty()) return from_grid(path, std::move(grid), placement);
-    }
-    return from_surfaces(path, read_soups(path), placement, options);
+    FileContents contents = read_contents(path);
+    if (contents.grid.blocks.empty()) return from_surfaces(path, std::move(contents.soups), placement, options);
+    if (options.simplification.wanted() || options.convex > 0)
+        throw Diagnostic(fmt::format("{} holds blocks or zones; only surfaces can be simplified", path),
+                         "leave out `simplify`, `deviation` and `convex`");
+    return from_grid(path, std::move(contents.grid), placement);
 }
 
 } // namespace kaya

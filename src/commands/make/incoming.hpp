@@ -18,6 +18,7 @@ struct IncomingBlock {
     std::optional<TetMesh> mesh;
     std::string group;
     std::int32_t region = 0, material = 0; ///< 0: not given in the file
+    int number = 0;                        ///< of a block with faces or zones, in the file
 };
 
 /// How bodies became simpler.

@@ -1,6 +1,7 @@
 #include "geometry/grid/grid3d.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/grid/joint_sets.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -132,11 +133,7 @@ TetMesh zones_of(const Grid3d& grid, const Grid3d::Block& block, const Polyhedro
 Grid3d grid_of(const std::vector<GridShape>& blocks, Corners corners) {
     Grid3d grid;
     std::map<std::array<double, 3>, int> gridpoints;
-    struct Shared {
-        int number = 0, block = 0;
-    };
-    std::map<std::vector<int>, Shared> faces;
-    std::map<int, std::vector<std::array<int, 2>>> pairs;
+    std::map<std::vector<int>, int> faces; ///< numbers by their gridpoints
     const auto gridpoint = [&](const Vec3& place) {
         const Vec3 p = place + Vec3::Zero(); // adding zero makes one number of 0 and -0
         const auto [found, fresh] = gridpoints.emplace(std::array{p.x(), p.y(), p.z()}, 0);
@@ -168,16 +165,13 @@ Grid3d grid_of(const std::vector<GridShape>& blocks, Corners corners) {
             for (const int v : face.vertices) loop.push_back(gridpoint(block.shape->vertices[v]));
             std::vector<int> key = loop;
             std::sort(key.begin(), key.end());
-            const auto [place, fresh] =
-                faces.emplace(std::move(key), Shared{static_cast<int>(grid.faces.size()) + 1, block.number});
-            if (fresh) grid.faces[place->second.number] = loop;
-            else if (face.joint_set != 0 && place->second.block != block.number)
-                pairs[face.joint_set].push_back({place->second.block, block.number});
-            result.faces.push_back(place->second.number);
+            const auto [place, fresh] = faces.emplace(std::move(key), static_cast<int>(grid.faces.size()) + 1);
+            if (fresh) grid.faces[place->second] = loop;
+            result.faces.push_back(place->second);
         }
         grid.blocks.push_back(std::move(result));
     }
-    for (auto& [set, list] : pairs) grid.joint_sets.push_back({set, std::move(list)});
+    if (corners == Corners::shared) grid.joint_sets = joint_sets_between(blocks);
     return grid;
 }
 

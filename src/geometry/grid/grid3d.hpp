@@ -69,8 +69,8 @@ struct GridShape {
 
 enum class Corners { shared, own };
 
-/// A grid of blocks. Equal corners become one gridpoint, of all blocks or of each. Shared faces with the same corners become one face;
-/// two blocks that share a face made by a joint set are listed under it.
+/// A grid of blocks. Equal corners become one gridpoint, of all blocks or of each. Shared faces with the same corners become one face. With
+/// shared corners blocks whose faces of one joint set lie against each other are listed under it.
 Grid3d grid_of(const std::vector<GridShape>& blocks, Corners corners = Corners::shared);
 
 } // namespace kaya

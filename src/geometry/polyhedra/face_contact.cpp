@@ -14,6 +14,27 @@ std::vector<Vec3> corners_of(const Polyhedron& p, const Polyhedron::Face& face) 
     return corners;
 }
 
+/// Calls visit(face of a, face of b) for faces that lie against each other, until it returns false.
+void each_pair_against(const Polyhedron& a, const Polyhedron& b, double near, auto visit) {
+    const double opposite = -std::cos(3.14159265358979 / 180);
+    for (std::size_t i = 0; i < a.faces.size(); ++i) {
+        const auto& face_a = a.faces[i];
+        const Vec3 normal = face_normal(a, face_a);
+        const Vec3& base = a.vertices[face_a.vertices[0]];
+        for (std::size_t j = 0; j < b.faces.size(); ++j) {
+            const auto& face_b = b.faces[j];
+            if (face_normal(b, face_b).dot(normal) > opposite) continue;
+            const bool far = std::any_of(face_b.vertices.begin(), face_b.vertices.end(),
+                                         [&](int v) { return std::abs(normal.dot(b.vertices[v] - base)) > near; });
+            if (far) continue;
+            const auto outline = corners_of(a, face_a), other = corners_of(b, face_b);
+            const double common = area_vector(common_part(other, outline, normal)).norm();
+            if (common > 1e-6 * std::min(area_vector(outline).norm(), area_vector(other).norm()) && !visit(i, j))
+                return;
+        }
+    }
+}
+
 } // namespace
 
 Vec3 area_vector(const std::vector<Vec3>& polygon) {
@@ -50,23 +71,22 @@ std::vector<Vec3> common_part(std::vector<Vec3> polygon, const std::vector<Vec3>
     return polygon;
 }
 
+std::vector<std::array<std::size_t, 2>> faces_against(const Polyhedron& a, const Polyhedron& b, double near) {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    each_pair_against(a, b, near, [&](std::size_t face_a, std::size_t face_b) {
+        pairs.push_back({face_a, face_b});
+        return true;
+    });
+    return pairs;
+}
+
 bool faces_in_contact(const Polyhedron& a, const Polyhedron& b, double near) {
-    const double opposite = -std::cos(3.14159265358979 / 180);
-    for (const auto& face_a : a.faces) {
-        if (face_a.open) continue;
-        const Vec3 normal = face_normal(a, face_a);
-        const Vec3& base = a.vertices[face_a.vertices[0]];
-        for (const auto& face_b : b.faces) {
-            if (face_b.open || face_normal(b, face_b).dot(normal) > opposite) continue;
-            const bool far = std::any_of(face_b.vertices.begin(), face_b.vertices.end(),
-                                         [&](int v) { return std::abs(normal.dot(b.vertices[v] - base)) > near; });
-            if (far) continue;
-            const auto outline = corners_of(a, face_a), other = corners_of(b, face_b);
-            const double common = area_vector(common_part(other, outline, normal)).norm();
-            if (common > 1e-6 * std::min(area_vector(outline).norm(), area_vector(other).norm())) return true;
-        }
-    }
-    return false;
+    bool found = false;
+    each_pair_against(a, b, near, [&](std::size_t face_a, std::size_t face_b) {
+        found = !a.faces[face_a].open && !b.faces[face_b].open;
+        return !found;
+    });
+    return found;
 }
 
 } // namespace kaya

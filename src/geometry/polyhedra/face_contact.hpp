@@ -4,11 +4,17 @@
 #include "geometry/polyhedra/plane.hpp"
 #include "geometry/polyhedra/polyhedron.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace kaya {
 
 /// True when a face of one block lies against a face of the other, and none of the two is open: opposite normals (within a degree), a distance of at most `near`, and a
 /// common area above a millionth of the smaller face.
 bool faces_in_contact(const Polyhedron& a, const Polyhedron& b, double near);
+
+/// Pairs of faces of both blocks that lie against each other in the same sense, open faces too.
+std::vector<std::array<std::size_t, 2>> faces_against(const Polyhedron& a, const Polyhedron& b, double near);
 
 /// The part of a plane `polygon` inside a convex outline that runs anticlockwise about `normal` (Sutherland and Hodgman 1974), projected
 /// along the normal. Fewer than three corners mean none.

@@ -105,7 +105,7 @@ TEST(FractureCombine, MergesKeepTheAreaOfThoseThatOverlap) {
     };
     EXPECT_EQ(merged({{{1, 1, 0.5}, 5, 0, 4}}), std::pair(std::size_t{1}, 10.0));             // inside
     EXPECT_EQ(merged({{{6, 0, 0.5}, 5, 0, 4}}), std::pair(std::size_t{1}, std::sqrt(116.0))); // overlaps
-    EXPECT_EQ(merged({{{7.1, 0, 0.5}, 5, 0, 4}}), std::pair(std::size_t{0}, 10.0));           // beside it
+    EXPECT_EQ(merged({{{7.1, 0, 0.5}, 5, 0, 4}}), std::pair(std::size_t{0}, 10.0));           // next to it
     const Fracture square =
         polygon_fracture({{4, 4, 0.1}, {6, 4, 0.1}, {6, 6, 0.1}, {4, 6, 0.1}}); // its corner is 5.66 off
     EXPECT_EQ(merged(square).first, 0u);
