@@ -26,8 +26,9 @@ bool is_there(const std::filesystem::path& file) {
 std::string fault_of_library_file(const std::filesystem::path& file) {
     const std::string not_a_library = "is not a shared library";
     if (!std::filesystem::is_regular_file(file)) return not_a_library;
-    const Descriptor opened = door::peek(file);
-    if (!opened) return "cannot be read";
+    const auto unreadable = [] { return fmt::format("cannot be read: {}", std::strerror(errno)); };
+    const Descriptor opened = door::open(file, Use::read, door::Access::read); // the gate says why it refuses
+    if (!opened) return unreadable();
 
     Elf64_Ehdr header{};
     const ssize_t got = ::pread(opened.number(), &header, sizeof header, 0);
@@ -37,7 +38,7 @@ std::string fault_of_library_file(const std::filesystem::path& file) {
     if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_type != ET_DYN) return not_a_library;
 
     struct stat info {};
-    if (::fstat(opened.number(), &info) != 0) return "cannot be read";
+    if (::fstat(opened.number(), &info) != 0) return unreadable();
     const auto size = static_cast<std::uint64_t>(info.st_size);
     for (unsigned k = 0; k < header.e_phnum; ++k) {
         Elf64_Phdr segment{};

@@ -12,7 +12,7 @@ struct Called;
 bool is_there(const std::filesystem::path& file);
 
 /// Why the file cannot be a shared library for this machine, or empty. The system's loader does not check the length of a file: it crashes
-/// on one that was cut off, as by a full disk.
+/// on one that was cut off, as by a full disk. Throws Diagnostic when the gate refuses.
 std::string fault_of_library_file(const std::filesystem::path& file);
 
 /// Loads the library of a law by that name, an absolute path, and calls its function `entry` in a separate process. Says what became of that

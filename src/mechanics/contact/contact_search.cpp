@@ -252,8 +252,14 @@ bool is_parallel(const ContactGeometry& geometry) {
     return high->gap - low->gap <= same * std::sqrt(geometry.area);
 }
 
-/// The kind of contact of two rigid blocks. A joint that opens in part becomes an overlap, an overlap closed everywhere becomes a joint; a
-/// joint in tension keeps its kind.
+/// Whether blocks have rolled onto other faces. The closure of these faces says nothing about the force that there is: a joint that changed
+/// its faces would make energy.
+bool is_of_other_faces(const Model& model, Row contact, const ContactGeometry& geometry) {
+    return geometry.face1 != model.contacts.face1[contact] || geometry.face2 != model.contacts.face2[contact];
+}
+
+/// The kind of contact of two rigid blocks. A joint that opens in part, or goes over to other faces, becomes an overlap, an overlap closed
+/// everywhere becomes a joint; a joint in tension keeps its kind.
 DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry,
                         OverlapScratch& scratch) {
     const bool in_place = !model.settings.large_strain;
@@ -269,7 +275,11 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
     const bool was_joint = model.contacts.kind[old] == ContactKind::joint;
     if (geometry.kind == ContactKind::overlap)
         return was_joint && !any_row_pulls(model, old) ? DraftKind::overlap : DraftKind::as_it_was;
-    if (was_joint) return DraftKind::new_geometry;
+    if (was_joint) {
+        const bool rolls = moving && !in_place && is_of_other_faces(model, old, geometry);
+        return rolls && !any_row_pulls(model, old) && !stands_on_corners(model, b1, b2) ? DraftKind::overlap
+                                                                                        : DraftKind::new_geometry;
+    }
     return may_close(model, old) && closes_everywhere(model, old, geometry) ? DraftKind::new_geometry
                                                                             : DraftKind::as_it_was;
 }
