@@ -1,5 +1,6 @@
 #include "geometry/ground/pit_strips.hpp"
 
+#include "base/diagnostic.hpp"
 #include "base/plane_cross.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 #include <utility>
 
@@ -59,6 +61,9 @@ public:
             low_ = std::min(low_, CGAL::to_double(outline_.vertex(outline_.size() - 1).x()));
             high_ = std::max(high_, CGAL::to_double(outline_.vertex(outline_.size() - 1).x()));
         }
+        if (!outline_.is_simple())
+            throw Diagnostic(fmt::format("a wall of the pit is too narrow beside the pit, which is {:.6g} long", size),
+                             "look for a corner of the outline that is far from the others");
         for (std::size_t i = 0; i < outline_.size(); ++i)
             plan_.insert_constraint(outline_.vertex(i), outline_.vertex((i + 1) % outline_.size()));
         for (const double knot : profile.knots()) line(low_, knot, high_, knot);

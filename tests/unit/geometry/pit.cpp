@@ -225,6 +225,14 @@ std::string message_of_text(std::string_view text) {
     return "";
 }
 
+TEST(Pit, WallsThatEndInANeedleAreRefused) {
+    // A corner without a blank between two numbers lies 5,000 km away.
+    EXPECT_THAT(
+        message_of_text("bench 22\nbenches 4\nangle 30\nberm 8\nramp 20 0.1 from 201 0 clockwise\ntoe\n025 100 240\n"
+                        "500 100 240\n5001000 2 240\n500 400 240\n100 400 240\n"),
+        HasSubstr("too narrow beside the pit"));
+}
+
 TEST(Pit, FilesThatAreWrongNameTheLine) {
     const std::string outline = "crest\n0 0 300\n600 0 300\n600 500 300\n0 500 300\n0 0 300\n";
     const Ground ground = ground_from_pit(
