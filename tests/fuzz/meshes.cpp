@@ -7,6 +7,7 @@
 #include "geometry/ground/ground.hpp"
 #include "geometry/ground/pit.hpp"
 #include "geometry/read/read_fractures.hpp"
+#include "geometry/read/read_sample.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -26,13 +27,19 @@ struct Text {
     std::string_view suffix;
     Read read;
 };
-const std::array<Text, 6> texts{{
+const std::array<Text, 8> texts{{
     {".xyz", [](std::string_view bytes, const std::string& file) { ground_from_points(bytes, file); }},
     {".asc", [](std::string_view bytes, const std::string& file) { ground_from_grid(bytes, file); }},
     {".pit", [](std::string_view bytes, const std::string& file) { ground_from_pit(bytes, file); }},
     {".discs", fractures<FractureFormat::discs>},
     {".polygons", fractures<FractureFormat::polygons>},
     {".traces", fractures<FractureFormat::traces>},
+    {".fab", fractures<FractureFormat::fracman>},
+    {".sample",
+     [](std::string_view bytes, const std::string& file) {
+         read_planes(bytes, file);
+         read_diameters(bytes, file);
+     }},
 }};
 
 void read_with(const auto& reader, const std::string& bytes) {
