@@ -10,6 +10,7 @@
 #include <boost/math/distributions/uniform.hpp>
 #include <boost/math/distributions/weibull.hpp>
 #include <cmath>
+#include <exception>
 
 namespace kaya {
 
@@ -53,12 +54,17 @@ double part_below(const Distribution& d, double x) {
     });
 }
 
+double part_below_least(const Distribution& d) { return std::isfinite(d.least) ? part_below(d, d.least) : 0; }
+
+/// The probability between its limits.
+double part_inside(const Distribution& d) {
+    return (std::isfinite(d.most) ? part_below(d, d.most) : 1) - part_below_least(d);
+}
+
 } // namespace
 
 double Distribution::quantile(double p) const {
-    const double below = std::isfinite(least) ? part_below(*this, least) : 0;
-    const double above = std::isfinite(most) ? part_below(*this, most) : 1;
-    const double part = below + p * (above - below);
+    const double part = part_below_least(*this) + p * part_inside(*this);
     const double value =
         with(*this, [&](const auto& dist) { return bm::quantile(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
     return std::clamp(scaled(*this, value), least, most);
@@ -87,10 +93,11 @@ std::string Distribution::mistake() const {
     if (kind == Kind::triangular && !(mode >= a && mode <= b)) return "'mode' must lie between 'from' and 'to'";
     if (kind == Kind::beta && !(alpha > 0 && beta > 0)) return "'alpha' and 'beta' must be above 0";
     if (!(least < most)) return "'least' must be below 'most'";
-    const double below = std::isfinite(least) ? part_below(*this, least) : 0;
-    const double above = std::isfinite(most) ? part_below(*this, most) : 1;
-    if (!(above - below > 1e-9)) return "nothing of it lies between 'least' and 'most'";
-    return {};
+    try {
+        if (!(part_inside(*this) > 1e-9)) return "nothing of it lies between 'least' and 'most'";
+        if (std::isfinite(quantile(0.5)) && std::isfinite(mean()) && std::isfinite(deviation())) return {};
+    } catch (const std::exception&) {} // of Boost: what it derives from the numbers is infinite
+    return "its numbers are too large, too small or too far apart to compute with";
 }
 
 const std::vector<std::string>& distribution_names() {

@@ -122,6 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
               "there is no distribution 'norml'", "normal"},
         Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 0 }\n", 4,
               "the deviation must be above 0"},
+        Wrong{"[parameters]\nf = { distribution = \"gamma\", mean = 38.9, deviation = 1e300, least = 9.52 }\n", 4,
+              "too far apart to compute with"},
         Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1 }\n", 4, "needs 'deviation'"},
         Wrong{"[parameters]\nf = { distribution = \"normal\", mean = \"1\", deviation = 1 }\n", 4,
               "expected a number for 'mean', found a text"},
