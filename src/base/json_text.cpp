@@ -8,7 +8,7 @@
 namespace kaya {
 namespace {
 
-/// The four hexadecimal digits at the begin of a text.
+/// The four hexadecimal digits at the beginning of a text.
 std::optional<std::uint32_t> four_digits(std::string_view text) {
     constexpr std::size_t digits = 4;
     std::uint32_t code = 0;

@@ -1,6 +1,7 @@
 #include "commands/stability/other_motion.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/stability/scaled_histories.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +11,6 @@
 namespace kaya {
 
 namespace {
-
-bool is_of(const TimeFunction& function, const std::string& variable) {
-    return function.kind == TimeFunction::Kind::script && !variable.empty() && function.script == variable;
-}
 
 /// Whether a function gives another number later. A variable of scripts may hold a load constant.
 bool changes_with_time(const Session& session, const TimeFunction& function) {
@@ -37,7 +34,7 @@ void refuse_time(Session& session, const lang::SolveControl& command) {
         const Row b = model.blocks.ids.row(histories.block[i]);
         if (b == no_row) continue;
         const TimeFunction& function = model.time_functions[static_cast<std::size_t>(histories.function[i])];
-        if (is_of(function, command.variable)) continue;
+        if (is_variable(function, command.variable)) continue;
         const bool velocity = histories.what[i] == BoundaryHistories::What::velocity;
         if (velocity ? is_moving(session, function, command.place) : changes_with_time(session, function))
             throw Diagnostic(fmt::format("{} block {} changes with time, and this run goes as slowly as it needs to",

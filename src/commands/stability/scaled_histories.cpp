@@ -6,13 +6,17 @@
 
 namespace kaya {
 
+bool is_variable(const TimeFunction& function, const std::string& variable) {
+    return function.kind == TimeFunction::Kind::script && function.script == variable;
+}
+
 ScaledHistories scaled_histories(const Model& model, const std::string& variable) {
     const auto& histories = model.boundary_histories;
     std::vector<Row> loads, velocities;
     for (std::size_t i = 0; i < histories.size(); ++i) {
-        if (histories.function[i] == constant_in_time || model.blocks.ids.row(histories.block[i]) == no_row) continue;
+        if (model.blocks.ids.row(histories.block[i]) == no_row) continue;
         const TimeFunction& function = model.time_functions[static_cast<std::size_t>(histories.function[i])];
-        if (function.kind != TimeFunction::Kind::script || function.script != variable) continue;
+        if (!is_variable(function, variable)) continue;
         const bool velocity = histories.what[i] == BoundaryHistories::What::velocity;
         (velocity ? velocities : loads).push_back(static_cast<Row>(i));
     }

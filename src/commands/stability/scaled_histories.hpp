@@ -17,4 +17,7 @@ struct ScaledHistories {
 /// The histories of `variable`. Throws Diagnostic when there are none, or when it scales loads and velocities at once.
 ScaledHistories scaled_histories(const Model& model, const std::string& variable);
 
+/// Whether a function of time is this variable of FISH. No function has an empty name.
+bool is_variable(const TimeFunction& function, const std::string& variable);
+
 } // namespace kaya
