@@ -324,11 +324,13 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.normal = energy.force / force;
     const Vec3& n = patch.normal;
     double low = std::numeric_limits<double>::infinity(), high = -low, extent = 0;
-    for (const Vec3& v : flat == Flat::found ? work.flat.vertices() : work.clip.vertices()) {
+    const auto reach = [&](const Vec3& v) {
         low = std::min(low, n.dot(v));
         high = std::max(high, n.dot(v));
         extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
-    }
+    };
+    if (flat == Flat::found) std::for_each(work.flat.vertices().begin(), work.flat.vertices().end(), reach);
+    else work.clip.each_vertex(reach);
     // Between flat faces the force may lean by the closure over their size, and the wedge is as thin.
     patch.depth = flat == Flat::found ? work.flat.deepest() : high - low;
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/overlay/flat_overlap.hpp"
+#include "geometry/polyhedra/depth_integral.hpp"
 
 #include <vector>
 

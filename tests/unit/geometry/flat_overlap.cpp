@@ -1,5 +1,6 @@
 // Overlapping faces: the wedge over a polygon compared with the clip of whole bodies, and its gradient.
 #include "geometry/overlay/flat_overlap.hpp"
+#include "geometry/polyhedra/depth_integral.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,0 +1,252 @@
+#include "geometry/polyhedra/depth_integral.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace kaya {
+
+namespace {
+
+/// Integrals over polygons: of m n, and of m x x n, where m is the depth and n the outward normal.
+struct Push {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+/// Adds a polygon over which one face is the nearest.
+void add_polygon(const std::vector<Vec3>& polygon, const HalfSpace& face, Push& sum) {
+    if (polygon.size() < 3) return;
+    const Vec3& a = polygon[0];
+    const double pa = face.depth(a);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        const Vec3 &b = polygon[i], &c = polygon[i + 1];
+        const Vec3 area = 0.5 * (b - a).cross(c - a);
+        const double pb = face.depth(b), pc = face.depth(c), whole = pa + pb + pc;
+        sum.force += whole / 3 * area;
+        sum.moment += (pa * a + pb * b + pc * c + whole * (a + b + c)).cross(area) / 12;
+    }
+}
+
+/// The depth m = min d_i is linear between the planes in which two depths are equal. About a point p in which all d_i vanish it is
+/// homogeneous, div((x - p) m) = 4 m, so that its integral is a fourth of that of m (x - p) . n over the surface. Where there is no such point
+/// nearby, the region is divided by the plane between two of its faces. docs/theory/contacts.md, equation (9a).
+class DepthIntegral {
+public:
+    DepthIntegral(const std::vector<HalfSpace>& faces, FaceOrigin own, double sense, DepthScratch& scratch)
+        : faces_(faces), own_(own), pushed_(own == FaceOrigin::subject ? FaceOrigin::clipper : FaceOrigin::subject),
+          sense_(sense), work_(scratch) {
+        // A division leaves one face less.
+        const std::size_t levels = scratch.near.size();
+        if (work_.halves.size() < levels) work_.halves.resize(levels);
+        if (work_.loops.size() < 2 * levels + 1) work_.loops.resize(2 * levels + 1);
+    }
+
+    /// The region is nearest to the faces in the list from `first` on; `level` counts divisions.
+    void add(const ConvexClip& region, std::size_t first, std::size_t level) {
+        if (const auto meeting = meeting_point(region, first)) add_surface(region, first, *meeting);
+        else divide(region, first, level);
+    }
+
+    const OverlapGradient& sum() const { return sum_; }
+
+private:
+    std::span<const std::size_t> near(std::size_t first) const { return std::span(work_.near).subspan(first); }
+
+    /// A point in which the depths below all near faces vanish, not far from the region.
+    std::optional<Vec3> meeting_point(const ConvexClip& region, std::size_t first) const {
+        constexpr double farthest = 30; // sizes of the region: costs a digit of the integral
+        Vec3 middle = Vec3::Zero();
+        region.each_vertex([&](const Vec3& x) { middle += x; });
+        middle /= static_cast<double>(region.vertex_count());
+        const std::span<const std::size_t> list = near(first);
+        const HalfSpace& one = faces_[list[0]];
+        const double d1 = one.depth(middle);
+        if (list.size() == 1) return middle + d1 * one.normal;
+        Vec3 way;
+        double divisor = 0; // the way is its divisor times that from the middle to the point
+        if (list.size() == 2) {
+            const HalfSpace& two = faces_[list[1]];
+            const double d2 = two.depth(middle), cosine = one.normal.dot(two.normal);
+            way = (d1 - cosine * d2) * one.normal + (d2 - cosine * d1) * two.normal;
+            divisor = one.normal.cross(two.normal).squaredNorm();
+        } else {
+            const auto [second, third] = most_apart(list);
+            const HalfSpace &two = faces_[second], &three = faces_[third];
+            const Vec3 across = two.normal.cross(three.normal);
+            way = d1 * across + two.depth(middle) * three.normal.cross(one.normal) +
+                  three.depth(middle) * one.normal.cross(two.normal);
+            divisor = one.normal.dot(across);
+        }
+        double size = 0;
+        region.each_vertex([&](const Vec3& x) { size = std::max(size, (x - middle).squaredNorm()); });
+        if (!(way.norm() < farthest * std::abs(divisor) * std::sqrt(size))) return std::nullopt;
+        const Vec3 point = middle + way / divisor;
+        return list.size() > 3 && !all_meet(region, list, point) ? std::nullopt : std::optional(point);
+    }
+
+    /// Two faces of a list that define a point with its first one.
+    std::pair<std::size_t, std::size_t> most_apart(std::span<const std::size_t> list) const {
+        if (list.size() == 3) return {list[1], list[2]};
+        const Vec3& one = faces_[list[0]].normal;
+        const auto rest = list.subspan(1);
+        const auto best = [&](const auto& measure) {
+            return *std::max_element(rest.begin(), rest.end(),
+                                     [&](std::size_t a, std::size_t b) { return measure(a) < measure(b); });
+        };
+        const std::size_t second = best([&](std::size_t i) { return one.cross(faces_[i].normal).squaredNorm(); });
+        const Vec3 across = one.cross(faces_[second].normal);
+        return {second, best([&](std::size_t i) { return std::abs(across.dot(faces_[i].normal)); })};
+    }
+
+    /// Whether the planes of all faces pass through a point, such as the tip of a pyramid. What they miss it by is the error of the mean depth.
+    bool all_meet(const ConvexClip& region, std::span<const std::size_t> list, const Vec3& point) const {
+        constexpr double precision = 1e-12; // of the greatest depth
+        double deepest = 0;
+        region.each_vertex([&](const Vec3& x) {
+            double depth = std::numeric_limits<double>::infinity();
+            for (const std::size_t i : list) depth = std::min(depth, faces_[i].depth(x));
+            deepest = std::max(deepest, depth);
+        });
+        return std::all_of(list.begin(), list.end(),
+                           [&](std::size_t i) { return std::abs(faces_[i].depth(point)) <= precision * deepest; });
+    }
+
+    /// Divides the region between the two faces that look most in opposite directions.
+    void divide(const ConvexClip& region, std::size_t first, std::size_t level) {
+        const std::span<const std::size_t> list = near(first);
+        std::size_t one = 0, two = 1;
+        double least = 2;
+        for (std::size_t i = 0; i < list.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (const double cosine = faces_[list[i]].normal.dot(faces_[list[j]].normal); cosine < least) {
+                    least = cosine;
+                    one = j;
+                    two = i;
+                }
+        const std::size_t count = list.size(), end = first + count;
+        for (const auto& [kept, left] : {std::pair(one, two), std::pair(two, one)}) {
+            const HalfSpace &here = faces_[work_.near[first + kept]], &there = faces_[work_.near[first + left]];
+            ConvexClip& half = work_.halves[level];
+            half.copy(region);
+            half.clip({there.normal - here.normal, there.reach - here.reach}, FaceOrigin::inner);
+            if (half.empty()) continue;
+            for (std::size_t i = 0; i < count; ++i)
+                if (i != left) work_.near.push_back(work_.near[first + i]);
+            add(half, end, level + 1);
+            work_.near.resize(end);
+        }
+    }
+
+    void add_surface(const ConvexClip& region, std::size_t first, const Vec3& meeting) {
+        const bool below_all = faces_.size() > 1; // then the depth vanishes on the body's own faces
+        for (std::size_t f = 0; f < region.face_count(); ++f) {
+            const FaceOrigin origin = region.origin(f);
+            if (below_all && origin == own_) continue;
+            work_.loops[0].clear();
+            for (int i = 0; i < region.corner_count(f); ++i) work_.loops[0].push_back(region.corner(f, i));
+            Push push;
+            add_parts(0, first, 0, push);
+            sum_.value += 0.25 * (region.corner(f, 0) - meeting).dot(push.force);
+            if (origin != pushed_) continue;
+            sum_.force -= sense_ * push.force;
+            sum_.moment -= sense_ * push.moment;
+        }
+    }
+
+    std::size_t nearest(const Vec3& x, std::size_t first) const {
+        std::size_t best = first;
+        double least = faces_[work_.near[first]].depth(x);
+        for (std::size_t i = first + 1; i < work_.near.size(); ++i)
+            if (const double depth = faces_[work_.near[i]].depth(x); depth < least) {
+                least = depth;
+                best = i;
+            }
+        return best;
+    }
+
+    /// Adds the polygon in a loop: whole where one face of the list is the nearest to all its corners, else its parts.
+    void add_parts(std::size_t place, std::size_t first, std::size_t level, Push& push) {
+        const std::vector<Vec3>& polygon = work_.loops[place];
+        if (polygon.size() < 3) return;
+        const std::size_t one = nearest(polygon[0], first);
+        std::size_t two = one;
+        for (std::size_t i = 1; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], first);
+        if (two == one) return add_polygon(polygon, faces_[work_.near[one]], push);
+        const std::size_t below = 2 * level + 1, above = below + 1, end = work_.near.size();
+        split(place, faces_[work_.near[one]], faces_[work_.near[two]], below, above);
+        for (const auto& [part, left] : {std::pair(below, two), std::pair(above, one)}) {
+            for (std::size_t i = first; i < end; ++i)
+                if (i != left) work_.near.push_back(work_.near[i]);
+            add_parts(part, end, level + 1, push);
+            work_.near.resize(end);
+        }
+    }
+
+    /// Divides a polygon into the part that is nearer to the first of two faces, and that nearer to the second.
+    void split(std::size_t place, const HalfSpace& one, const HalfSpace& two, std::size_t to_one, std::size_t to_two) {
+        std::vector<Vec3>&below = work_.loops[to_one], &above = work_.loops[to_two];
+        const std::vector<Vec3>& polygon = work_.loops[place];
+        const HalfSpace between{two.normal - one.normal, two.reach - one.reach};
+        below.clear();
+        above.clear();
+        const Vec3* x = &polygon.back();
+        double depth = between.depth(*x);
+        for (const Vec3& next : polygon) {
+            const double next_depth = between.depth(next);
+            if ((depth < 0) != (next_depth < 0)) {
+                const Vec3 cut = *x + depth / (depth - next_depth) * (next - *x);
+                below.push_back(cut);
+                above.push_back(cut);
+            }
+            (next_depth < 0 ? above : below).push_back(next);
+            x = &next;
+            depth = next_depth;
+        }
+    }
+
+    const std::vector<HalfSpace>& faces_;
+    FaceOrigin own_, pushed_;
+    double sense_;
+    DepthScratch& work_;
+    OverlapGradient sum_;
+};
+
+/// Whether a list of faces holds one in the same plane: two triangles of a plane count once.
+bool holds_twin(const std::vector<HalfSpace>& faces, const std::vector<std::size_t>& list, std::size_t face) {
+    return std::any_of(list.begin(), list.end(), [&](std::size_t i) {
+        return faces[i].reach == faces[face].reach && faces[i].normal == faces[face].normal;
+    });
+}
+
+} // namespace
+
+OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpace>& faces, bool of_subject,
+                               bool second, DepthScratch& scratch) {
+    // The faces that may be the nearest somewhere. No place is deeper than the deepest corner below any one face.
+    std::vector<double>& least = scratch.least;
+    least.clear();
+    double deepest = std::numeric_limits<double>::infinity();
+    for (const HalfSpace& face : faces) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        part.each_vertex([&](const Vec3& x) {
+            const double depth = face.depth(x);
+            low = std::min(low, depth);
+            high = std::max(high, depth);
+        });
+        least.push_back(low);
+        deepest = std::min(deepest, high);
+    }
+    scratch.near.clear();
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (least[i] <= deepest && !holds_twin(faces, scratch.near, i)) scratch.near.push_back(i);
+    // The surface of the second body is pushed, or that of the first pushes it.
+    DepthIntegral integral(faces, of_subject ? FaceOrigin::subject : FaceOrigin::clipper, of_subject == second ? -1 : 1,
+                           scratch);
+    integral.add(part, 0, 0);
+    return integral.sum();
+}
+
+} // namespace kaya
