@@ -82,7 +82,7 @@ private:
         }
         double size = 0;
         region.each_vertex([&](const Vec3& x) { size = std::max(size, (x - middle).squaredNorm()); });
-        if (!(way.norm() < farthest * std::abs(divisor) * std::sqrt(size))) return std::nullopt;
+        if (!(way.squaredNorm() < farthest * farthest * divisor * divisor * size)) return std::nullopt;
         const Vec3 point = middle + way / divisor;
         return list.size() > 3 && !all_meet(region, list, point) ? std::nullopt : std::optional(point);
     }
@@ -171,6 +171,7 @@ private:
     void add_parts(std::size_t place, std::size_t first, std::size_t level, Push& push) {
         const std::vector<Vec3>& polygon = work_.loops[place];
         if (polygon.size() < 3) return;
+        if (work_.near.size() == first + 1) return add_polygon(polygon, faces_[work_.near[first]], push);
         const std::size_t one = nearest(polygon[0], first);
         std::size_t two = one;
         for (std::size_t i = 1; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], first);
@@ -190,21 +191,22 @@ private:
         std::vector<Vec3>&below = work_.loops[to_one], &above = work_.loops[to_two];
         const std::vector<Vec3>& polygon = work_.loops[place];
         const HalfSpace between{two.normal - one.normal, two.reach - one.reach};
-        below.clear();
-        above.clear();
+        // Each corner and each of the two cuts, twice at most.
+        below.resize(2 * polygon.size());
+        above.resize(2 * polygon.size());
+        Vec3 *to_below = below.data(), *to_above = above.data();
         const Vec3* x = &polygon.back();
         double depth = between.depth(*x);
         for (const Vec3& next : polygon) {
             const double next_depth = between.depth(next);
-            if ((depth < 0) != (next_depth < 0)) {
-                const Vec3 cut = *x + depth / (depth - next_depth) * (next - *x);
-                below.push_back(cut);
-                above.push_back(cut);
-            }
-            (next_depth < 0 ? above : below).push_back(next);
+            if ((depth < 0) != (next_depth < 0))
+                *to_below++ = *to_above++ = *x + depth / (depth - next_depth) * (next - *x);
+            *(next_depth < 0 ? to_above : to_below)++ = next;
             x = &next;
             depth = next_depth;
         }
+        below.resize(static_cast<std::size_t>(to_below - below.data()));
+        above.resize(static_cast<std::size_t>(to_above - above.data()));
     }
 
     const std::vector<HalfSpace>& faces_;
