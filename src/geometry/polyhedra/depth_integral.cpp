@@ -46,7 +46,7 @@ public:
 
     /// The region is nearest to the faces in the list from `first` on; `level` counts divisions.
     void add(const ConvexClip& region, std::size_t first, std::size_t level) {
-        if (const auto meeting = meeting_point(region, first)) add_surface(region, first, *meeting);
+        if (const auto apex = common_point(region, first)) add_surface(region, first, *apex);
         else divide(region, first, level);
     }
 
@@ -56,7 +56,7 @@ private:
     std::span<const std::size_t> near(std::size_t first) const { return std::span(work_.near).subspan(first); }
 
     /// A point in which the depths below all near faces vanish, not far from the region.
-    std::optional<Vec3> meeting_point(const ConvexClip& region, std::size_t first) const {
+    std::optional<Vec3> common_point(const ConvexClip& region, std::size_t first) const {
         constexpr double farthest = 30; // sizes of the region: costs a digit of the integral
         Vec3 middle = Vec3::Zero();
         region.each_vertex([&](const Vec3& x) { middle += x; });
@@ -65,25 +65,25 @@ private:
         const HalfSpace& one = faces_[list[0]];
         const double d1 = one.depth(middle);
         if (list.size() == 1) return middle + d1 * one.normal;
-        Vec3 way;
-        double divisor = 0; // the way is its divisor times that from the middle to the point
+        Vec3 toward;
+        double divisor = 0; // `toward` over it leads from the middle to the point
         if (list.size() == 2) {
             const HalfSpace& two = faces_[list[1]];
             const double d2 = two.depth(middle), cosine = one.normal.dot(two.normal);
-            way = (d1 - cosine * d2) * one.normal + (d2 - cosine * d1) * two.normal;
+            toward = (d1 - cosine * d2) * one.normal + (d2 - cosine * d1) * two.normal;
             divisor = one.normal.cross(two.normal).squaredNorm();
         } else {
             const auto [second, third] = most_apart(list);
             const HalfSpace &two = faces_[second], &three = faces_[third];
             const Vec3 across = two.normal.cross(three.normal);
-            way = d1 * across + two.depth(middle) * three.normal.cross(one.normal) +
-                  three.depth(middle) * one.normal.cross(two.normal);
+            toward = d1 * across + two.depth(middle) * three.normal.cross(one.normal) +
+                     three.depth(middle) * one.normal.cross(two.normal);
             divisor = one.normal.dot(across);
         }
         double size = 0;
         region.each_vertex([&](const Vec3& x) { size = std::max(size, (x - middle).squaredNorm()); });
-        if (!(way.squaredNorm() < farthest * farthest * divisor * divisor * size)) return std::nullopt;
-        const Vec3 point = middle + way / divisor;
+        if (!(toward.squaredNorm() < farthest * farthest * divisor * divisor * size)) return std::nullopt;
+        const Vec3 point = middle + toward / divisor;
         return list.size() > 3 && !all_meet(region, list, point) ? std::nullopt : std::optional(point);
     }
 
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    void add_surface(const ConvexClip& region, std::size_t first, const Vec3& meeting) {
+    void add_surface(const ConvexClip& region, std::size_t first, const Vec3& apex) {
         const bool below_all = faces_.size() > 1; // then the depth vanishes on the body's own faces
         for (std::size_t f = 0; f < region.face_count(); ++f) {
             const FaceOrigin origin = region.origin(f);
@@ -149,7 +149,7 @@ private:
             for (int i = 0; i < region.corner_count(f); ++i) work_.loops[0].push_back(region.corner(f, i));
             Push push;
             add_parts(0, first, 0, push);
-            sum_.value += 0.25 * (region.corner(f, 0) - meeting).dot(push.force);
+            sum_.value += 0.25 * (region.corner(f, 0) - apex).dot(push.force);
             if (origin != pushed_) continue;
             sum_.force -= sense_ * push.force;
             sum_.moment -= sense_ * push.moment;
@@ -217,7 +217,7 @@ private:
 };
 
 /// Whether a list of faces holds one in the same plane: two triangles of a plane count once.
-bool holds_twin(const std::vector<HalfSpace>& faces, const std::vector<std::size_t>& list, std::size_t face) {
+bool holds_plane_of(const std::vector<HalfSpace>& faces, const std::vector<std::size_t>& list, std::size_t face) {
     return std::any_of(list.begin(), list.end(), [&](std::size_t i) {
         return faces[i].reach == faces[face].reach && faces[i].normal == faces[face].normal;
     });
@@ -243,7 +243,7 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
     }
     scratch.near.clear();
     for (std::size_t i = 0; i < faces.size(); ++i)
-        if (least[i] <= deepest && !holds_twin(faces, scratch.near, i)) scratch.near.push_back(i);
+        if (least[i] <= deepest && !holds_plane_of(faces, scratch.near, i)) scratch.near.push_back(i);
     // The surface of the second body is pushed, or that of the first pushes it.
     DepthIntegral integral(faces, of_subject ? FaceOrigin::subject : FaceOrigin::clipper, of_subject == second ? -1 : 1,
                            scratch);
