@@ -5,6 +5,7 @@
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/shape/corner_joints.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
+#include "mechanics/shape/overlap_gap.hpp"
 #include "model/edit/bounded.hpp"
 #include "model/edit/joined.hpp"
 #include "model/measure/block_box.hpp"
@@ -252,6 +253,13 @@ bool is_parallel(const ContactGeometry& geometry) {
     return high->gap - low->gap <= same * std::sqrt(geometry.area);
 }
 
+/// Whether faces do not touch yet. What will meet there is not known: neighbours of these faces may meet first, or as well.
+bool are_apart(const Model& model, Row b1, Row b2, const ContactGeometry& geometry) {
+    const double rounding = rounding_of_gap(model, b1, b2);
+    return std::all_of(geometry.points.begin(), geometry.points.end(),
+                       [&](const ContactPoint& p) { return p.gap > rounding; });
+}
+
 /// Whether blocks have rolled onto other faces. The closure of these faces says nothing about the force that there is: a joint that changed
 /// its faces would make energy.
 bool is_of_other_faces(const Model& model, Row contact, const ContactGeometry& geometry) {
@@ -265,7 +273,8 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
         const bool as_joint = geometry.kind == ContactKind::joint && // an overlap has no points yet
-                              (!moving || in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2));
+                              (in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2) ||
+                               (!moving && !are_apart(model, b1, b2, geometry)));
         if (as_joint) return DraftKind::new_geometry;
         geometry.kind = ContactKind::overlap;
         geometry.points.clear();

@@ -102,6 +102,19 @@ bool varies(const JointModel& joint, const std::vector<double>& values) {
 /// The direction of an offset is at most this oblique to the normal of its contact.
 constexpr double least_cosine = 0.1;
 
+/// The thickness of a block along a direction.
+double thickness(const Model& model, Row block, const Vec3& n) {
+    const Vec3& origin = model.blocks.centroid[block]; // numbers stay small
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const Span span = model.blocks.gridpoints[block];
+    for (Row g = span.first; g < span.end(); ++g) {
+        const double along = n.dot(model.gridpoints.position[g] - origin);
+        low = std::min(low, along);
+        high = std::max(high, along);
+    }
+    return high - low;
+}
+
 /// The offset of an overlap contact, along its normal where no direction is stored.
 ClosureOffset offset_of_contact(const Contacts& contacts, Row c) {
     ClosureOffset offset = offset_of(contacts, c);
@@ -254,17 +267,22 @@ double StiffnessForecast::closing_of(const Model& model, Row c, double time) con
     return then < offset ? std::max(0.0, now - then) : 0;
 }
 
-/// The factor by which an overlap may stiffen within the steps ahead: that of its area at the greatest depth which its blocks can reach.
+/// The factor by which an overlap may stiffen within the steps ahead: that of its area at the greatest depth which its blocks can reach. Where
+/// a step would carry them through each other, that is where the thinner one is inside.
 double StiffnessForecast::growth_of_overlap(const Model& model, Row c, double step, OverlapScratch& scratch) const {
     const auto& contacts = model.contacts;
-    const double closing =
+    const double reached =
         std::max(closing_of(model, c, 0.5 * steps_ahead * step), closing_of(model, c, steps_ahead * step));
     const double area = std::max(contacts.stiffness_area[c], contacts.area[c]);
-    if (!(closing > 0 && area > 0)) return 1;
+    if (!(reached > 0 && area > 0)) return 1;
+    const Vec3& n = contacts.normal[c];
+    const OverlapPair pair = pair_of(contacts, c);
+    const double inside =
+        gap_of_overlap(model, c) + std::min(thickness(model, pair.block1, n), thickness(model, pair.block2, n));
     ClosureOffset offset = offset_of_contact(contacts, c);
-    offset.closure += closing / std::max(least_cosine, offset.along.dot(contacts.normal[c]));
-    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
-    return std::max(patch.area, patch.carrying_area(0)) / area;
+    offset.closure += std::min(reached, inside) / std::max(least_cosine, offset.along.dot(n));
+    const double carrying = overlap_patch(model, pair, n, offset, scratch).carrying_area(0);
+    return std::max(overlap_area(model, pair, n, offset, scratch), carrying) / area;
 }
 
 bool StiffnessForecast::update(const Model& model, const Adjacency& adjacency, double step, Of of) {
