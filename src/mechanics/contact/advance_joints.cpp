@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -62,13 +63,6 @@ Recovered recover(Model& model, Row c, double lost) {
     for (Row s = span.first; s < span.end(); ++s)
         if (pushes(s)) subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
     return {needed - of_account, of_account};
-}
-
-/// Joint models see the displacements at the start of the step; this adds the increments of the step.
-void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const Eight& opening, const Eight3& slip) {
-    double* const opened = subs.normal_displacement.data() + row;
-    group.store(opened, group.load(opened) + opening);
-    group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
 }
 
 /// Sums over the sub-contacts of one contact; pore pressure acts on both sides in addition to the effective stress. `each` receives every
@@ -209,7 +203,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         if (follows_overlap(model, c)) {
             sums.lost += move_overlap_contact(model, c, before, scratch.overlap);
             turn_kept_vectors(model, c, batch.model->vectors);
-            carried[i] = CarriedLoad(model, c);
+            std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
         } else if (between_rigid(model, c)) {
             move_rigid_contact(model, c, pairs, i % eight, batch.model->vectors, before);
         } else {
@@ -230,9 +224,11 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
-            sums.lost += finish_overlap_contact(model, c, carried[i], after);
+            const OverlapEnd end = finish_overlap_contact(model, c, carried[i], after);
+            sums.lost += end.lost;
             if (closed_by_law) begin_again(model, batch, c, scratch.of_contact);
-            sum_contact(model, c, forces);
+            if (end.idle && !closed_by_law) forces.of_contact[c] = forces.moment[c] = Vec3::Zero();
+            else sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = sums.stiffness_changed || forces.stiffness_changed[c];
             continue;

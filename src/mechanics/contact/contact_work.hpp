@@ -28,6 +28,7 @@ struct StepMotion {
         : shift(model.blocks.velocity[b] * model.clock.time_step),
           turn(model.blocks.rotational_velocity[b] * model.clock.time_step), centre(model.blocks.centroid[b]) {}
     Vec3 at(const Vec3& place) const { return shift + turn.cross(place - centre); }
+    Eight3 at(const Eight3& places) const { return eights(shift) + eights(turn).cross(places - eights(centre)); }
 };
 
 /// Relative motion of block 2 in a step.
@@ -44,7 +45,16 @@ struct RelativeMotion {
         return start;
     }
     Vec3 at(const Vec3& place) const { return two.at(place) - one.at(place); }
+    Eight3 at(const Eight3& places) const { return two.at(places) - one.at(places); }
 };
+
+/// Joint models see the displacements at the start of the step; this adds the increments of the step.
+inline void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const Eight& opening,
+                           const Eight3& slip) {
+    double* const opened = subs.normal_displacement.data() + row;
+    group.store(opened, group.load(opened) + opening);
+    group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
+}
 
 /// Work of the present forces on the motion of the step.
 void add_work_of(const Model& model, Row contact, const RelativeMotion& motion, JointWork& work);

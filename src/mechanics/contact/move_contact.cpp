@@ -168,6 +168,17 @@ void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
     }
 }
 
+/// Whether a sub-contact of a contact has a vector to turn.
+bool keeps_any(const Model& model, Row c, const std::vector<std::size_t>& kept) {
+    const Span span = model.contacts.sub_contacts[c];
+    for (const std::size_t k : kept)
+        for (Row i = span.first; i < span.end(); i += eight)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (!all_zero(RowsOfEight(span.end() - i).load(model.sub_contacts.history[k + axis].data() + i)))
+                    return true;
+    return false;
+}
+
 } // namespace
 
 void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
@@ -211,7 +222,7 @@ void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept) {
-    if (kept.empty() || !model.settings.large_strain) return;
+    if (kept.empty() || !model.settings.large_strain || !keeps_any(model, c, kept)) return;
     const auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];

@@ -24,11 +24,38 @@ bool is_idle(const Model& model, Row c) {
     const auto& subs = model.sub_contacts;
     const bool damped = joints_are_damped(model.settings);
     const Span span = model.contacts.sub_contacts[c];
-    for (Row s = span.first; s < span.end(); ++s) {
-        if (subs.normal_force[s] != 0 || subs.pore_pressure[s] != 0 || !subs.shear_force[s].isZero(0)) return false;
-        if (damped && (subs.dashpot_normal[s] != 0 || !subs.dashpot_shear[s].isZero(0))) return false;
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        if (!all_zero(group.load(subs.normal_force.data() + s)) || !all_zero(group.load(subs.shear_force, s)) ||
+            !all_zero(group.load(subs.pore_pressure.data() + s)))
+            return false;
+        if (damped &&
+            !(all_zero(group.load(subs.dashpot_normal.data() + s)) && all_zero(group.load(subs.dashpot_shear, s))))
+            return false;
     }
     return true;
+}
+
+/// Whether the joint model has left a contact unchanged, without force.
+bool stays_without_force(const Model& model, Row c, const CarriedLoad& before) {
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row k = 0; k < carriers; ++k)
+        if (!before.shear[static_cast<std::size_t>(k)].isZero(0) ||
+            subs.frictional_work[span.first + k] != before.worn_by_row[static_cast<std::size_t>(k)])
+            return false;
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        if (!all_zero(group.load(subs.normal_force.data() + s)) || !all_zero(group.load(subs.shear_force, s)))
+            return false;
+    }
+    return true;
+}
+
+/// Adds the first `rows` lanes to a sum, in their order.
+double plus_rows(double sum, const Eight& e, std::ptrdiff_t rows) {
+    for (std::ptrdiff_t l = 0; l < rows; ++l) sum += e[l];
+    return sum;
 }
 
 /// Frictional work of idle contacts counts before and after a step, as for all others.
@@ -86,52 +113,60 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
     return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
 }
 
+/// Writes places and increments of blocks that are apart: all rows stand in one place. `n` is the normal. The joint model's closure is kept,
+/// and the loaded rows slip.
+void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    contacts.depth[c] = contacts.twist[c] = 0;
+    const Vec3 shift = motion.at(contacts.position[c]), flat = shift - shift.dot(n) * n;
+    const Eight3 place = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
+    for (Row i = 0; i < span.count; i += eight) {
+        const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
+        const Row first = span.first + i;
+        const Eight closed = loaded.load(subs.normal_displacement.data() + first);
+        group.store(subs.position, first, place);
+        group.store(subs.normal_displacement_increment.data() + first, larger_of(-closed, Eight{}));
+        group.store(subs.shear_displacement_increment, first, none);
+        loaded.store(subs.shear_displacement_increment, first, eights(flat));
+    }
+}
+
 /// Writes places, areas and increments for the present common volume.
 void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
-    const bool closed = patch.carried > 0, was_closed = contacts.depth[c] > 0;
     const Vec3 n = patch.normal;
+    if (!(patch.carried > 0)) return write_rows_apart(model, c, n, motion);
+    const bool was_closed = contacts.depth[c] > 0;
     const RelativeMotion start = motion.at_start();
-    std::array<Vec3, carriers> places{};
     double whole = 0; // area of the joint; its open part belongs to the unloaded rows
     for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
-    if (closed) {
-        contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
-        places = places_of(patch, contacts.axis[c]);
-        contacts.position[c] = patch.centre;
-        contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
-    }
-    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
+    const std::array<Vec3, carriers> places = places_of(patch, contacts.axis[c]);
+    contacts.position[c] = patch.centre;
+    contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    contacts.depth[c] = patch.depth;
     contacts.twist[c] = patch.twist;
-    const Vec3 apart = motion.at(contacts.position[c]);
-    if (closed) change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
+    change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         if (k >= carriers) {
             subs.position.set(s, contacts.position[c]);
-            if (closed)
-                subs.area[s] = span.count > carriers && subs.area[s] > 0
-                                   ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers)
-                                   : 0;
+            subs.area[s] = span.count > carriers && subs.area[s] > 0
+                               ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers)
+                               : 0;
             subs.normal_displacement_increment[s] = 0;
             subs.shear_displacement_increment.set(s, Vec3::Zero());
             continue;
         }
-        Vec3 shift = apart; // of all rows of blocks that are apart: they stand in one place
-        if (closed) {
-            // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
-            shift = motion.at(places[k]);
-            if (was_closed) shift = 0.5 * (shift + start.at(subs.position[s]));
-            subs.position.set(s, places[k]);
-        } else {
-            subs.position.set(s, contacts.position[c]);
-        }
-        // The joint model's closure is the depth; it is kept while the blocks are separated.
-        const double displacement = subs.normal_displacement[s];
-        subs.normal_displacement_increment[s] =
-            closed ? -contacts.depth[c] - displacement : std::max(0.0, -displacement);
+        // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
+        Vec3 shift = motion.at(places[k]);
+        if (was_closed) shift = 0.5 * (shift + start.at(subs.position[s]));
+        subs.position.set(s, places[k]);
+        subs.normal_displacement_increment[s] = -contacts.depth[c] - subs.normal_displacement[s];
         subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
     }
 }
@@ -153,11 +188,14 @@ double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
     const auto& contacts = model.contacts;
     const auto& subs = model.sub_contacts;
     const Vec3& n = contacts.normal[c];
+    const Eight3 along = eights(n);
     const Span span = contacts.sub_contacts[c];
     double work = 0, force = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        work += subs.normal_force[s] * n.dot(motion.at(subs.position[s]));
-        force += subs.normal_force[s];
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        const Eight forces = group.load(subs.normal_force.data() + s);
+        work = plus_rows(work, forces * along.dot(motion.at(group.load(subs.position, s))), group.rows());
+        force = plus_rows(force, forces, group.rows());
     }
     return work + force * contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
 }
@@ -179,7 +217,11 @@ double withheld_shear_work(const Model& model, Row c, double scale, const Relati
     const auto& subs = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[c];
     double work = 0;
-    for (Row s = span.first; s < span.end(); ++s) work += Vec3(subs.shear_force[s]).dot(motion.at(subs.position[s]));
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        const Eight3 shift = motion.at(group.load(subs.position, s));
+        work = plus_rows(work, group.load(subs.shear_force, s).dot(shift), group.rows());
+    }
     return -0.5 * (1 / scale - 1) * work;
 }
 
@@ -297,7 +339,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
         contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start()) +
                                     withheld_shear_work(model, c, 1 - contacts.withheld[c], motion.at_start());
     }
-    const double of_scale = take_back_scale(model, c);
+    const double of_scale = idle ? 0 : take_back_scale(model, c);
 
     Vec3& n = contacts.normal[c];
     const Vec3 turn = 0.5 * (motion.one.turn + motion.two.turn);
@@ -306,7 +348,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
         n = (n + turn.cross(n)).normalized();
         between = nearest_corners(model, b1, b2, n);
         contacts.position[c] = between.place;
-        const double force = normal_force_of(model, c),
+        const double force = idle ? 0 : normal_force_of(model, c),
                      stiffness = model.sub_contacts.normal_stiffness[contacts.sub_contacts[c].first];
         if (force > 0 && stiffness > 0) contacts.offset[c] = offset_for_force(model, c, force, stiffness, scratch);
         // If the force-free overlap has shrunk, keep the smaller one.
@@ -350,7 +392,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     }
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
-    const double in_springs = shear_energy(model, c);
+    const double in_springs = idle ? 0 : shear_energy(model, c);
     write_rows(model, c, patch, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
@@ -359,38 +401,43 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     double& rung = contacts.stiffness_area[c];
     if (rung < stiff || (!(patch.carried > 0) && step_may_grow(model.clock) && rung > 1.18 * stiff))
         rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
-    return of_scale + of_turn + pay_for_area(model, c, in_springs);
+    return idle ? 0 : of_scale + of_turn + pay_for_area(model, c, in_springs);
 }
 
-double finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
+OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
-    double lost = 0;
-    stiffen_shear(model, c, carried);
-    if (contacts.depth[c] == 0) {
-        lost += shear_energy(model, c);
-        for (Row s = span.first; s < span.end(); ++s) {
-            subs.normal_force[s] = 0;
-            subs.shear_force.set(s, Vec3::Zero());
+    OverlapEnd end;
+    const bool apart = contacts.depth[c] == 0;
+    const bool had_force = !apart || !stays_without_force(model, c, carried);
+    if (had_force) stiffen_shear(model, c, carried);
+    if (apart) {
+        if (had_force) end.lost += shear_energy(model, c);
+        for (Row s = span.first; s < span.end(); s += eight) {
+            const RowsOfEight group(span.end() - s);
+            group.store(subs.normal_force.data() + s, Eight{});
+            group.store(subs.shear_force, s, eights(Vec3(Vec3::Zero())));
         }
         // The blocks may meet again elsewhere: of a tilt, only its closure at the place of separation is kept.
         const Vec3 arm = contacts.position[c] - model.blocks.centroid[contacts.block1[c]];
         contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
         contacts.offset_tilt[c].setZero();
-        lost += contacts.energy_taken[c];
+        end.lost += contacts.energy_taken[c];
         contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
     } else {
         take_dilation(model, c, carried);
-        lost += keep_passive(model, c, frictional_work(model, c) - carried.worn);
+        end.lost += keep_passive(model, c, frictional_work(model, c) - carried.worn);
     }
-    if (is_idle(model, c)) add_friction_of(model, c, work);
+    end.idle = is_idle(model, c);
+    if (end.idle) add_friction_of(model, c, work);
     else add_work_of(model, c, RelativeMotion(model, c), work);
-    for (Row s = span.first; s < span.end(); ++s) {
-        subs.normal_displacement[s] += subs.normal_displacement_increment[s];
-        subs.shear_displacement.set(s, Vec3(subs.shear_displacement[s]) + Vec3(subs.shear_displacement_increment[s]));
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        add_increments(subs, s, group, group.load(subs.normal_displacement_increment.data() + s),
+                       group.load(subs.shear_displacement_increment, s));
     }
-    return lost;
+    return end;
 }
 
 } // namespace kaya

@@ -16,9 +16,15 @@ double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapS
 /// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
 void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
 
-/// Adds the work of the joint model's forces, and its dilation to the offset. A separated contact carries nothing. Returns the energy lost:
-/// that of the springs of separated places, and energy taken that the contact does not return.
-double finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
+/// The end of an overlap contact's step.
+struct OverlapEnd {
+    double lost =
+        0; ///< energy: that of the springs of separated places, and energy taken that the contact does not return
+    bool idle = false; ///< no force acts in it
+};
+
+/// Adds the work of the joint model's forces, and its dilation to the offset. A separated contact carries nothing.
+OverlapEnd finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
 
 /// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension.
 bool is_partly_open(const Model& model, Row contact);

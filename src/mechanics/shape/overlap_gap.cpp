@@ -11,10 +11,14 @@ Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& 
     const Vec3 origin = model.blocks.centroid[block1]; // numbers stay small
     const auto farthest = [&](Row block, const Vec3& direction) {
         const Span span = model.blocks.gridpoints[block];
-        std::pair best{-std::numeric_limits<double>::infinity(), span.first};
-        for (Row g = span.first; g < span.end(); ++g)
-            if (const double along = direction.dot(x[g] - origin); along > best.first) best = {along, g};
-        return best;
+        double most = -std::numeric_limits<double>::infinity();
+        Row best = span.first;
+        for (Row g = span.first; g < span.end(); ++g) { // without branches: the processor would guess wrong
+            const double along = direction.dot(x[g] - origin);
+            best = along > most ? g : best;
+            most = along > most ? along : most;
+        }
+        return std::pair{most, best};
     };
     const auto one = farthest(block1, n), two = farthest(block2, -n);
     const Vec3 &x1 = x[one.second], &x2 = x[two.second];
