@@ -84,6 +84,9 @@ int take_number(std::string_view& text) {
     return error == std::errc{} && end == word.data() + word.size() ? number : -1;
 }
 
+/// Of a deck: the largest one has fewer, of some 50 characters each. Lines before a piece are kept empty, so that numbers of lines agree.
+constexpr int most_lines = 10'000'000;
+
 /// Longer texts would only make the first mistake in them appear later.
 constexpr std::size_t longest_piece = 1 << 16;
 
@@ -121,7 +124,8 @@ Record read_record(const std::string& file) {
             completion.how = Completion::How::failed;
         } else if (is(lines_mark)) {
             const int line = take_number(rest), count = take_number(rest);
-            if (line < 1 || count < 1 || i + static_cast<std::size_t>(count) >= lines.size()) fail_damaged(file, i + 1);
+            if (line < 1 || line > most_lines || count < 1 || i + static_cast<std::size_t>(count) >= lines.size())
+                fail_damaged(file, i + 1);
             auto& pieces = record.pieces;
             const bool all_done = completion.how == Completion::How::done && !pieces.empty() &&
                                   pieces.back().completion.how == Completion::How::done;
