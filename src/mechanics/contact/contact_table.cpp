@@ -268,9 +268,8 @@ double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, C
     return lost;
 }
 
-/// The source row of each row of the new tables. A blank row at the end of the old ones is the source of rows without one.
+/// The source row of each row of the new tables; no_row for new ones.
 struct RowSources {
-    Row blank_contact, blank_sub;
     std::vector<Row> contacts, subs;
     std::vector<Span> spans; ///< sub-contacts of each contact
 };
@@ -278,9 +277,9 @@ struct RowSources {
 RowSources sources_of(const Model& model, const std::vector<ContactDraft>& drafts) {
     const auto& contacts = model.contacts;
     const auto& subs = model.sub_contacts;
-    RowSources from{static_cast<Row>(contacts.size()), static_cast<Row>(subs.size()), {}, {}, {}};
+    RowSources from;
     for (const auto& draft : drafts) {
-        from.contacts.push_back(draft.old == no_row ? from.blank_contact : draft.old);
+        from.contacts.push_back(draft.old);
         const Span old = draft.old == no_row ? Span{} : contacts.sub_contacts[draft.old];
         const Row first = static_cast<Row>(from.subs.size());
         if (draft.kind == DraftKind::as_it_was || (draft.kind == DraftKind::overlap && draft.old != no_row)) {
@@ -289,8 +288,7 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
             for (const auto& point : draft.points) {
                 // In an overlap, only loaded sub-contacts are a source.
                 const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
-                const Row row = overlap ? old.first : nearest(subs, old, point.position);
-                from.subs.push_back(row == no_row ? from.blank_sub : row);
+                from.subs.push_back(overlap ? old.first : nearest(subs, old, point.position));
             }
         }
         from.spans.push_back({first, static_cast<Row>(from.subs.size()) - first});
@@ -335,8 +333,7 @@ public:
             name(s, c);
             if (!is_new || closing) continue;
             if (other_type) clear_sub_contact(model_.sub_contacts, s);
-            write_sub_contact(model_, s, draft.points[i], draft.plane.normal,
-                              other_type || from_.subs[s] == from_.blank_sub,
+            write_sub_contact(model_, s, draft.points[i], draft.plane.normal, other_type || from_.subs[s] == no_row,
                               draft.plane.type == ContactType::face_face, changes_);
         }
         if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
@@ -353,7 +350,7 @@ private:
         auto& subs = model_.sub_contacts;
         const Row source = from_.subs[s];
         subs.contact[s] = c;
-        if (source != from_.blank_sub && !sub_kept_[source]) {
+        if (source != no_row && !sub_kept_[source]) {
             sub_kept_[source] = 1;
             subs.ids.move(subs.id[s], s);
         } else {
@@ -409,8 +406,6 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
 
     const auto old_contact_ids = contacts.id;
     const auto old_sub_ids = subs.id;
-    contacts.resize(contacts.size() + 1);
-    subs.resize(subs.size() + 1);
     contacts.gather(from.contacts);
     subs.gather(from.subs);
 

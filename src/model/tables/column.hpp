@@ -4,6 +4,7 @@
 
 #include "base/vector.hpp"
 #include "model/tables/roles.hpp"
+#include "model/tables/row_moves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,12 +32,6 @@ struct VectorColumn {
     }
 };
 
-/// Initial value of a new row. Eigen leaves vectors uninitialised, so they are set here.
-template <class T> T new_value() {
-    if constexpr (requires { T::Zero(); }) return T::Zero();
-    else return T{};
-}
-
 /// Operations of every table, given `template <class Visit> void columns(Visit&&)` in Derived. Visit is called as visit("name", column,
 /// role) with a Column<T>& and a Role or ColumnRole.
 template <class Derived> class Table {
@@ -53,27 +48,30 @@ public:
         size_ = n;
     }
 
-    /// Keeps the listed rows, in that order. `rows` may repeat a row.
+    /// Keeps the listed rows, in that order. `rows` may repeat a row; a negative one is a new row.
     void gather(const std::vector<std::int32_t>& rows) {
         const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
-        if (ascending) return compact(rows);
-        derived().columns([&rows](std::string_view, auto& column, Role) {
-            std::decay_t<decltype(column)> kept;
-            kept.reserve(rows.size());
+        if (ascending && (rows.empty() || rows.front() >= 0)) return compact(rows);
+        const RowMoves moves(rows);
+        derived().columns([&](std::string_view, auto& column, Role) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
-            if constexpr (std::is_trivially_copyable_v<Value> || !std::is_nothrow_move_constructible_v<Value>) {
-                for (const auto row : rows) kept.push_back(column[static_cast<std::size_t>(row)]);
+            if constexpr (std::is_trivially_destructible_v<Value>) {
+                moves.apply(column);
             } else {
                 // Types with heap memory are moved with their row, and copied for all but the last user of a row.
+                std::decay_t<decltype(column)> kept;
+                kept.reserve(rows.size());
                 std::vector<std::size_t> last(column.size(), 0);
-                for (std::size_t k = 0; k < rows.size(); ++k) last[static_cast<std::size_t>(rows[k])] = k;
+                for (std::size_t k = 0; k < rows.size(); ++k)
+                    if (rows[k] >= 0) last[static_cast<std::size_t>(rows[k])] = k;
                 for (std::size_t k = 0; k < rows.size(); ++k) {
-                    auto& value = column[static_cast<std::size_t>(rows[k])];
-                    if (last[static_cast<std::size_t>(rows[k])] == k) kept.push_back(std::move(value));
-                    else kept.push_back(value);
+                    const auto row = static_cast<std::size_t>(rows[k]);
+                    if (rows[k] < 0) kept.push_back(new_value<Value>());
+                    else if (last[row] == k) kept.push_back(std::move(column[row]));
+                    else kept.push_back(column[row]);
                 }
+                column = std::move(kept);
             }
-            column = std::move(kept);
         });
         size_ = rows.size();
     }
