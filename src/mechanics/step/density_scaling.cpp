@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kaya {
 
@@ -112,6 +113,17 @@ double mean_stable_step(const Model& model, const BodyStiffness& stiffness) {
     return mass > 0 ? sum.over(mass).stable_step() : 0;
 }
 
+double least_stable_step(const Model& model, const BodyStiffness& stiffness) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto add = [&](const Resistance& body, double mass) {
+        if (body.acts()) least = std::min(least, body.over(mass).stable_step());
+    };
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) add(stiffness.of_block[b], model.blocks.inertial_mass[b]);
+    for (std::size_t g = 0; g < model.gridpoints.size(); ++g)
+        add(stiffness.of_gridpoint[g], model.gridpoints.inertial_mass[g]);
+    return least;
+}
+
 void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_step, double least) {
     const auto wanted = [&](double mass, const Resistance& body) {
         return body.acts() ? std::max(least * mass, body.needed_for(stable_step)) : mass;
@@ -130,7 +142,7 @@ void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_st
     sum_up(model);
 }
 
-void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step) {
+bool raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step) {
     bool raised = false;
     MassChange change;
     each_body(model, stiffness, [&](const Body& body, const Resistance& resistance) {
@@ -141,6 +153,7 @@ void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_st
     });
     book(model, change);
     if (raised) sum_up(model);
+    return raised;
 }
 
 void restore_masses(Model& model) {

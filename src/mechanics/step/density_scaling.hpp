@@ -23,14 +23,17 @@ ScaledMasses scaled_masses(const Model& model);
 /// suffice and are not much too large stay too.
 void scale_masses(Model& model, const BodyStiffness& stiffness, double stable_step, double least);
 
-/// The same, only upwards from the present masses: for stiffnesses that grow between two scalings.
-void raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step);
+/// The same, only upwards from the present masses: for stiffnesses that grow between two scalings. False where all suffice.
+bool raise_masses(Model& model, const BodyStiffness& stiffness, double stable_step);
 
 /// Sets all inertial masses to the true ones.
 void restore_masses(Model& model);
 
 /// The step at which full density scaling leaves the total mass unchanged; 0 without stiffness.
 double mean_stable_step(const Model& model, const BodyStiffness& stiffness);
+
+/// The largest step that is stable for every body with its present inertial mass; infinite without stiffness.
+double least_stable_step(const Model& model, const BodyStiffness& stiffness);
 
 /// Inertial masses and moments of inertia of free nodes of beams and liners for the present step: equation (15) of
 /// docs/theory/beams-and-liners.md.

@@ -61,30 +61,38 @@ MemberLimit limit_of_members(const Model& model, double of_rock) {
 } // namespace
 
 /// Density scaling. `anew`: masses may also decrease and the step may change; otherwise the step is kept, and bodies that are too stiff for
-/// it get more mass.
-void TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew) {
+/// it get more mass. Returns the largest stable step.
+double TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew) {
     const Settings& settings = model.settings;
     const double fraction = time_step_fraction(settings);
-    const auto reached = [&](Masses masses) {
-        return fraction * bounds_.limit(model, adjacency, masses).stable >= settings.scaled_time_step;
+    // Dashpots of contacts follow the masses and shorten the step in turn.
+    const auto stable = [&](Masses masses = Masses::inertial) {
+        return bounds_.limit(model, adjacency, masses).stable;
     };
     if (settings.mass_scaling == MassScaling::full) {
         const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
-        if (!anew) return raise_masses(model, stiffness, model.clock.time_step / fraction);
+        if (!anew) {
+            const bool raised = raise_masses(model, stiffness, model.clock.time_step / fraction);
+            return raised && joints_are_damped(settings) ? stable() : least_stable_step(model, stiffness);
+        }
         const double given = settings.given_time_step;
         const double target = given > 0 ? given / fraction : mean_stable_step(model, stiffness);
         if (target > 0) scale_masses(model, stiffness, target, lightest);
-        return;
+        return stable();
     }
-    if (anew && reached(Masses::real)) return restore_masses(model);
-    // The dashpots of contacts follow the masses and shorten the step in turn.
-    for (int i = 0; i < 20 && (anew || !reached(Masses::inertial)); ++i) {
-        const double target = settings.scaled_time_step / fraction;
-        const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
-        if (anew) scale_masses(model, stiffness, target, 1);
-        else raise_masses(model, stiffness, target);
-        anew = false;
+    const double wanted = settings.scaled_time_step;
+    if (anew && fraction * stable(Masses::real) >= wanted) {
+        restore_masses(model);
+        return stable();
     }
+    const double target = wanted / fraction;
+    if (anew) scale_masses(model, bounds_.stiffness(model, adjacency), target, 1);
+    double reached = stable();
+    for (int i = 0; i < 20 && fraction * reached < wanted; ++i) {
+        raise_masses(model, bounds_.stiffness(model, adjacency), target);
+        reached = stable();
+    }
+    return reached;
 }
 
 /// `all`: `stable` is the bound of all bodies, and of nodes of members.
@@ -162,9 +170,10 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
                 bounds_.foreseen = &ahead_.springs();
                 bounds_.update(model, adjacency);
             }
-            fit_masses(model, adjacency, may_grow || clock.time_step == 0);
+            stable = fit_masses(model, adjacency, may_grow || clock.time_step == 0);
+        } else {
+            stable = bounds_.limit(model, adjacency).stable;
         }
-        stable = bounds_.limit(model, adjacency).stable;
         bounds_.foreseen = nullptr;
     }
     const double of_members = all ? limit_of_members(model, stable).stable : std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ public:
 
 private:
     void limit_bodies(Model& model, const Adjacency& adjacency, std::vector<char>& changed, Bodies bodies);
-    void fit_masses(Model& model, const Adjacency& adjacency, bool anew);
+    double fit_masses(Model& model, const Adjacency& adjacency, bool anew);
     void take_given(Model& model, const Adjacency& adjacency, double stable, double of_members, bool all);
 
     double without_growth(const Model& model, const Adjacency& adjacency, double step, StiffnessForecast::Of of);
