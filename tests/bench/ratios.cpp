@@ -138,18 +138,53 @@ void materials(std::vector<Row>& rows) {
 }
 
 /// Blocks that meet along lines, in most of which rounding alone makes an overlap.
-void prisms(std::vector<Row>& rows) {
+double per_contact(Run& run, bench::RigidKernel& kernel, std::int64_t steps) {
+    const auto paired = against_kernel(kernel, 5, steps, [&] { run.cycles(steps); });
+    return paired.ratio * count(kernel.pairs()) / count(run.model().contacts.size());
+}
+
+bench::RigidKernel kernel_at_rest() {
     bench::RigidKernel kernel(10);
     for (int i = 0; i < 2000; ++i) kernel.step();
-    const auto per_contact = [&](const std::string& deck) {
+    return kernel;
+}
+
+void prisms(std::vector<Row>& rows) {
+    bench::RigidKernel kernel = kernel_at_rest();
+    const auto measured = [&](const std::string& deck) {
         Run run(deck);
         run.cycles(100);
-        const auto paired = against_kernel(kernel, 5, 50, [&] { run.cycles(50); });
-        return paired.ratio * count(kernel.pairs()) / count(run.model().contacts.size());
+        return per_contact(run, kernel, 50);
     };
     rows.push_back({"wall of 2,303 prisms, time per contact over the kernel's per face pair",
-                    per_contact("prism-wall.3dd"), "", 0, 0});
-    rows.push_back({"the same held", per_contact("prism-wall-held.3dd"), "", 0, 0});
+                    measured("prism-wall.3dd"), "", 0, 0});
+    rows.push_back({"the same held", measured("prism-wall-held.3dd"), "", 0, 0});
+}
+
+/// The deck of an example up to a line, which another one replaces.
+std::filesystem::path beginning_of(const std::string& example, const std::string& line, const std::string& other) {
+    std::ifstream file(KAYA_BENCH_FOLDER "/../../examples/" + example + "/" + example + ".3dd");
+    std::ostringstream text;
+    for (std::string next; std::getline(file, next) && next != line;) text << next << '\n';
+    if (!file) throw std::runtime_error("the example " + example + " has no line " + line);
+    text << other << '\n';
+    return written("kaya-bench-" + example + ".3dd", text.str());
+}
+
+/// Decks of users, in which blocks of all sizes slide, rock and part.
+void decks(std::vector<Row>& rows) {
+    bench::RigidKernel kernel = kernel_at_rest();
+    const auto slope = beginning_of("rock-slope", "solve elastic ratio 1e-5 cycles 20000", "cycle 1");
+    Run falling(slope.string());
+    falling.cycles(300);
+    rows.push_back({"rock-slope after 300 cycles, time per contact over the kernel's per face pair",
+                    per_contact(falling, kernel, 20), "", 15, 8});
+    falling.cycles(1200);
+    rows.push_back({"the same after 1,500 cycles", per_contact(falling, kernel, 20), "", 15, 8});
+    const auto wall = beginning_of("masonry-wall", "cycle time 1.2", "cycle time 0.35");
+    Run shaken(wall.string());
+    rows.push_back({"masonry-wall, shaken for 0.35 s, time per contact over the kernel's per face pair",
+                    per_contact(shaken, kernel, 200), "", 15, 8});
 }
 
 void building(std::vector<Row>& rows) {
@@ -203,9 +238,9 @@ int main(int argc, char** argv) {
     const std::string wanted = argc > 2 ? argv[2] : "";
     std::vector<Row> rows;
     const std::pair<std::string_view, void (*)(std::vector<Row>&)> parts[] = {
-        {"cubes", packed_cubes},  {"threads", threads},    {"one", small_models},
-        {"materials", materials}, {"prisms", prisms},      {"building", building},
-        {"growth", growth},       {"zones", bench::zones}, {"yade", yade}};
+        {"cubes", packed_cubes}, {"threads", threads}, {"one", small_models},  {"materials", materials},
+        {"prisms", prisms},      {"decks", decks},     {"building", building}, {"growth", growth},
+        {"zones", bench::zones}, {"yade", yade}};
     for (const auto& [name, part] : parts) {
         if (!wanted.empty() && name != wanted) continue;
         const std::size_t first = rows.size();
