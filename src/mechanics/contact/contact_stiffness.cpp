@@ -2,41 +2,67 @@
 
 #include "mechanics/lanes/triple.hpp"
 
+#include <algorithm>
+
 namespace kaya {
 
 namespace {
 
+using Triples = TripleOf<Eight>;
+
+Triples in_all_lanes(const Triple& t) { return {eights(t.x), eights(t.y), eights(t.z)}; }
+
+/// Springs of up to eight sub-contacts at places.
+struct SpringsAtPlaces {
+    Eight normal{}, shear{};
+    Eight3 place{};
+};
+
+/// An unloaded contact acts at one place, and so do all contacts of separated blocks: its springs there are in a lane of their own, after those
+/// of the first `spread` rows.
+SpringsAtPlaces springs_at_places(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const Span span = contacts.sub_contacts[c];
+    const Row spread = contacts.depth[c] > 0 ? std::min(carriers, span.count) : 0;
+    const NormalAreaFactor factor(model, c);
+    const RowsOfEight group(std::min<std::ptrdiff_t>(spread + 1, span.count));
+    SpringsAtPlaces at{{}, {}, group.load(subs.position, span.first)};
+    Springs others;
+    for (Row k = 0; k < span.count; ++k) {
+        const Springs springs = springs_of(subs, span.first + k, factor);
+        if (k < spread) {
+            at.normal[k] = springs.normal;
+            at.shear[k] = springs.shear;
+        } else {
+            others.normal += springs.normal;
+            others.shear += springs.shear;
+        }
+    }
+    at.normal[spread] = others.normal;
+    at.shear[spread] = others.shear;
+    return at;
+}
+
 /// The same as seen from one block.
-double over_mass_of(const Model& model, Row c, Row block) {
+double over_mass_of(const Model& model, Row c, Row block, const SpringsAtPlaces& at) {
     const auto& blocks = model.blocks;
     const double mass = blocks.mass[block];
     if (blocks.fixed[block] == fix_all || blocks.deformable[block] || !(mass > 0)) return 0;
     const auto& q = blocks.orientation[block];
     const Rotor to_own = Rotor{q[0], {q[1], q[2], q[3]}}.conjugate();
-    const SymmetricInverse inverse(blocks.inertia[block], mass / blocks.volume[block]);
-    const Triple n = to_own.turned(Triple(model.contacts.normal[c])), centre(blocks.centroid[block]);
-    const NormalAreaFactor factor(model, c);
-    const Span span = model.contacts.sub_contacts[c];
-    const auto over_mass = [&](const Springs& springs, const Vec3& place) {
-        const Triple arm = to_own.turned(Triple(place) - centre), across = arm.cross(n);
-        const double along = across.dot(inverse * across);
-        return springs.normal * (1 / mass + along) + springs.shear * (2 / mass + inverse.of_arm(arm) - along);
-    };
-    // An unloaded contact acts at one place, and so do all contacts of separated blocks.
-    const auto& contacts = model.contacts;
-    const Row spread = contacts.kind[c] != ContactKind::overlap ? span.end()
-                       : contacts.depth[c] > 0                  ? std::min(span.first + carriers, span.end())
-                                                                : span.first;
+    const RotorOf<Eight> turn{eights(to_own.w), in_all_lanes(to_own.v)};
+    const Mat3& m = blocks.inertia[block];
+    const SymmetricInverseOf<Eight> inverse(eights(m(0, 0)), eights(m(1, 1)), eights(m(2, 2)), eights(m(1, 2)),
+                                            eights(m(0, 2)), eights(m(0, 1)), eights(mass / blocks.volume[block]));
+    const Triples n = in_all_lanes(to_own.turned(Triple(model.contacts.normal[c])));
+    const Triples arm =
+        turn.turned(Triples(at.place.x, at.place.y, at.place.z) - in_all_lanes(Triple(blocks.centroid[block])));
+    const Triples across = arm.cross(n);
+    const Eight along = across.dot(inverse * across);
+    const Eight parts = at.normal * (1 / mass + along) + at.shear * (2 / mass + inverse.of_arm(arm) - along);
     double sum = 0;
-    for (Row s = span.first; s < spread; ++s)
-        sum += over_mass(springs_of(model.sub_contacts, s, factor), model.sub_contacts.position[s]);
-    Springs others;
-    for (Row s = spread; s < span.end(); ++s) {
-        const Springs springs = springs_of(model.sub_contacts, s, factor);
-        others.normal += springs.normal;
-        others.shear += springs.shear;
-    }
-    if (others.stiffer() > 0) sum += over_mass(others, model.sub_contacts.position[spread]);
+    for (Row k = 0; k <= carriers; ++k) sum += parts[k];
     return sum;
 }
 
@@ -51,8 +77,9 @@ double sum_of_stiffness(const Model& model, Row contact) {
 }
 
 StiffnessOfSides stiffness_over_mass(const Model& model, Row contact) {
-    return {over_mass_of(model, contact, model.contacts.block1[contact]),
-            over_mass_of(model, contact, model.contacts.block2[contact])};
+    const SpringsAtPlaces at = springs_at_places(model, contact);
+    return {over_mass_of(model, contact, model.contacts.block1[contact], at),
+            over_mass_of(model, contact, model.contacts.block2[contact], at)};
 }
 
 } // namespace kaya

@@ -45,7 +45,7 @@ double sum_of_stiffness(const Model& model, Row contact);
 /// One number for each block of a contact.
 using StiffnessOfSides = std::array<double, 2>;
 
-/// Trace of the contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
+/// Trace of an overlap contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
 /// eigenvalues of the contact alone. 0 for fixed blocks. Masses are the true ones.
 StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
 
