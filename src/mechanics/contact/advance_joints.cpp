@@ -201,9 +201,11 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         const Row c = batch.contacts[i];
         if (i % eight == 0) take_pairs(model, std::span(batch.contacts).subspan(i), pairs);
         if (follows_overlap(model, c)) {
-            sums.lost += move_overlap_contact(model, c, before, scratch.overlap);
+            const OverlapStart start = move_overlap_contact(model, c, before, scratch.overlap);
+            sums.lost += start.lost;
             turn_kept_vectors(model, c, batch.model->vectors);
             std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
+            carried[i].lies = start.lies;
         } else if (between_rigid(model, c)) {
             move_rigid_contact(model, c, pairs, i % eight, batch.model->vectors, before);
         } else {

@@ -10,6 +10,7 @@ namespace kaya {
 /// Normal force, stiffness, frictional work and shear forces of the carriers of an overlap before a joint model sees them.
 struct CarriedLoad {
     double force = 0, stiffness = 0, worn = 0;
+    bool lies = false; ///< see OverlapStart, which gives it
     std::array<Vec3, carriers> shear;
     std::array<double, carriers> worn_by_row{};
 

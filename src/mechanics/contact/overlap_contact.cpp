@@ -61,6 +61,8 @@ double plus_rows(double sum, const Eight& e, std::ptrdiff_t rows) {
 /// Frictional work of idle contacts counts before and after a step, as for all others.
 void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
+Eight3 in_plane(const Eight3& v, const Eight3& normal) { return v - normal * v.dot(normal); }
+
 /// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy lost or created: the
 /// blocks move under the force before the rotation, the springs under the one after it.
 double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
@@ -68,17 +70,18 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     const RelativeMotion start = motion.at_start();
     double lost = 0;
     auto& subs = model.sub_contacts;
-    const double twist = turn.dot(n);
+    const Eight twist = eights(turn.dot(n)), none{}, same = eights(1);
+    const Eight3 normal = eights(n);
     const Span span = model.contacts.sub_contacts[c];
-    for (Row s = span.first; s < span.end(); ++s) {
-        const Vec3 force = subs.shear_force[s];
-        const double size = force.norm();
-        Vec3 flat = force - force.dot(n) * n;
-        const double left = flat.norm();
-        if (left > 0) flat *= size / left; // rotation keeps its size
-        const Vec3 turned = flat + twist * n.cross(flat);
-        lost += 0.5 * (turned - force).dot(start.at(subs.position[s]));
-        subs.shear_force.set(s, turned);
+    for (Row s = span.first; s < span.end(); s += eight) {
+        const RowsOfEight group(span.end() - s);
+        const Eight3 force = group.load(subs.shear_force, s), projected = in_plane(force, normal);
+        const Eight size = square_root(force.dot(force)), left = square_root(projected.dot(projected));
+        const Eight3 flat = projected * (left > none ? size / left : same); // rotation keeps its size
+        const Eight3 turned = flat + normal.cross(flat) * twist;
+        const Eight work = (turned - force).dot(start.at(group.load(subs.position, s)));
+        lost = plus_rows(lost, 0.5 * work, group.rows());
+        group.store(subs.shear_force, s, turned);
     }
     return lost;
 }
@@ -151,23 +154,26 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMo
     contacts.depth[c] = patch.depth;
     contacts.twist[c] = patch.twist;
     change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
-    for (Row k = 0; k < span.count; ++k) {
-        const Row s = span.first + k;
-        if (k >= carriers) {
-            subs.position.set(s, contacts.position[c]);
-            subs.area[s] = span.count > carriers && subs.area[s] > 0
-                               ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers)
-                               : 0;
-            subs.normal_displacement_increment[s] = 0;
-            subs.shear_displacement_increment.set(s, Vec3::Zero());
-            continue;
-        }
+    const double open_area =
+        span.count > carriers ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers) : 0;
+    const Eight3 normal = eights(n), centre = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
+    for (Row i = 0; i < span.count; i += eight) {
+        const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
+        const Row first = span.first + i;
+        Eight3 place = centre;
+        for (Row k = 0; k < loaded.rows(); ++k)
+            place.x[k] = places[k].x(), place.y[k] = places[k].y(), place.z[k] = places[k].z();
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
-        Vec3 shift = motion.at(places[k]);
-        if (was_closed) shift = 0.5 * (shift + start.at(subs.position[s]));
-        subs.position.set(s, places[k]);
-        subs.normal_displacement_increment[s] = -contacts.depth[c] - subs.normal_displacement[s];
-        subs.shear_displacement_increment.set(s, shift - shift.dot(n) * n);
+        Eight3 shift = motion.at(place);
+        if (was_closed) shift = (shift + start.at(group.load(subs.position, first))) * eights(0.5);
+        const Eight opening = eights(-contacts.depth[c]) - group.load(subs.normal_displacement.data() + first);
+        group.store(subs.position, first, place);
+        group.store(subs.normal_displacement_increment.data() + first, Eight{});
+        loaded.store(subs.normal_displacement_increment.data() + first, opening);
+        group.store(subs.shear_displacement_increment, first, none);
+        loaded.store(subs.shear_displacement_increment, first, in_plane(shift, normal));
+        for (Row s = first + static_cast<Row>(loaded.rows()); s < first + static_cast<Row>(group.rows()); ++s)
+            subs.area[s] = subs.area[s] > 0 ? open_area : 0;
     }
 }
 
@@ -238,7 +244,7 @@ double rounding_of_work(const Model& model, Row c, double force) {
 /// edges it returns no more: where the energy taken is below that of its overlap, the force is that of the lower one, within limits, so
 /// that the overlap remains the one that the load requires. `worn` is the frictional work of the whole force in the step. Returns the
 /// energy removed from the account without work.
-double keep_passive(Model& model, Row c, double worn) {
+double keep_passive(Model& model, Row c, bool lies, double worn) {
     constexpr double least_scale = 0.75, recovery = 2e-3, surplus = 1.1;
     // When little energy is exchanged in a step, relax toward the exact value; at maximum penetration this holds only briefly.
     constexpr double slow = 1e-3, settling = 0.02;
@@ -250,7 +256,7 @@ double keep_passive(Model& model, Row c, double worn) {
     const double before = taken, scale_before = 1 - contacts.withheld[c];
     double scale = 1, of_shear = 0;
     taken -= work;
-    if (lie_on_each_other(model, pair_of(contacts, c))) taken = of_overlap;
+    if (lies) taken = of_overlap;
     else if (std::abs(work) < slow * of_overlap) taken += settling * (of_overlap - taken);
     if (of_overlap > 0 && taken < of_overlap) {
         taken = std::max(taken, least_scale * least_scale * of_overlap);
@@ -327,7 +333,7 @@ void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
     contacts.offset_normal[c] = n;
 }
 
-double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch) {
+OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
@@ -401,7 +407,7 @@ double move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch
     double& rung = contacts.stiffness_area[c];
     if (rung < stiff || (!(patch.carried > 0) && step_may_grow(model.clock) && rung > 1.18 * stiff))
         rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
-    return idle ? 0 : of_scale + of_turn + pay_for_area(model, c, in_springs);
+    return {idle ? 0 : of_scale + of_turn + pay_for_area(model, c, in_springs), patch.lies};
 }
 
 OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
@@ -427,7 +433,7 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
         contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
     } else {
         take_dilation(model, c, carried);
-        end.lost += keep_passive(model, c, frictional_work(model, c) - carried.worn);
+        end.lost += keep_passive(model, c, carried.lies, frictional_work(model, c) - carried.worn);
     }
     end.idle = is_idle(model, c);
     if (end.idle) add_friction_of(model, c, work);

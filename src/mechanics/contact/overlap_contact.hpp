@@ -9,9 +9,14 @@
 
 namespace kaya {
 
+/// The beginning of an overlap contact's step.
+struct OverlapStart {
+    double lost = 0;   ///< energy of shear springs where the area changes
+    bool lies = false; ///< the blocks touch with faces that are parallel, or nearly so
+};
+
 /// move_contact for overlap contacts: computes the present common volume and writes places, areas and increments of the sub-contacts.
-/// Returns the energy lost from shear springs where the area changes.
-double move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
+OverlapStart move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
 
 /// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
 void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);

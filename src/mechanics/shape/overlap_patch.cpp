@@ -118,8 +118,6 @@ struct Flatness {
 
 } // namespace
 
-bool lie_on_each_other(const Model& model, const OverlapPair& pair) { return Flatness(model, pair).value > 0.5; }
-
 double part_of_first(const Model& model, Row block1, Row block2) {
     constexpr double larger = 2;
     const auto& volume = model.blocks.volume;

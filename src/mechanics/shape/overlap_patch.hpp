@@ -15,12 +15,12 @@ constexpr Row carriers = 4;
 
 /// The common volume of two rigid blocks as a contact sees it.
 struct OverlapPatch {
-    double carried = 0;         ///< normal force over normal stiffness, length^3; 0 when they do not overlap
-    double energy = 0;          ///< energy over the normal stiffness: length^4
-    double depth = 0;           ///< greatest thickness along the normal
-    double area = 0;            ///< seen along the normal
-    bool lies = false;          ///< faces are parallel, or nearly so
-    double twist = 0;           ///< moment about the normal over the normal force: length
+    double carried = 0; ///< normal force over normal stiffness, length^3; 0 when they do not overlap
+    double energy = 0;  ///< energy over the normal stiffness: length^4
+    double depth = 0;   ///< greatest thickness along the normal
+    double area = 0;    ///< seen along the normal
+    bool lies = false;  ///< faces are parallel, or nearly so: depths are mostly those below one face of each block
+    double twist = 0;   ///< moment about the normal over the normal force: length
     Vec3 normal = Vec3::Zero(); ///< unit, from block 1 to block 2
     Vec3 centre = Vec3::Zero(); ///< the normal force acts along the line through it
     Mat3 second = Mat3::Zero(); ///< second moments of the common volume about its centroid, over the volume: length^2
@@ -60,10 +60,6 @@ double part_of_first(const Model& model, Row block1, Row block2);
 
 /// Both blocks are rigid.
 bool between_rigid(const Model& model, Row contact);
-
-/// Whether depths are measured below one face of each block. Any depth fixed to a block would do; this one is the closure of the joint, and
-/// the surrounding faces, which bound a strip as wide as the closure, do not count.
-bool lie_on_each_other(const Model& model, const OverlapPair& pair);
 
 /// The offset of a contact; along its normal if none was stored.
 ClosureOffset offset_of(const Contacts& contacts, Row contact);
