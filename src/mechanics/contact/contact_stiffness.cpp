@@ -18,7 +18,7 @@ struct SpringsAtPlaces {
     Eight3 place{};
 };
 
-/// An unloaded contact acts at one place, and so do all contacts of separated blocks: its springs there are in a lane of their own, after those
+/// An unloaded contact acts at one place, and so do all contacts of separated blocks: its springs there are in a separate lane, after those
 /// of the first `spread` rows.
 SpringsAtPlaces springs_at_places(const Model& model, Row c) {
     const auto& subs = model.sub_contacts;
