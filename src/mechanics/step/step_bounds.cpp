@@ -31,12 +31,13 @@ template <class Visit> void for_rows(std::size_t rows, const Visit& visit) {
     });
 }
 
+/// `of` is called with a row and the smallest step so far, and may return any that is not smaller.
 template <class Of> StepLimit smallest_of(std::size_t rows, const Of& of) {
     return reduce_chunks(
         rows, grain, StepLimit{},
         [&](std::size_t first, std::size_t last) {
             StepLimit part;
-            for (std::size_t i = first; i < last; ++i) take_smaller(part, of(static_cast<Row>(i)));
+            for (std::size_t i = first; i < last; ++i) take_smaller(part, of(static_cast<Row>(i), part.stable));
             return part;
         },
         take_smaller);
@@ -257,7 +258,8 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     if (damped_) add_dashpots(damped, 1);
 }
 
-Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
+Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares,
+                                double enough) const {
     const BodyFrame& frame = frames_[row];
     if (!frame.moves()) return {};
     Matrices matrices;
@@ -274,7 +276,8 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
         for (const Row b : adjacency.bodies.members(static_cast<std::size_t>(body_[row]))) add(b);
     const Mat6 elastic = frame.scaled(matrices.elastic);
     const Mat6 viscous = damped_ ? frame.scaled(matrices.viscous) : Mat6::Zero();
-    if (shares == Shares::none) return {elastic.norm(), viscous.norm()};
+    const Resistance norms{elastic.norm(), viscous.norm()}; // no eigenvalue is larger
+    if (shares == Shares::none || norms.stable_step() >= enough) return norms;
     return {largest_eigenvalue(elastic), damped_ ? largest_eigenvalue(viscous) : 0};
 }
 
@@ -349,14 +352,14 @@ StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, S
     const auto& blocks = model.blocks;
     StepLimit limit;
     if (model.zones.size() > 0)
-        limit = smallest_of(points.size(), [&](Row g) {
+        limit = smallest_of(points.size(), [&](Row g, double) {
             if (!asked_[points.block[g]] || !blocks.deformable[points.block[g]]) return StepLimit{};
             const Resistance sum = of_gridpoint(model, adjacency, g, shares);
             return StepLimit{sum.stable_step(), false, g, sum.elastic > 0 ? zone_part_[g] / sum.elastic : 0};
         });
-    take_smaller(limit, smallest_of(blocks.size(), [&](Row b) {
+    take_smaller(limit, smallest_of(blocks.size(), [&](Row b, double smallest) {
                      if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return StepLimit{};
-                     return StepLimit{of_block(model, adjacency, b, shares).stable_step(), true, b};
+                     return StepLimit{of_block(model, adjacency, b, shares, smallest).stable_step(), true, b};
                  }));
     return limit;
 }

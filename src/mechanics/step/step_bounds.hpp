@@ -108,7 +108,9 @@ private:
     double mobility_of_node(const Model& model, Row node) const;
     void add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
                      Matrices& matrices) const;
-    Resistance of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;
+    /// A coarser bound where it allows a step of `enough`: for bodies that do not limit the step.
+    Resistance of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares,
+                        double enough = std::numeric_limits<double>::infinity()) const;
     Resistance of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;
     StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
 
