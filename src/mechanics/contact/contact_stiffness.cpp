@@ -44,7 +44,7 @@ SpringsAtPlaces springs_at_places(const Model& model, Row c) {
     return at;
 }
 
-/// The same as seen from one block.
+/// The trace of the stiffness over the mass as one block has it.
 double over_mass_of(const Model& model, Row c, Row block, const SpringsAtPlaces& at) {
     const auto& blocks = model.blocks;
     const double mass = blocks.mass[block];
