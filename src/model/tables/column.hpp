@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -50,12 +49,10 @@ public:
 
     /// Keeps the listed rows, in that order. `rows` may repeat a row; a negative one is a new row.
     void gather(const std::vector<std::int32_t>& rows) {
-        const bool ascending = std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
-        if (ascending && (rows.empty() || rows.front() >= 0)) return compact(rows);
         const RowMoves moves(rows);
         derived().columns([&](std::string_view, auto& column, Role) {
             using Value = typename std::decay_t<decltype(column)>::value_type;
-            if constexpr (std::is_trivially_destructible_v<Value>) {
+            if (std::is_trivially_destructible_v<Value> || moves.in_order()) {
                 moves.apply(column);
             } else {
                 // Types with heap memory are moved with their row, and copied for all but the last user of a row.
@@ -96,18 +93,6 @@ public:
     }
 
 private:
-    /// Ascending rows move up in place, without allocation; rows before the first gap are unchanged.
-    void compact(const std::vector<std::int32_t>& rows) {
-        std::size_t gap = 0;
-        while (gap < rows.size() && static_cast<std::size_t>(rows[gap]) == gap) ++gap;
-        derived().columns([&rows, gap](std::string_view, auto& column, Role) {
-            for (std::size_t k = gap; k < rows.size(); ++k)
-                column[k] = std::move(column[static_cast<std::size_t>(rows[k])]);
-            column.erase(column.begin() + static_cast<std::ptrdiff_t>(rows.size()), column.end());
-        });
-        size_ = rows.size();
-    }
-
     Derived& derived() { return static_cast<Derived&>(*this); }
     std::size_t size_ = 0;
 };

@@ -14,7 +14,7 @@ template <class T> T new_value() {
     else return T{};
 }
 
-/// The source of each future row, sorted for the move of columns of plain values.
+/// The source of each future row, sorted for the move of columns.
 class RowMoves {
 public:
     /// `rows` may repeat a row; negative ones are new.
@@ -32,21 +32,25 @@ public:
         }
     }
 
+    /// Whether no row is new, is repeated or leaves the order of the others: then nothing is copied.
+    bool in_order() const { return others_.empty(); }
+
     template <class T> void apply(std::vector<T>& column) const {
         std::vector<T> others;
         others.reserve(others_.size());
         for (const Other& o : others_)
             others.push_back(o.from < 0 ? new_value<T>() : column[static_cast<std::size_t>(o.from)]);
-        constexpr std::size_t spare =
-            32; // one part of so many: tables that grow a little at a time stay where they are
+        // One part of so many: tables that grow a little at a time stay where they are.
+        constexpr std::size_t spare = 32;
         if (size_ > column.capacity()) column.reserve(column.empty() ? size_ : size_ + size_ / spare);
         if (size_ > column.size()) column.resize(size_, new_value<T>());
         // A run that moves down reaches no row that a later one needs, nor does one that moves up any that an earlier one needs.
         for (const Run& run : runs_)
-            if (run.to < run.from) std::copy_n(column.data() + run.from, run.count, column.data() + run.to);
+            if (run.to < run.from)
+                std::move(column.data() + run.from, column.data() + run.from + run.count, column.data() + run.to);
         for (auto run = runs_.rbegin(); run != runs_.rend(); ++run)
             if (run->to > run->from)
-                std::copy_backward(column.data() + run->from, column.data() + run->from + run->count,
+                std::move_backward(column.data() + run->from, column.data() + run->from + run->count,
                                    column.data() + run->to + run->count);
         for (std::size_t i = 0; i < others.size(); ++i) column[others_[i].to] = others[i];
         column.erase(column.begin() + static_cast<std::ptrdiff_t>(size_), column.end());
