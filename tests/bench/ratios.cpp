@@ -52,10 +52,16 @@ double neighbours(double n) {
     return cubes + 5 * n * n;
 }
 
-/// A thousand cubes at rest, with kept and with rebuilt contacts, compared with the kernel with as many cubes.
-void packed_cubes(std::vector<Row>& rows) {
+/// A thousand cubes at rest.
+bench::RigidKernel kernel_at_rest() {
     bench::RigidKernel kernel(10);
     for (int i = 0; i < 2000; ++i) kernel.step();
+    return kernel;
+}
+
+/// A thousand cubes at rest, with kept and with rebuilt contacts, compared with the kernel with as many cubes.
+void packed_cubes(std::vector<Row>& rows) {
+    bench::RigidKernel kernel = kernel_at_rest();
     Run run("packed-cubes-10.3dd");
     run.cycles(1000);
     const double contacts = count(run.model().contacts.size()), subs = count(run.model().sub_contacts.size());
@@ -141,12 +147,6 @@ void materials(std::vector<Row>& rows) {
 double per_contact(Run& run, bench::RigidKernel& kernel, std::int64_t steps) {
     const auto paired = against_kernel(kernel, 5, steps, [&] { run.cycles(steps); });
     return paired.ratio * count(kernel.pairs()) / count(run.model().contacts.size());
-}
-
-bench::RigidKernel kernel_at_rest() {
-    bench::RigidKernel kernel(10);
-    for (int i = 0; i < 2000; ++i) kernel.step();
-    return kernel;
 }
 
 void prisms(std::vector<Row>& rows) {

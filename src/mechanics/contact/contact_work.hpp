@@ -6,6 +6,9 @@
 
 namespace kaya {
 
+/// The part of vectors in a plane with a unit normal.
+inline Eight3 in_plane(const Eight3& v, const Eight3& normal) { return v - normal * v.dot(normal); }
+
 /// Rates of work on the blocks times the step, in eights of sub-contacts.
 struct JointWork {
     Eight joint{}, friction{};

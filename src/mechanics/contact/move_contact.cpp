@@ -42,8 +42,8 @@ inline void add_work(JointWork& work, const SubContacts& subs, Row row, const Ro
 
 /// Vectors in the plane of a contact stay in it and turn with the mean rotation of the blocks.
 inline Eight3 turned_in_plane(const Eight3& vector, const Eight3& n, const Eight& twist) {
-    const Eight3 in_plane = vector - n * vector.dot(n);
-    return in_plane + n.cross(in_plane) * twist;
+    const Eight3 flat = in_plane(vector, n);
+    return flat + n.cross(flat) * twist;
 }
 
 /// Most joints have never dilated, and have nothing to turn.
@@ -204,7 +204,7 @@ void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size
         const Eight3 turned = mean_turn.cross(arm);
         const Eight3 u = apart + apart_turn.cross(arm + turned * half);
         const Eight opening = u.dot(n_middle);
-        const Eight3 shear = u - n * u.dot(n);
+        const Eight3 shear = in_plane(u, n);
         group.store(subs.normal_displacement_increment.data() + i, opening);
         group.store(subs.shear_displacement_increment, i, shear);
         Eight3 force = group.load(subs.shear_force, i);

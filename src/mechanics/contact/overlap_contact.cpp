@@ -61,8 +61,6 @@ double plus_rows(double sum, const Eight& e, std::ptrdiff_t rows) {
 /// Frictional work of idle contacts counts before and after a step, as for all others.
 void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
-Eight3 in_plane(const Eight3& v, const Eight3& normal) { return v - normal * v.dot(normal); }
-
 /// Turns the shear forces into the plane and with the mean spin of the blocks about its normal. Returns the energy lost or created: the
 /// blocks move under the force before the rotation, the springs under the one after it.
 double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {

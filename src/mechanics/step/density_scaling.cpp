@@ -41,6 +41,16 @@ template <class Visit> void each_body(Model& model, const BodyStiffness& stiffne
                   stiffness.of_gridpoint[g]);
 }
 
+/// Calls visit(resistance, mass, inertial mass) for the bodies on which a stiffness acts.
+template <class Visit> void each_that_resists(const Model& model, const BodyStiffness& stiffness, Visit&& visit) {
+    const auto each = [&](const std::vector<Resistance>& resistances, const auto& bodies) {
+        for (std::size_t i = 0; i < resistances.size(); ++i)
+            if (resistances[i].acts()) visit(resistances[i], bodies.mass[i], bodies.inertial_mass[i]);
+    };
+    each(stiffness.of_block, model.blocks);
+    each(stiffness.of_gridpoint, model.gridpoints);
+}
+
 /// Effect of a change of masses: kinetic energy, and the power of joint and zone forces.
 struct MassChange {
     double kinetic = 0, power = 0;
@@ -103,24 +113,18 @@ constexpr double enough = 0.8;
 double mean_stable_step(const Model& model, const BodyStiffness& stiffness) {
     Resistance sum;
     double mass = 0;
-    const auto add = [&](const Resistance& body, double m) {
-        if (!body.acts()) return;
+    each_that_resists(model, stiffness, [&](const Resistance& body, double real, double) {
         sum.add(body);
-        mass += m;
-    };
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) add(stiffness.of_block[b], model.blocks.mass[b]);
-    for (std::size_t g = 0; g < model.gridpoints.size(); ++g) add(stiffness.of_gridpoint[g], model.gridpoints.mass[g]);
+        mass += real;
+    });
     return mass > 0 ? sum.over(mass).stable_step() : 0;
 }
 
 double least_stable_step(const Model& model, const BodyStiffness& stiffness) {
     double least = std::numeric_limits<double>::infinity();
-    const auto add = [&](const Resistance& body, double mass) {
-        if (body.acts()) least = std::min(least, body.over(mass).stable_step());
-    };
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) add(stiffness.of_block[b], model.blocks.inertial_mass[b]);
-    for (std::size_t g = 0; g < model.gridpoints.size(); ++g)
-        add(stiffness.of_gridpoint[g], model.gridpoints.inertial_mass[g]);
+    each_that_resists(model, stiffness, [&](const Resistance& body, double, double inertial) {
+        least = std::min(least, body.over(inertial).stable_step());
+    });
     return least;
 }
 
