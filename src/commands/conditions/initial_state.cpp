@@ -5,7 +5,6 @@
 #include "commands/session/handlers.hpp"
 #include "commands/session/plausible.hpp"
 
-#include "mechanics/zones/cell_motion.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/cycle/insitu.hpp"
 
@@ -37,7 +36,6 @@ void put_stress(Session& session, const lang::InSitu& command) {
         return;
     }
     warn_of(session, doubts_of(command));
-    forget_cell_motion(model, zones);
     if (command.stress) return set_insitu_stress(model, session.engine.joints, zones, points, stress_field(command));
     try {
         set_topography_stress(model, session.engine.joints, zones, points, command.topography->kx,
@@ -78,7 +76,6 @@ void run(Session& session, const lang::Initialize& command) {
     if (any(command.stress)) {
         const auto zones = select(model, ObjectKind::zone, session.test_of(ObjectKind::zone, command.range));
         if (zones.empty()) refuse_stress_without_zones(session, command);
-        forget_cell_motion(model, zones);
         for (int k = 0; k < 6; ++k)
             if (const auto& stress = command.stress[k])
                 set_stress_component(model, zones, k, stress->at_origin, stress->gradient);

@@ -4,7 +4,7 @@
 #include "commands/session/materials.hpp"
 #include "mechanics/contact/contact_table.hpp"
 #include "mechanics/contact/dashpots.hpp"
-#include "mechanics/zones/cell_motion.hpp"
+#include "mechanics/zones/cell_state.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 #include "model/tables/model_edit.hpp"
 

@@ -6,7 +6,7 @@
 #include "mechanics/contact/advance_joints.hpp"
 #include "mechanics/supports/apply_histories.hpp"
 #include "mechanics/contact/batches.hpp"
-#include "mechanics/zones/cell_motion.hpp"
+#include "mechanics/zones/cell_state.hpp"
 #include "mechanics/assign/check_properties.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/contact/contact_search.hpp"
@@ -90,7 +90,7 @@ void Cycle::prepare() {
         compute_masses(model_);
         take_zone_laws();
         share_masses(model_, s.laws);
-        part_cell_motion(model_, s.laws);
+        settle_cells(model_, s.laws);
         zone_frequencies(model_, s.laws);
         add_tie_frequencies(model_, s.ties);
     }

@@ -5,6 +5,7 @@
 #include "mechanics/contact/contact_table.hpp"
 #include "mechanics/shape/search_scratch.hpp"
 #include "mechanics/contact/take_over.hpp"
+#include "mechanics/zones/cell_state.hpp"
 #include "mechanics/ties/ties.hpp"
 #include "mechanics/supports/topography.hpp"
 #include "model/measure/measure.hpp"
@@ -101,6 +102,7 @@ Vec3 inside_joint(const Model& model, Row s) {
 void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
                        const std::vector<Row>& sub_contacts, const StressField& stress) {
     for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
+    note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
     const std::vector<Vec3> places = places_of_tractions(model, sub_contacts);
     put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
@@ -119,6 +121,7 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
         for (std::size_t i = first; i < last; ++i)
             model.zones.stress[zones[i]] = stress_at(zone_centroid(model, zones[i]));
     });
+    note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
     put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
 }
@@ -126,6 +129,7 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
                           const Vec3& gradient) {
     for (const Row z : zones) model.zones.stress[z][component] = at_origin + gradient.dot(zone_centroid(model, z));
+    note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
     ModelEdit(model, Change::properties);
 }

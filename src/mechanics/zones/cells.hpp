@@ -138,14 +138,6 @@ struct CellShape {
         for (std::size_t c = 1; c < 7; ++c) volume += gradient[c].x * x[c].x;
     }
 
-    /// The contribution of ruled faces to the gradient.
-    [[gnu::always_inline]] static CellField of_ruled(const CellField& x, const RuledFaces& ruled) {
-        CellField gradient;
-        gradient.fill({Eight{}, Eight{}, Eight{}});
-        add_ruled(x, AroundDiagonal(x), ruled, gradient);
-        return gradient;
-    }
-
 private:
     /// The ruled surface of four corners is halfway between the pairs of triangles of its two diagonals; the tetrahedron of the corners
     /// lies between them. A face has corner 0 or 7; b and c are the corners next to it, `far` is the opposite one.
@@ -172,6 +164,13 @@ private:
         }
     }
 };
+
+/// Throws where a zone has no volume left. `place` as in the shape.
+inline void check_cells(const Model& model, Row zone, Row cells, const CellField& place, const CellShape& shape) {
+    if (all_above_zero(shape.least)) return;
+    for (Row z = 0; z < zones_of_cell; ++z)
+        check_volumes(model, zone + z, zones_of_cell, cells, FaceAreas(edges_of_zone(place, z)).six_volumes);
+}
 
 /// Mean gradient of a motion, by component of the motion.
 struct MeanGradient {
@@ -281,6 +280,7 @@ struct WarpStep {
     WarpStress strain, change;
     Eight volume;
 
+    WarpStep() = default;
     [[gnu::always_inline]] WarpStep(const CellMotion& step, const LayerModuli& moduli) : volume(step.volume) {
         const Warps& g = step.warp;
         std::array<Eight, 3> square, product; // of the axes: of one with itself, and of the two others
@@ -366,23 +366,6 @@ inline CellForces both(const CellForces& a, const CellForces& b) {
     CellForces forces;
     for (std::size_t c = 0; c < 8; ++c) forces[c] = a[c] + b[c];
     return forces;
-}
-
-/// Whether any cell has warp stresses.
-inline bool resists(const WarpStress& warp) {
-    return !std::ranges::all_of(warp, [](const Eight& s) { return all_zero(s); });
-}
-
-/// Forces of a stress with a separate gradient, as in CellShape.
-[[gnu::always_inline]] inline void add_forces(const CellField& gradient, const SixEights& stress, CellForces& forces) {
-    const Eight3 s0{stress[0], stress[3], stress[4]}, s1{stress[3], stress[1], stress[5]},
-        s2{stress[4], stress[5], stress[2]};
-    for (std::size_t c = 1; c < 8; ++c) {
-        const Eight3& g = gradient[c - 1];
-        const Eight3 force{s0.dot(g), s1.dot(g), s2.dot(g)};
-        forces[c] = forces[c] - force;
-        forces[0] = forces[0] + force;
-    }
 }
 
 } // namespace kaya

@@ -46,7 +46,7 @@ void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) 
     // By their first corner: few share one.
     const auto faces = sorted_lists<CellFace>(model.gridpoints.size(), [&](auto add) {
         for (const ZoneTile& tile : laws.tiles.tiles) {
-            if (laws.laws[tile.law].together != Together::cells) continue;
+            if (!by_cells(laws.laws[tile.law].together)) continue;
             for (Row zone = tile.first; zone < tile.last; zone += zones_of_cell)
                 for (std::uint32_t f = 0; f < 6; ++f) {
                     const CellFace face{zone, static_cast<std::uint32_t>(tile.cell(zone)), f};

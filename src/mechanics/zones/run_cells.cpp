@@ -1,7 +1,6 @@
 #include "mechanics/zones/run_cells.hpp"
 
-#include "mechanics/zones/cell_motion.hpp"
-#include "mechanics/zones/cells.hpp"
+#include "mechanics/zones/cell_forces.hpp"
 #include "mechanics/contact/dashpots.hpp"
 #include "mechanics/zones/staged_zones.hpp"
 
@@ -16,121 +15,11 @@ namespace {
 constexpr Row cells_in_batch = 32;
 constexpr std::size_t groups_in_batch = cells_in_batch / eight;
 
-/// Throws where a zone has no volume left. `least` is the volume of the smallest zone of each cell, or a multiple.
-void check_cells(const Model& model, Row zone, Row cells, const CellField& x, const Eight& least) {
-    if (all_above_zero(least)) return;
-    for (Row z = 0; z < zones_of_cell; ++z)
-        check_volumes(model, zone + z, zones_of_cell, cells, FaceAreas(edges_of_zone(x, z)).six_volumes);
-}
-
-/// Whether all zones of each cell have the same stress, by comparing each component with the zone before.
-bool are_alike(const Column<Stress>& stresses, Row zone, Row cells) {
-    bool alike = true;
-    for (Row l = 0; l < cells; ++l) {
-        const double* const first = stresses[zone + zones_of_cell * l].data();
-        for (const std::size_t k : {0, 8, 16, 22}) // the last two overlap: there are thirty
-            alike &= all_equal(load_as<Eight>(first + k), load_as<Eight>(first + k + 6));
-    }
-    return alike;
-}
-
-/// The stress of the zones of each cell, in the mean.
-SixEights mean_stress(const Zones& zones, Row zone, Row cells) {
-    const auto stress = [&](Row z) { return load_six(zones.stress[zone + z].data(), to_next_cell, cells); };
-    SixEights mean = stress(0);
-    for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, stress(z));
-    for (Eight& s : mean) s *= 1.0 / zones_of_cell;
-    return mean;
-}
-
-/// Prefetches numbers that will be written. Inlined: compilers drop calls of functions without visible effect.
-[[gnu::always_inline]] inline void bring(const double* first, Row count) {
-    for (Row i = 0; i < count; i += eight) __builtin_prefetch(first + i, 1);
-}
-
-/// Forces of a stress on the ruled faces of cells.
-CellForces forces_on(const RuledFaces& faces, const CellField& place, const SixEights& stress) {
-    CellForces forces{};
-    if (!std::ranges::all_of(stress, [](const Eight& s) { return all_zero(s); }))
-        add_forces(CellShape::of_ruled(place, faces), stress, forces);
-    return forces;
-}
-
-/// Forces of the ruled faces of cells whose zones have different stresses.
-CellForces ruled_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
-    const RuledFaces faces(rows.ruled(zone));
-    if (!faces.any) return {};
-    const double* const made = cell_motion(model.zones, zone);
-    return forces_on(faces, place, made ? load_six(made, zones_of_cell, cells) : mean_stress(model.zones, zone, cells));
-}
-
-/// The stresses of the zones of cells, by zone.
-using SixZones = std::array<SixEights, zones_of_cell>;
-
-/// Adds the forces of zones with different stresses. Stresses that change with depth bear the weights of the zones. A corner bears an eighth
-/// of its cell instead: the rest, the difference of volume times the divergence of the stresses, is added.
-void add_forces_of_zones(const Model& model, const CellField& place, const SixZones& stress, CellForces& forces) {
-    std::array<Eight, 8> share{}; // of the volume
-    std::array<Eight, zones_of_cell> depth;
-    const Vec3& gravity = model.settings.gravity;
-    const double size = gravity.norm();
-    const Vec3 down = size > 0 ? Vec3(gravity / size) : Vec3::Zero();
-    Eight whole{}, mean_depth{};
-    for (Row z = 0; z < zones_of_cell; ++z) {
-        const Edges edges = edges_of_zone(place, z);
-        add_forces_of_zone(edges, z, stress[z], forces);
-        const Eight volume = edges[0].dot(edges[1].cross(edges[2])) * (1.0 / 6);
-        for (const std::size_t c : corners_of_zone[z]) share[c] += 0.25 * volume;
-        const Eight3 sum = edges[0] + edges[1] + edges[2];
-        depth[z] = 0.25 * (sum.x * down.x() + sum.y * down.y() + sum.z * down.z());
-        whole += volume;
-        mean_depth += depth[z] * (1.0 / zones_of_cell);
-    }
-    Eight squares{};
-    SixEights slope{};
-    for (Row z = 0; z < zones_of_cell; ++z) {
-        const Eight d = depth[z] - mean_depth;
-        squares += d * d;
-        for (std::size_t k = 0; k < 6; ++k) slope[k] += d * stress[z][k];
-    }
-    // Zones at the same depth have no slope.
-    const Eight3& far = place[6];
-    const Eight over = 1.0 / (squares + 1e-12 * far.dot(far));
-    const double x = down.x(), y = down.y(), z = down.z();
-    const Eight3 divergence =
-        Eight3{slope[0] * x + slope[3] * y + slope[4] * z, slope[3] * x + slope[1] * y + slope[5] * z,
-               slope[4] * x + slope[5] * y + slope[2] * z} *
-        over;
-    for (std::size_t c = 0; c < 8; ++c) forces[c] = forces[c] + divergence * (0.125 * whole - share[c]);
-}
-
-/// Forces of the zones of these cells.
-CellForces own_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
-    CellForces forces = ruled_forces(model, rows, place, zone, cells);
-    SixZones stress;
-    for (Row z = 0; z < zones_of_cell; ++z)
-        stress[z] = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
-    add_forces_of_zones(model, place, stress, forces);
-    return forces;
-}
-
-/// Forces of the zones of flowing cells.
-CellForces zones_alone(const Model& model, const CellField& place, Row zone, Row cells) {
-    const bool damped = zones_are_damped(model);
-    CellForces forces{};
-    for (Row z = 0; z < zones_of_cell; ++z) {
-        SixEights stress = load_six(model.zones.stress[zone + z].data(), to_next_cell, cells);
-        if (damped) stress = sum(stress, load_six(model.zones.dashpot[zone + z].data(), to_next_cell, cells));
-        add_forces_of_zone(edges_of_zone(place, z), z, stress, forces);
-    }
-    return forces;
-}
-
 /// Per-group data kept until the stresses are updated.
 struct CellGroup {
     CellGroupCorners corners;
     CellShape shape;  ///< at the end of the step
-    bool apart;       ///< the zones have different stresses, or the stress of the cell's motion differs from them
+    bool apart;       ///< the cells have initial stresses
     SixEights before; ///< the common stress of the zones, or their mean, turned with the cell
     Eight3 half_spin;
     Eight volume, work, damped; ///< in the middle of the step; work of the step, and of viscous stresses
@@ -208,7 +97,7 @@ private:
             for (const Eight& p : pressures) pressure += 0.125 * p;
         const CellField shift = from_first(rows_.shifts(), g.corners);
         std::construct_at(&g.shape, place, RuledFaces(rows_.ruled(zone))); // in its place: it is large
-        check_cells(model_, zone, cells, place, g.shape.least);
+        check_cells(model_, zone, cells, place, g.shape);
         const CellMotion motion(g.shape, shift, large_);
         g.half_spin = motion.half_spin;
         g.volume = motion.volume;
@@ -216,9 +105,9 @@ private:
 
         const Row group = tile_.group(zone);
         const bool kept = kept_.has(group);
-        g.apart = !kept && (model_.zones.keeps_cell_motion || !are_alike(model_.zones.stress, zone, cells));
+        g.apart = !kept && has_initial(model_.zones, zone, cells);
         if (kept) g.before = kept_.of(group);
-        else if (g.apart) g.before = mean_stress(model_.zones, zone, cells);
+        else if (g.apart) g.before = mean_of(load_zones(model_.zones.stress, zone, cells));
         else g.before = load_six(stresses(zone), to_next_cell, cells);
         if (large_) {
             g.before = turned(g.before, g.half_spin);
@@ -276,11 +165,11 @@ private:
             change[k] = column(batch_.stress[k]) - before;
             strain[k] = column(batch_.strain[k]);
         }
-        SixEights after = sum(g.before, change);
-        g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
         if (g.apart) {
-            finish_apart(g, zone, cells, change, damping_ > 0 ? damp(g, zone, cells, change, strain) : SixEights{});
+            finish_apart(g, zone, cells, change, strain);
         } else {
+            SixEights after = sum(g.before, change);
+            g.work += 0.5 * g.volume * product(sum(g.before, after), strain);
             if (kept_.wanted) kept_.keep(tile_.group(zone), after);
             else store_six(stresses(zone), to_next_cell, cells, after, zones_of_cell);
             if (damping_ > 0) after = sum(after, damp(g, zone, cells, change, strain));
@@ -289,34 +178,27 @@ private:
         for (Row l = cells; l < eight; ++l) g.work[l] = 0;
     }
 
-    /// The same where each zone has its own stress, and ruled faces the stress of the cell's motion.
-    void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change, const SixEights& viscous) {
-        SixEights of_motion = sum(g.before, change);
-        if (double* const made = cell_motion(model_.zones, zone)) {
-            of_motion = load_six(made, zones_of_cell, cells);
-            if (large_) of_motion = turned(of_motion, g.half_spin);
-            of_motion = sum(of_motion, change);
-            store_six(made, zones_of_cell, cells, of_motion);
+    /// The same for cells with initial stresses.
+    void finish_apart(CellGroup& g, Row zone, Row cells, const SixEights& change, const SixEights& strain) {
+        SixZones initial = load_zones(model_.zones.initial, zone, cells),
+                 stress = load_zones(model_.zones.stress, zone, cells);
+        if (large_) {
+            for (Row z = 0; z < zones_of_cell; ++z) {
+                initial[z] = turned(initial[z], g.half_spin);
+                stress[z] = turned(stress[z], g.half_spin);
+            }
+            store_zones(model_.zones.initial, zone, cells, initial);
         }
-        const CellField place = from_first(rows_.places(), g.corners);
-        const RuledFaces faces(rows_.ruled(zone));
-        CellForces own = faces.any ? forces_on(faces, place, of_motion) : CellForces{};
-        SixZones stress;
-        for (Row z = 0; z < zones_of_cell; ++z) {
-            stress[z] = load_six(stresses(zone + z), to_next_cell, cells);
-            if (large_) stress[z] = turned(stress[z], g.half_spin);
-            stress[z] = sum(stress[z], change);
-            store_six(stresses(zone + z), to_next_cell, cells, stress[z]);
-        }
-        add_forces_of_zones(model_, place, stress, own);
-        // The deviation from the mean stress is constant in the step: its forces are the same before and after.
-        CellForces beyond = own;
-        SixEights mean = sum(g.before, change);
-        for (Eight& s : mean) s *= -1;
-        add_forces(g.shape.gradient, mean, beyond);
-        const CellField shift = from_first(rows_.shifts(), g.corners);
-        for (std::size_t c = 1; c < 8; ++c) g.work -= beyond[c].dot(shift[c - 1]);
-        forces_.add(g.corners, cells, both(forces_of(g.shape, viscous, g.warp), own));
+        const SixEights before = difference(stress[0], initial[0]);
+        for (SixEights& s : stress) s = sum(s, change);
+        store_zones(model_.zones.stress, zone, cells, stress);
+        SixEights made = difference(stress[0], initial[0]);
+        g.work += 0.5 * g.volume * product(sum(before, made), strain);
+        if (damping_ > 0) made = sum(made, damp(g, zone, cells, change, strain));
+        const CellField place = from_first(rows_.places(), g.corners), shift = from_first(rows_.shifts(), g.corners);
+        const CellForces start = initial_forces(model_, place, initial); // the same before and after the step
+        g.work += work_of_initial(start, initial, g.shape, shift, strain, g.volume);
+        forces_.add(g.corners, cells, both(forces_of(g.shape, made, g.warp), start));
     }
 
     Model& model_;
@@ -337,52 +219,6 @@ private:
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
                    std::vector<PointRow>& forces) {
     return CellRun(model, tiles, tile, law, scratch, forces).run();
-}
-
-namespace {
-
-/// Forces of cells that flow, and of the bending that they keep from a time when they were elastic.
-CellForces flowing_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
-    const CellForces own = zones_alone(model, place, zone, cells);
-    if (!model.zones.keeps_warps) return own;
-    WarpStress held;
-    load_warps(model.zones.warp, zone, cells, held);
-    if (!resists(held)) return own;
-    return both(own, forces_of(CellShape(place, RuledFaces(rows.ruled(zone))), SixEights{}, held));
-}
-
-/// Forces of cells whose zones strain together.
-CellForces elastic_forces(const Model& model, const TileRows& rows, const CellField& place, Row zone, Row cells) {
-    const Zones& zones = model.zones;
-    const CellShape shape(place, RuledFaces(rows.ruled(zone)));
-    WarpStress warp;
-    load_warps(zones.warp, zone, cells, warp);
-    SixEights viscous{};
-    if (zones_are_damped(model)) {
-        viscous = load_six(zones.dashpot[zone].data(), to_next_cell, cells);
-        if (zones.keeps_warp_dashpots) { // not before the first step
-            WarpStress more;
-            load_warps(zones.warp_dashpot, zone, cells, more);
-            warp = added(warp, 1, more);
-        }
-    }
-    if (zones.keeps_cell_motion || !are_alike(zones.stress, zone, cells))
-        return both(forces_of(shape, viscous, warp), own_forces(model, rows, place, zone, cells));
-    return forces_of(shape, sum(load_six(zones.stress[zone].data(), to_next_cell, cells), viscous), warp);
-}
-
-} // namespace
-
-void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                 std::vector<PointRow>& forces) {
-    const TileRows rows(model, tiles, tile);
-    TileForces sums(tile, forces);
-    const auto of_cells = law.together == Together::flow_in_cells ? flowing_forces : elastic_forces;
-    for (Row zone = tile.first; zone < tile.last; zone += zones_of_group) {
-        const Row cells = cells_from(zone, tile.last);
-        const CellGroupCorners corners = rows.cells_at(zone);
-        sums.add(corners, cells, of_cells(model, rows, from_first(rows.places(), corners), zone, cells));
-    }
 }
 
 } // namespace kaya

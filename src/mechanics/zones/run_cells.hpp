@@ -14,8 +14,4 @@ namespace kaya {
 ZoneSums run_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law, ZoneScratch& scratch,
                    std::vector<PointRow>& forces);
 
-/// Forces of cells from the present stresses, without a step.
-void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
-                 std::vector<PointRow>& forces);
-
 } // namespace kaya

@@ -1,52 +1,65 @@
 #include "mechanics/zones/run_flowing_cells.hpp"
 
-#include "mechanics/zones/cells.hpp"
 #include "mechanics/contact/dashpots.hpp"
+#include "mechanics/zones/cell_forces.hpp"
 #include "mechanics/zones/staged_zones.hpp"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace kaya {
 
 namespace {
 
-constexpr Row groups_in_batch = 2;
+/// Of layers, over their strain: the ratio of the principal strains of plastic flow, (1 + sin psi)/(1 - sin psi), with a dilation of 42 degrees. A
+/// limit keeps layers that are not strained themselves from breaking one by one.
+constexpr double most_thickening = 5;
 
-SixEights deviator(const SixEights& stress) {
-    const Eight mean = (stress[0] + stress[1] + stress[2]) / 3.0;
-    SixEights s = stress;
-    for (std::size_t k = 0; k < 3; ++k) s[k] -= mean;
-    return s;
+Eight mean_of_three(const SixEights& stress) { return (stress[0] + stress[1] + stress[2]) * (1.0 / 3); }
+
+Eight square_of_deviator(const SixEights& stress) {
+    const Eight mean = mean_of_three(stress);
+    return product(stress, stress) - 3.0 * mean * mean;
 }
 
-/// Per-group data kept until the stresses are updated.
+/// A number, or the nearer limit where it is beyond.
+Eight within(const Eight& limit, const Eight& number) {
+    const Eight low = number < -limit ? -limit : number;
+    return low > limit ? limit : low;
+}
+
+/// Data of eight cells kept until their stresses are updated.
 struct FlowGroup {
     CellGroupCorners corners;
-    CellField place;
-    Eight mean_strain;                                      ///< of volume
-    std::array<Eight, zones_of_cell> volume, volume_strain; ///< of each zone
-    std::array<SixEights, zones_of_cell> before;            ///< stress, turned with the zone
+    CellShape shape; ///< at the end of the step
+    LayerPlanes planes;
+    SixEights strain;
+    WarpStep warp;
+    WarpStress kept;          ///< the columns of warps: FlowingCells
+    Eight volume;             ///< in the middle of the step
+    SixZones before, initial; ///< stresses, turned with the cell
+    bool has_initial;
 };
 
-/// Rows for the zone model are zones: eight at a time, the same one of each cell.
+/// Rows for the zone model are zones: eight at a time, the same one of each cell. Of the twelve columns of warps three hold how much thicker
+/// layers became beyond the elastic part, and the last three the stresses of fibres.
 class FlowingCells {
 public:
     FlowingCells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  const std::vector<double>& pressure, std::vector<PointRow>& forces)
-        : model_(model), tile_(tile), law_(law), bulk_(law.elastic.lambda + law.elastic.two_shear / 3),
+        : model_(model), tile_(tile), law_(law), moduli_(law.elastic.lambda, law.elastic.two_shear),
           damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
-          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), bent_(model.zones.keeps_warps),
-          rows_(model, tiles, tile, pressure), forces_(tile, forces), batch_(model, law) {}
+          wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure),
+          forces_(tile, forces), batch_(model, law) {}
 
     ZoneSums run() {
-        const Row whole = groups_in_batch * zones_of_group;
-        for (Row first = tile_.first; first < tile_.last; first += whole) {
-            const Row last = std::min(first + whole, tile_.last);
-            batch_.begin(last - first);
-            for (Row z = first; z < last; z += zones_of_group) strain(place(z, first, last));
+        for (Row zone = tile_.first; zone < tile_.last; zone += zones_of_group) {
+            const Place at{zone, cells_from(zone, tile_.last)};
+            batch_.begin(zones_of_cell * at.cells);
+            strain(at);
             batch_.run(model_);
-            for (Row z = first; z < last; z += zones_of_group) finish(place(z, first, last));
+            finish(at);
         }
         ZoneSums sums;
         sums.work = kaya::sum(work_);
@@ -57,48 +70,78 @@ public:
 private:
     /// Up to eight cells and their rows.
     struct Place {
-        Row row(Row z) const { return first_row + z * cells; } ///< of zone z of the first cell
-        Row zone, first_row, cells;
+        Row row(Row z) const { return z * cells; } ///< of zone z of the first cell
+        Row zone, cells;
     };
-    static Place place(Row zone, Row first, Row last) { return {zone, zone - first, cells_from(zone, last)}; }
-    FlowGroup& group_at(const Place& at) { return groups_[static_cast<std::size_t>(at.first_row / zones_of_group)]; }
-
-    double* stresses(Row zone) { return model_.zones.stress[zone].data(); }
-    /// The change by averaging over the cell: none with `zone nmd off`.
-    Eight averaged(const Eight& change) const { return averages_ ? change : Eight{}; }
 
     /// Strains of the step, and the stresses turned with the material.
     [[gnu::always_inline]] void strain(const Place& at) {
-        FlowGroup& g = group_at(at);
+        FlowGroup& g = group_;
+        bring_group(at.zone + zones_of_group);
         g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
-        g.place = from_first(rows_.places(), g.corners, &pressures);
-        const CellField shift = from_first(rows_.shifts(), g.corners);
-        std::array<SixEights, zones_of_cell> strains;
-        Eight grown{}, whole{};
+        const CellField place = from_first(rows_.places(), g.corners, &pressures);
+        std::construct_at(&g.shape, place, RuledFaces(rows_.ruled(at.zone))); // in its place: it is large
+        check_cells(model_, at.zone, at.cells, place, g.shape);
+        const CellMotion motion(g.shape, from_first(rows_.shifts(), g.corners), large_);
+        std::construct_at(&g.warp, motion, moduli_);
+        g.planes = planes_of(g.shape.axis, law_.elastic);
+        g.strain = motion.strain;
+        g.volume = motion.volume;
+        load_warps(model_.zones.warp, at.zone, at.cells, g.kept);
+        load_stresses(g, at, motion.half_spin);
+        const SixZones strains = strains_of(g);
         for (Row z = 0; z < zones_of_cell; ++z) {
-            const Deformation d(edges_of_zone(g.place, z), edges_of_zone(shift, z), large_);
-            check_volumes(model_, at.zone + z, zones_of_cell, at.cells, d.volume);
-            g.volume[z] = d.volume;
-            g.volume_strain[z] = d.volume_strain;
-            grown += d.volume * d.volume_strain;
-            whole += d.volume;
-            strains[z] = d.strain;
-            g.before[z] = load_six(stresses(at.zone + z), to_next_cell, at.cells);
-            if (!large_) continue;
-            g.before[z] = turned(g.before[z], d.half_spin);
-            store_spin(batch_, at.row(z), d.half_spin);
-        }
-        g.mean_strain = grown / whole;
-        for (Row z = 0; z < zones_of_cell; ++z) {
-            const Eight more = averaged((g.mean_strain - g.volume_strain[z]) / 3.0);
-            for (std::size_t k = 0; k < 3; ++k) strains[z][k] += more;
             Eight pressure{};
             if (wet_)
                 for (const std::size_t c : corners_of_zone[z]) pressure += 0.25 * pressures[c];
             fill_rows(at, z, g, strains[z], pressure);
+            if (large_) store_spin(batch_, at.row(z), motion.half_spin);
         }
         read_history(at);
+    }
+
+    /// Prefetches eight cells while the previous ones are processed.
+    [[gnu::always_inline]] void bring_group(Row zone) {
+        if (zone + zones_of_group > tile_.last) return;
+        bring(model_.zones.stress[zone].data(), 6 * zones_of_group);
+        for (const auto& column : model_.zones.warp) bring(&column[zone], zones_of_group);
+    }
+
+    void load_stresses(FlowGroup& g, const Place& at, const Eight3& half_spin) {
+        g.before = load_zones(model_.zones.stress, at.zone, at.cells);
+        g.has_initial = has_initial(model_.zones, at.zone, at.cells);
+        if (g.has_initial) g.initial = load_zones(model_.zones.initial, at.zone, at.cells);
+        if (!large_) return;
+        for (SixEights& stress : g.before) stress = turned(stress, half_spin);
+        if (!g.has_initial) return;
+        for (SixEights& stress : g.initial) stress = turned(stress, half_spin);
+        store_zones(model_.zones.initial, at.zone, at.cells, g.initial);
+    }
+
+    /// Of the part of stresses beyond the initial ones.
+    static MadeStress made(const FlowGroup& g, const SixZones& stress) {
+        return made_stress(g.planes, g.has_initial ? difference(stress, g.initial) : stress);
+    }
+
+    /// Layers change their thickness such that no stress goes from one to the next: equation (13).
+    SixZones strains_of(FlowGroup& g) const {
+        const double softness = 1 / (law_.elastic.lambda + law_.elastic.two_shear);
+        SixZones strains;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const LayerPlane& plane = g.planes[a];
+            SixEights layer = plane.strain(&g.warp.strain[3 * a]);
+            SixEights pressed = layer_stress(g.before, a);
+            if (g.has_initial) pressed = difference(pressed, layer_stress(g.initial, a));
+            const Eight wanted = product(pressed, plane.across) * -softness;
+            const Eight most = most_thickening * square_root(product(layer, layer));
+            const Eight thicker = within(most, g.kept[a] + wanted);
+            g.kept[a] = within(most, g.kept[a] + 0.25 * wanted);
+            for (std::size_t k = 0; k < 6; ++k) layer[k] += thicker * plane.across[k];
+            strains[layer_zones[a].upper] = kaya::sum(g.strain, layer);
+            strains[layer_zones[a].lower] = difference(g.strain, layer);
+        }
+        return strains;
     }
 
     void fill_rows(const Place& at, Row z, const FlowGroup& g, const SixEights& strain, const Eight& pressure) {
@@ -108,7 +151,7 @@ private:
             put(batch_.strain[k], strain[k]);
             put(batch_.stress[k], k < 3 ? g.before[z][k] + pressure : g.before[z][k]);
         }
-        put(batch_.volume, g.volume[z]);
+        put(batch_.volume, g.volume * (1.0 / zones_of_cell));
         put(batch_.pressure, pressure);
     }
 
@@ -139,51 +182,74 @@ private:
 
     /// Writes stresses to the zones, updates their state, and computes their forces.
     void finish(const Place& at) {
-        FlowGroup& g = group_at(at);
+        FlowGroup& g = group_;
         write_history(at);
-        std::array<SixEights, zones_of_cell> stress, strain;
-        std::array<Eight, zones_of_cell> flow; // plastic change of the mean stress
-        Eight flowed{}, whole{}, work{}, damped{};
-        Eight remains{}, elastic{}; // squares of deviators, and without flow
+        Eight left;
+        const SixZones after = flowed(at, g, left);
+        store_zones(model_.zones.stress, at.zone, at.cells, after);
+
+        MadeStress before = made(g, g.before), now = made(g, after);
+        move_fibres(at, g, left, before.warp, now.warp);
+        Eight work = g.volume * product(kaya::sum(before.mean, now.mean), g.strain) +
+                     g.warp.work(added(before.warp, 1, now.warp));
+        if (damping_ > 0) damp(at, g, after, now);
+        CellForces forces = forces_of(g.shape, now.mean, now.warp);
+        if (g.has_initial) {
+            const CellField place = from_first(rows_.places(), g.corners),
+                            shift = from_first(rows_.shifts(), g.corners);
+            const CellForces start = initial_forces(model_, place, g.initial); // the same before and after the step
+            work += 2.0 * work_of_initial(start, g.initial, g.shape, shift, g.strain, g.volume);
+            forces = both(forces, start);
+        }
+        forces_.add(g.corners, at.cells, forces);
+        add_to(work_, of_cells(at, work));
+    }
+
+    /// Half of a sum over two moments, without the lanes that hold no cell.
+    static Eight of_cells(const Place& at, Eight work) {
+        for (Row l = at.cells; l < eight; ++l) work[l] = 0;
+        return 0.5 * work;
+    }
+
+    /// The stresses after the step. `left`: the squares of the deviators over what they would be without flow.
+    SixZones flowed(const Place& at, const FlowGroup& g, Eight& left) const {
+        SixZones after, beyond; // what flow has changed
+        bool flow = false;
         for (Row z = 0; z < zones_of_cell; ++z) {
             const auto column = [&](const double* rows) { return load_rows(rows + at.row(z), at.cells); };
             const Eight pressure = wet_ ? column(batch_.pressure) : Eight{};
+            SixEights strain;
             for (std::size_t k = 0; k < 6; ++k) {
-                stress[z][k] = k < 3 ? column(batch_.stress[k]) - pressure : column(batch_.stress[k]);
-                strain[z][k] = column(batch_.strain[k]);
+                after[z][k] = k < 3 ? column(batch_.stress[k]) - pressure : column(batch_.stress[k]);
+                strain[k] = column(batch_.strain[k]);
             }
-            const SixEights &before = g.before[z], &after = stress[z];
-            flow[z] =
-                (after[0] - before[0] + after[1] - before[1] + after[2] - before[2]) / 3.0 - bulk_ * g.mean_strain;
-            flowed += g.volume[z] * flow[z];
-            if (bent_) {
-                const SixEights trial = elastic_trial(before, strain[z]);
-                remains += product(deviator(after), deviator(after));
-                elastic += product(deviator(trial), deviator(trial));
-            }
-            whole += g.volume[z];
+            beyond[z] = difference(after[z], elastic_trial(g.before[z], strain));
+            flow |= !std::ranges::all_of(beyond[z], [](const Eight& s) { return all_zero(s); });
         }
-        const Eight mean_flow = flowed / whole;
-        CellForces forces;
-        forces.fill({Eight{}, Eight{}, Eight{}});
+        left = flow ? part_left(after, beyond) : eights(1);
+        if (flow && averages_) average(after, beyond);
+        return after;
+    }
+
+    static Eight part_left(const SixZones& after, const SixZones& beyond) {
+        Eight squares{}, elastic{};
         for (Row z = 0; z < zones_of_cell; ++z) {
-            const Eight more = averaged(mean_flow - flow[z]);
-            SixEights& after = stress[z];
-            if (damping_ > 0) damped += g.volume[z] * damp(at, z, g.before[z], after, strain[z]);
-            for (std::size_t k = 0; k < 3; ++k) after[k] += more;
-            // The forces act on the zone's own deformation.
-            const SixEights both = sum(g.before[z], after);
-            const Eight own = averaged((g.volume_strain[z] - g.mean_strain) / 3.0);
-            work += g.volume[z] * (product(both, strain[z]) + (both[0] + both[1] + both[2]) * own);
-            store_six(stresses(at.zone + z), to_next_cell, at.cells, after);
-            if (damping_ > 0) after = sum(after, load_six(dashpots(at.zone + z), to_next_cell, at.cells));
-            add_forces_of_zone(edges_of_zone(g.place, z), z, after, forces);
+            squares += square_of_deviator(after[z]);
+            elastic += square_of_deviator(difference(after[z], beyond[z]));
         }
-        if (bent_) forces = both(forces, held(at, remains / elastic, work));
-        forces_.add(g.corners, at.cells, forces);
-        for (Row l = at.cells; l < eight; ++l) work[l] = damped[l] = 0;
-        add_to(work_, 0.5 * work);
-        add_to(damped_work_, 0.5 * damped);
+        const Eight left = squares / elastic;
+        return left < 1 - 1e-12 ? left : eights(1); // no number without deviators
+    }
+
+    /// Averages the plastic changes of the mean stress over the three pairs of layers: equation (14).
+    static void average(SixZones& after, const SixZones& beyond) {
+        std::array<Eight, 3> flow;
+        for (std::size_t a = 0; a < 3; ++a)
+            flow[a] = 0.5 * (mean_of_three(beyond[layer_zones[a].upper]) + mean_of_three(beyond[layer_zones[a].lower]));
+        const Eight mean = (flow[0] + flow[1] + flow[2]) * (1.0 / 3);
+        for (std::size_t a = 0; a < 3; ++a)
+            for (const Row z : {layer_zones[a].upper, layer_zones[a].lower})
+                for (std::size_t k = 0; k < 3; ++k) after[z][k] += mean - flow[a];
     }
 
     SixEights elastic_trial(const SixEights& before, const SixEights& strain) const {
@@ -194,43 +260,48 @@ private:
         return stress;
     }
 
-    /// Forces of warp stresses from a time when the cells were elastic. They remain until the zones flow, and are then reduced as the
-    /// squares of their deviators are.
-    [[gnu::noinline]] CellForces held(const Place& at, const Eight& part, Eight& work) {
-        WarpStress warp;
-        load_warps(model_.zones.warp, at.zone, at.cells, warp);
-        if (!resists(warp)) return {};
-        const Eight kept = part < 1 - 1e-12 ? part : eights(1);
-        for (Eight& s : warp) s *= kept;
-        store_warps(model_.zones.warp, at.zone, at.cells, warp);
-        const FlowGroup& g = group_at(at);
-        const CellField shift = from_first(rows_.shifts(), g.corners);
-        const CellForces forces = forces_of(CellShape(g.place, RuledFaces(rows_.ruled(at.zone))), SixEights{}, warp);
-        for (std::size_t c = 1; c < 8; ++c) work -= 2.0 * forces[c].dot(shift[c - 1]);
-        return forces;
+    /// No law runs on the strain of fibres: their stress is elastic, and falls as the squares of the deviators do.
+    void move_fibres(const Place& at, FlowGroup& g, const Eight& left, WarpStress& before, WarpStress& now) {
+        for (std::size_t k = 9; k < g.kept.size(); ++k) {
+            before[k] = g.kept[k];
+            now[k] = g.kept[k] = left * (g.kept[k] + g.warp.change[k]);
+        }
+        store_warps(model_.zones.warp, at.zone, at.cells, g.kept);
     }
 
-    double* dashpots(Row zone) { return model_.zones.dashpot[zone].data(); }
-
-    /// Adds viscous stresses. Returns the energy they dissipate, twice and per volume.
-    Eight damp(const Place& at, Row z, const SixEights& before, const SixEights& after, const SixEights& strain) {
-        double* const rows = dashpots(at.zone + z);
-        const SixEights last = load_six(rows, to_next_cell, at.cells);
-        SixEights viscous;
-        for (std::size_t k = 0; k < 6; ++k) viscous[k] = damping_ * (after[k] - before[k]);
-        store_six(rows, to_next_cell, at.cells, viscous);
-        return product(sum(last, viscous), strain);
+    /// Adds the viscous stresses of the step.
+    [[gnu::noinline]] void damp(const Place& at, const FlowGroup& g, const SixZones& after, MadeStress& now) {
+        Zones& zones = model_.zones;
+        const SixZones last = load_zones(zones.dashpot, at.zone, at.cells);
+        SixZones viscous = difference(after, g.before);
+        for (SixEights& zone : viscous)
+            for (Eight& s : zone) s *= damping_;
+        store_zones(zones.dashpot, at.zone, at.cells, viscous);
+        WarpStress fibres;
+        load_warps(zones.warp_dashpot, at.zone, at.cells, fibres);
+        MadeStress taken = made_stress(g.planes, sum(last, viscous));
+        const WarpStress elastic = now.warp;
+        now = made(g, sum(after, viscous));
+        for (std::size_t k = 9; k < fibres.size(); ++k) {
+            const Eight more = damping_ * g.warp.change[k];
+            taken.warp[k] = fibres[k] + more;
+            fibres[k] = more;
+            now.warp[k] = elastic[k] + more;
+        }
+        store_warps(zones.warp_dashpot, at.zone, at.cells, fibres);
+        add_to(damped_work_, of_cells(at, g.volume * product(taken.mean, g.strain) + g.warp.work(taken.warp)));
     }
 
     Model& model_;
     const ZoneTile& tile_;
     const ZoneLaw& law_;
-    const double bulk_, damping_;
-    const bool large_, wet_, averages_, bent_; ///< the last: cells may have been elastic and bent
+    const LayerModuli moduli_;
+    const double damping_;
+    const bool large_, wet_, averages_;
     TileRows rows_;
     TileForces forces_;
-    StagedZones<groups_in_batch * zones_of_group> batch_;
-    std::array<FlowGroup, groups_in_batch> groups_;
+    StagedZones<zones_of_group> batch_;
+    FlowGroup group_;
     Lanes work_ = Lanes::Zero(), damped_work_ = Lanes::Zero();
 };
 

@@ -1,6 +1,6 @@
 #include "base/reduce.hpp"
 #include "laws/zone_trial.hpp"
-#include "mechanics/zones/cell_motion.hpp"
+#include "mechanics/zones/cell_forces.hpp"
 #include "mechanics/contact/dashpots.hpp"
 #include "mechanics/zones/run_cells.hpp"
 #include "mechanics/zones/run_flowing_cells.hpp"

@@ -86,7 +86,7 @@ void zone_frequencies(Model& model, const ZoneLaws& laws) {
             const Span zones = model.blocks.zones[b];
             if (zones.count == 0) continue;
             const ZoneLaw& law = laws.of_block(static_cast<Row>(b));
-            if (law.together == Together::cells) {
+            if (by_cells(law.together)) {
                 add_cells(model, zones, law.elastic);
                 continue;
             }

@@ -215,9 +215,11 @@ public:
     // Of cells of six zones, for any zone model: docs/theory/zones.md, "Cells".
     std::array<Column<double>, 2> warp; ///< stresses of warping, twelve for a cell: six in its rows of each column
     std::array<Column<double>, 2> warp_dashpot; ///< their viscous parts
-    Column<double>
-        cell_motion; ///< the stress of the cell's motion where it differs from that of its zones: component k in zone k
-    bool keeps_warps = false, keeps_warp_dashpots = false, keeps_cell_motion = false;
+    Column<Stress>
+        initial; ///< where the zones of a cell began with different stresses: what no motion of the cell made
+    Column<std::uint8_t>
+        layered; ///< whether the stresses of a cell's zones hold those of its layers, which `warp` holds else
+    bool keeps_warps = false, keeps_warp_dashpots = false, keeps_initial = false, keeps_layers = false;
 
     /// Allocates viscous stresses; they are never released.
     void keep_dashpots() {
@@ -229,16 +231,21 @@ public:
     /// Allocates columns for cells; they are never released.
     void keep_warps() { keep(keeps_warps, warp); }
     void keep_warp_dashpots() { keep(keeps_warp_dashpots, warp_dashpot); }
-    void keep_cell_motion() {
-        if (!keeps_cell_motion) cell_motion.assign(size(), 0.0);
-        keeps_cell_motion = true;
+    void keep_initial() {
+        if (!keeps_initial) initial.assign(size(), Stress::Zero());
+        keeps_initial = true;
+    }
+    void keep_layers() {
+        if (!keeps_layers) layered.assign(size(), 0);
+        keeps_layers = true;
     }
     /// Allocates the columns that another table has.
     void keep_as(const Zones& other) {
         if (other.keeps_dashpots) keep_dashpots();
         if (other.keeps_warps) keep_warps();
         if (other.keeps_warp_dashpots) keep_warp_dashpots();
-        if (other.keeps_cell_motion) keep_cell_motion();
+        if (other.keeps_initial) keep_initial();
+        if (other.keeps_layers) keep_layers();
         keep_history(static_cast<std::size_t>(other.history_columns));
     }
 
@@ -267,7 +274,8 @@ public:
             visit("warp_" + std::to_string(k), warp[k], Role::state);
         for (std::size_t k = 0; keeps_warp_dashpots && k < warp_dashpot.size(); ++k)
             visit("warp_dashpot_" + std::to_string(k), warp_dashpot[k], Role::state);
-        if (keeps_cell_motion) visit("cell_motion", cell_motion, Role::state);
+        if (keeps_initial) visit("initial_stress", initial, Role::state);
+        if (keeps_layers) visit("layered", layered, Role::state);
     }
 
 private:

@@ -280,7 +280,8 @@ template <class T> void visit_table(Archive& archive, const char* name, T& table
                 archive.value("keeps_dashpots", table.keeps_dashpots);
                 archive.value("keeps_warps", table.keeps_warps);
                 archive.value("keeps_warp_dashpots", table.keeps_warp_dashpots);
-                archive.value("keeps_cell_motion", table.keeps_cell_motion);
+                archive.value("keeps_initial", table.keeps_initial);
+                archive.value("keeps_layers", table.keeps_layers);
             });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; }) archive.value("field_columns", table.field_columns);

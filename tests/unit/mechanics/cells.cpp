@@ -134,9 +134,7 @@ TEST(Cells, CornersHaveAQuarterOfARuledFace) {
 /// Forces of a uniform stress on the corners of cells.
 CellForces even_forces(const EightCells& cells, std::uint8_t ruled) {
     const SixEights stress{eights(-1), eights(-2), eights(-4), eights(0.5), eights(0.25), eights(-0.75)};
-    CellForces forces{};
-    add_forces(CellShape(cells.corners(), faces(ruled)).gradient, stress, forces);
-    return forces;
+    return forces_of(CellShape(cells.corners(), faces(ruled)), stress, WarpStress{});
 }
 
 // The face at the end of an axis of one cell is the one at the start of that axis of the other.
