@@ -113,10 +113,10 @@ void plastic(std::vector<Row>& rows) {
     constexpr int steps = 20;
     ZoneKernel elastic(1, 20, unlimited), kernel(1, 20, limited);
     Run run("zoned-plastic.3dd");
-    rows.push_back({"Mohr-Coulomb, nothing yields, averaged in cells, over the elastic kernel's",
+    rows.push_back({"Mohr-Coulomb, nothing yields, six points in a cell, over the elastic kernel's",
                     zones_against(elastic, 0.3, run, 1e-6, 9, steps), "", 0.25, 0.4, true});
     const double theirs = speed_that_yields(kernel, 0.25, steps), ours = speed_that_yields(run, 0.25, steps);
-    rows.push_back({"Mohr-Coulomb, a quarter yields, averaged in cells, over the plastic kernel's",
+    rows.push_back({"Mohr-Coulomb, a quarter yields, six points in a cell, over the plastic kernel's",
                     zones_against(kernel, theirs, run, ours, 9, steps), "", 0.3, 0.5, true});
 }
 

@@ -1,15 +1,18 @@
 -- A strip footing on weightless ground: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)` loads
 -- it and compares N_c, which must be at most `low` below Davis's estimate, itself below the exact value for associated flow, and at most
--- `high` above the exact value, and must be constant. With `slanting` the far side is inclined, so that `gen edge` fills the ground with an
--- unstructured mesh; it is loaded faster then.
+-- `high` above the exact value, and must be constant. With `far` the far side is inclined ("cells"), or
+-- has two parts, so that the ground is filled with unstructured tetrahedra ("tetrahedra"); it is loaded faster then.
 local verify = require "verify"
 local half, width, height, cohesion = 3, 15, 7.5, 1e5
-return function(name, n, phi, psi, mesh, steps, low, high, slanting)
+return function(name, n, phi, psi, mesh, steps, low, high, far)
     if count("block") > 0 then command "delete\nreset time" end
     local size = half / n
-    if slanting then
-        local side = ("0 %g 0 %g %g 0 %g %g %g 0 %g %g"):gsub("%%g", "%%.17g")
-        local function at(y) return side:format(y, width + 1, y, width, y, height, y, height) end
+    if far then
+        local function at(y)
+            local points = { 0, y, 0, width + 1, y, 0, width, y, height, 0, y, height }
+            if far == "tetrahedra" then table.move({ width + 1, y, 3, table.unpack(points, 7) }, 1, 9, 7, points) end
+            return ("%.17g "):rep(#points):format(table.unpack(points))
+        end
         command("poly prism a " .. at(0) .. " b " .. at(size))
         command(mesh:format(size))
     else
@@ -21,17 +24,24 @@ return function(name, n, phi, psi, mesh, steps, low, high, slanting)
     command(("bound xvel 0 range x 0\nbound xvel 0 range x %g %g\nbound yvel 0\nbound zvel 0 xvel 0 range z 0"):format(width - 1e-6, width + 2))
     local top = ("range z %g x 0 %g"):format(height, half + 0.01 * size)
     command("bound xvel 0 zvel 0 " .. top)
-    local pressed = {}
+    local pressed, last, next = {}, 0, width
     for g in gridpoints() do
         local p = g.position
-        if math.abs(p.z - height) < 1e-6 * size and p.x < half + 0.01 * size then pressed[#pressed + 1] = g end
+        if math.abs(p.z - height) < 1e-6 * size then
+            if p.x < half + 0.01 * size then
+                pressed[#pressed + 1] = g
+                last = math.max(last, p.x)
+            else
+                next = math.min(next, p.x)
+            end
+        end
     end
     local function pressure()
         local force = 0
         for _, g in ipairs(pressed) do force = force - g.z_reaction end
-        return force / (size * (half + 0.5 * size)) / cohesion
+        return force / (size * 0.5 * (last + next)) / cohesion
     end
-    local speed = (slanting and 8 or 1) * 1e-2 * size
+    local speed = (far and 8 or 1) * 1e-2 * size
     command(("bound zvel %g %s"):format(-speed, top))
     command(("cycle %d"):format(steps))
     command(("bound zvel %g %s"):format(-speed / 5, top)) -- at a low speed inertia is negligible
