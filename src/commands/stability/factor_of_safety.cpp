@@ -159,7 +159,10 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
             mode = failed->mode;
         }
     }
-    if (mode) session.program.output.say(mode_text(*mode));
+    if (mode) {
+        session.program.output.say(mode_text(*mode));
+        if (const std::string mesh = mesh_text(*mode); !mesh.empty()) session.program.output.say(mesh);
+    }
     double& factor = session.engine.model.clock.factor_of_safety;
     if (bracket.stands == 0) {
         factor = bracket.fails;

@@ -4,6 +4,7 @@
 #include "commands/monitors/rest_monitor.hpp"
 #include "commands/program/text_table.hpp"
 #include "mechanics/cycle/cycle.hpp"
+#include "model/measure/cell_corners.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -17,6 +18,13 @@ namespace {
 
 constexpr double toppling = 0.25;               ///< of the motion across joints, by turning
 constexpr double some = 0.25, nearly_all = 0.9; ///< of the work that is lost, in zones
+
+/// Of numbers.
+struct Reach {
+    double low = INFINITY, high = -INFINITY;
+    void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+    double size() const { return high - low; }
+};
 
 double lost_in_joints(const Model& model) { return model.energy.joint_friction + model.energy.joint_lost; }
 double lost_in_zones(const Model& model, const Cycle& cycle) {
@@ -77,6 +85,40 @@ bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& 
     return model.settings.gravity.cross(shift).dot(turn) > 0;
 }
 
+void FailureMode::count_zones(const Model& model, Shares& shares) const {
+    constexpr double far = 1.0 / 3; // of the greatest motion
+    const auto shift = [&](Row g) {
+        return (model.gridpoints.displacement[g] - displacements_[static_cast<std::size_t>(g)]).norm();
+    };
+    const Vec3& gravity = model.settings.gravity;
+    const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(0, 0, 1);
+    double most = 0;
+    for (const auto& corners : model.zones.gridpoints)
+        for (const Row g : corners) most = std::max(most, shift(g));
+    Reach whole;
+    double sizes = 0;
+    std::int64_t count = 0, cells = 0;
+    for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z) {
+        const auto& corners = model.zones.gridpoints[z];
+        if (std::ranges::any_of(corners, [&](Row g) { return shift(g) < far * most; })) continue;
+        // The four corners of a zone of a cell include two opposite ones of the cell.
+        Reach own;
+        double edges = 0;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const Vec3& x = positions_[static_cast<std::size_t>(corners[a])];
+            own.add(up.dot(x)), whole.add(up.dot(x));
+            for (std::size_t b = 0; b < a; ++b)
+                edges += (x - positions_[static_cast<std::size_t>(corners[b])]).norm() / 6;
+        }
+        const bool in_cell = model.blocks.cell_zones[model.zones.block[z]] == zones_of_cell;
+        sizes += in_cell ? own.size() : edges;
+        ++count, cells += in_cell;
+    }
+    if (count == 0 || !(sizes > 0)) return;
+    shares.zones_high = whole.size() / (sizes / static_cast<double>(count));
+    shares.in_cells = 2 * cells > count;
+}
+
 FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) const {
     std::vector<Motion> motions;
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) motions.push_back(motion(model, b));
@@ -99,6 +141,7 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
     const double in_joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
                  zones = std::max(0.0, lost_in_zones(model, cycle) - zone_loss_);
     shares.zones = in_joints + zones > 0 ? zones / (in_joints + zones) : 0;
+    if (shares.zones > some) count_zones(model, shares);
     return shares;
 }
 
@@ -107,6 +150,20 @@ std::string mode_text(const FailureMode::Shares& shares) {
         "mode of failure: {}; {:.0f} % of the motion across joints is turning of blocks, {:.0f} % of the "
         "work that is lost is lost in zones",
         name_of(shares), 100 * shares.turning, 100 * shares.zones);
+}
+
+std::string mesh_text(const FailureMode::Shares& shares) {
+    // Errors of slopes times the number of zones over their height: docs/theory/slopes.md, "Mesh refinement".
+    struct Errors {
+        double low, high;
+    };
+    constexpr double least = 2; // fewer say nothing about a slope
+    const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.7, 1.5};
+    if (shares.zones_high < least) return {};
+    return fmt::format(
+        "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high: try a finer mesh too",
+        shares.zones_high, shares.in_cells ? "cells" : "tetrahedra", 100 * errors.low / shares.zones_high,
+        100 * errors.high / shares.zones_high);
 }
 
 std::string farthest_text(const Model& start, const Model& model, double factor) {

@@ -20,6 +20,8 @@ public:
         double zones = 0;   ///< of the work that was lost: in zones, not in joints
         bool joints_move = false;
         bool backward = false; ///< blocks rotate against their shift: the feet of columns move first
+        double zones_high = 0; ///< how many zones lie over each other in the zones that moved far
+        bool in_cells = false; ///< these are cells
         bool topples() const;
     };
     /// Since it was made. Blocks must be the same.
@@ -31,6 +33,7 @@ private:
         Vec3 centre = Vec3::Zero(), shift = Vec3::Zero(), turn = Vec3::Zero();
     };
     Motion motion(const Model& model, Row block) const;
+    void count_zones(const Model& model, Shares& shares) const;
     static bool turns_backward(const Model& model, const std::vector<Motion>& motions);
 
     struct Joint {
@@ -45,6 +48,9 @@ private:
 
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
+
+/// How coarse the mesh is where zones yield; "" where they do not.
+std::string mesh_text(const FailureMode::Shares& shares);
 
 /// The block that has moved most since `start`, and the number of blocks that moved far; "" without motion.
 std::string farthest_text(const Model& start, const Model& model, double factor);
