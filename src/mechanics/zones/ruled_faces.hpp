@@ -1,4 +1,4 @@
-// Faces shared by two elastic cells, which are ruled surfaces: docs/theory/zones.md, "Cells".
+// Faces shared by two cells, which are ruled surfaces: docs/theory/zones.md, "Cells".
 #pragma once
 
 #include "mechanics/ties/ties.hpp"

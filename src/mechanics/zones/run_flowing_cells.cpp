@@ -238,7 +238,7 @@ private:
             elastic += square_of_deviator(difference(after[z], beyond[z]));
         }
         const Eight left = squares / elastic;
-        return left < 1 - 1e-12 ? left : eights(1); // no number without deviators
+        return left < 1 - 1e-12 ? left : eights(1); // cells without deviators divide 0 by 0
     }
 
     /// Averages the plastic changes of the mean stress over the three pairs of layers: equation (14).

@@ -1,4 +1,4 @@
-// Advances cells whose zones flow: docs/theory/zones.md, "Mixed discretisation".
+// Advances cells whose zones flow: docs/theory/zones.md, "Six points".
 #pragma once
 
 #include "mechanics/common/phase_sums.hpp"
@@ -9,8 +9,8 @@
 
 namespace kaya {
 
-/// Runs the zones of a tile of cells over which volume strain and the plastic change of the mean stress are averaged. Writes zones.stress,
-/// zones.state, zones.history, zones.dashpot and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when
+/// Runs the zones of a tile of cells, each at the middle of a face of its cell. Writes zones.stress, zones.initial, zones.state, zones.history,
+/// zones.warp, dashpots and the forces on the points of the tile. Throws Diagnostic when the zone model fails, or when
 /// a zone has no volume left.
 ZoneSums run_flowing_cells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                            const std::vector<double>& pressure, std::vector<PointRow>& forces);

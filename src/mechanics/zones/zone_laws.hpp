@@ -15,8 +15,8 @@ namespace kaya {
 enum class Together {
     nothing, ///< each is on its own
     at_points, ///< yielding zones average volume strain and the plastic change of the mean stress over the zones at each gridpoint
-    flow_in_cells, ///< the same over the six zones of a cell
-    cells          ///< elastic zones strain cell by cell, and bend and twist as hexahedra do
+    flow_in_cells, ///< the six zones of a cell are its layers: their model runs at six points
+    cells          ///< elastic zones strain cell by cell: their model runs once for six
 };
 
 /// Whether the six zones of a cell stay together.
