@@ -205,15 +205,6 @@ template <class Whole> bool all_zero_rows(const Whole* rows) {
     for (const std::uint64_t word : words) any |= word;
     return any == 0;
 }
-inline bool all_equal(const Eight& a, const Eight& b) {
-#if defined(__AVX512F__)
-    return _mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ) == 0;
-#else
-    bool all = true;
-    for (int l = 0; l < eight; ++l) all &= a[l] == b[l];
-    return all;
-#endif
-}
 inline bool all_zero(const Eight3& e) { return all_zero(e.x) && all_zero(e.y) && all_zero(e.z); }
 
 /// Four rows, or the same numbers as four columns of them.
