@@ -52,17 +52,20 @@ FailureMode::FailureMode(const Model& model, const Cycle& cycle)
         positions_.push_back(points.position[g]), displacements_.push_back(points.displacement[g]);
 }
 
+Vec3 FailureMode::shift(const Model& model, std::size_t gridpoint) const {
+    return model.gridpoints.displacement[gridpoint] - displacements_[gridpoint];
+}
+
 FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
     // Corners of a rigid block move also in small strain, where its orientation is fixed; each has equal weight.
     const Span span = model.blocks.gridpoints[block];
     const auto first = static_cast<std::size_t>(span.first), end = static_cast<std::size_t>(span.end());
     const auto mass = [&](std::size_t g) { return model.blocks.deformable[block] ? model.gridpoints.mass[g] : 1.0; };
-    const auto shift = [&](std::size_t g) -> Vec3 { return model.gridpoints.displacement[g] - displacements_[g]; };
     Motion found;
     double all = 0;
     for (std::size_t g = first; g < end; ++g) {
         all += mass(g);
-        found.centre += mass(g) * (positions_[g] - positions_[first]), found.shift += mass(g) * shift(g);
+        found.centre += mass(g) * (positions_[g] - positions_[first]), found.shift += mass(g) * shift(model, g);
     }
     if (!(all > 0)) return {};
     found.centre = positions_[first] + found.centre / all, found.shift /= all;
@@ -71,7 +74,7 @@ FailureMode::Motion FailureMode::motion(const Model& model, Row block) const {
     for (std::size_t g = first; g < end; ++g) {
         const Vec3 arm = positions_[g] - found.centre;
         inertia += mass(g) * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-        momentum += mass(g) * arm.cross(shift(g) - found.shift);
+        momentum += mass(g) * arm.cross(shift(model, g) - found.shift);
     }
     found.turn = inertia.ldlt().solve(momentum);
     return found;
@@ -87,20 +90,18 @@ bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& 
 
 void FailureMode::count_zones(const Model& model, Shares& shares) const {
     constexpr double far = 1.0 / 3; // of the greatest motion
-    const auto shift = [&](Row g) {
-        return (model.gridpoints.displacement[g] - displacements_[static_cast<std::size_t>(g)]).norm();
-    };
+    const auto distance = [&](Row g) { return shift(model, static_cast<std::size_t>(g)).norm(); };
     const Vec3& gravity = model.settings.gravity;
     const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(0, 0, 1);
     double most = 0;
     for (const auto& corners : model.zones.gridpoints)
-        for (const Row g : corners) most = std::max(most, shift(g));
+        for (const Row g : corners) most = std::max(most, distance(g));
     Reach whole;
     double sizes = 0;
     std::int64_t count = 0, cells = 0;
     for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z) {
         const auto& corners = model.zones.gridpoints[z];
-        if (std::ranges::any_of(corners, [&](Row g) { return shift(g) < far * most; })) continue;
+        if (std::ranges::any_of(corners, [&](Row g) { return distance(g) < far * most; })) continue;
         // The four corners of a zone of a cell include two opposite ones of the cell.
         Reach own;
         double edges = 0;

@@ -32,6 +32,7 @@ private:
     struct Motion {
         Vec3 centre = Vec3::Zero(), shift = Vec3::Zero(), turn = Vec3::Zero();
     };
+    Vec3 shift(const Model& model, std::size_t gridpoint) const; ///< since the start
     Motion motion(const Model& model, Row block) const;
     void count_zones(const Model& model, Shares& shares) const;
     static bool turns_backward(const Model& model, const std::vector<Motion>& motions);

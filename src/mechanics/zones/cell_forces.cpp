@@ -45,15 +45,7 @@ MadeStress of_layers(const Model& model, const CellShape& shape, const ZoneLaw& 
     return made;
 }
 
-} // namespace
-
-bool has_initial(const Zones& zones, Row zone, Row cells) {
-    if (!zones.keeps_initial) return false;
-    const double* const first = zones.initial[zone].data();
-    return std::any_of(first, first + static_cast<std::ptrdiff_t>(to_next_cell) * cells,
-                       [](double s) { return s != 0; });
-}
-
+/// Forces of the initial stresses of cells, which balance the weights of their zones.
 CellForces initial_forces(const Model& model, const CellField& place, const SixZones& stress) {
     CellForces forces{};
     std::array<Eight, 8> share{}; // of the volume
@@ -93,14 +85,24 @@ CellForces initial_forces(const Model& model, const CellField& place, const SixZ
     return forces;
 }
 
-Eight work_of_initial(const CellForces& forces, const SixZones& initial, const CellShape& shape, const CellField& shift,
-                      const SixEights& strain, const Eight& volume) {
+} // namespace
+
+bool has_initial(const Zones& zones, Row zone, Row cells) {
+    if (!zones.keeps_initial) return false;
+    const double* const first = zones.initial[zone].data();
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(to_next_cell) * cells,
+                       [](double s) { return s != 0; });
+}
+
+InitialForces::InitialForces(const Model& model, const CellShape& shape, const CellField& place, const CellField& shift,
+                             const SixZones& initial, const SixEights& strain, const Eight& volume)
+    : forces(initial_forces(model, place, initial)) {
     SixEights mean = mean_of(initial);
-    Eight work = volume * product(mean, strain);
+    work = volume * product(mean, strain);
     for (Eight& s : mean) s *= -1;
+    // The forces are the same before and after the step.
     const CellForces beyond = both(forces, forces_of(shape, mean, WarpStress{}));
     for (std::size_t c = 1; c < 8; ++c) work -= beyond[c].dot(shift[c - 1]);
-    return work;
 }
 
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,

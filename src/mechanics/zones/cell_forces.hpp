@@ -11,12 +11,15 @@ namespace kaya {
 /// Whether any of these cells has an initial stress.
 bool has_initial(const Zones& zones, Row zone, Row cells);
 
-/// Forces of the initial stresses of cells, which balance the weights of their zones.
-CellForces initial_forces(const Model& model, const CellField& place, const SixZones& initial);
+/// Forces of the initial stresses of cells at the end of a step, and their work in it.
+struct InitialForces {
+    CellForces forces;
+    Eight work;
 
-/// The work of these forces in a step whose strain and volume are those of its middle, and whose end has this shape.
-Eight work_of_initial(const CellForces& forces, const SixZones& initial, const CellShape& shape, const CellField& shift,
-                      const SixEights& strain, const Eight& volume);
+    /// `shape` and `place` at the end of the step, `strain` and `volume` in its middle.
+    InitialForces(const Model& model, const CellShape& shape, const CellField& place, const CellField& shift,
+                  const SixZones& initial, const SixEights& strain, const Eight& volume);
+};
 
 /// Forces of cells from the present stresses, without a step.
 void cell_forces(const Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,

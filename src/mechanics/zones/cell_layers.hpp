@@ -42,6 +42,11 @@ inline SixZones difference(const SixZones& a, const SixZones& b) {
     return rest;
 }
 
+/// With the material.
+inline void turn(SixZones& stress, const Eight3& half_spin) {
+    for (SixEights& zone : stress) zone = turned(zone, half_spin);
+}
+
 inline SixEights mean_of(const SixZones& stress) {
     SixEights mean = stress[0];
     for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, stress[z]);

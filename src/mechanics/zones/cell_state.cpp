@@ -1,6 +1,6 @@
 #include "mechanics/zones/cell_state.hpp"
 
-#include "mechanics/zones/cell_layers.hpp"
+#include "mechanics/zones/cell_forces.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ void set_initial_stress(Zones& zones, Row first) {
         zones.initial[z] = differ ? zones.stress[z] : Stress(Stress::Zero());
 }
 
-/// Shape of one cell, in all lanes.
+/// Halves of the mean edges of one cell, in all lanes.
 std::array<Eight3, 3> axes_of(const Model& model, Row first) {
     const auto corners = corners_of_cell(&model.zones.gridpoints[first]);
     CellField place;
@@ -100,8 +100,7 @@ void settle_cells(Model& model, const ZoneLaws& laws) {
         const bool layered = zones.keeps_layers && zones.layered[first] != 0,
                    flows = law.together == Together::flow_in_cells;
         // Models saved by earlier versions have no initial stress.
-        if (!layered && (!zones.keeps_initial || zones.initial[first] == Stress::Zero()))
-            set_initial_stress(zones, first);
+        if (!layered && !has_initial(zones, first, 1)) set_initial_stress(zones, first);
         if (layered == flows) return;
         zones.keep_layers();
         std::fill_n(&zones.layered[first], zones_of_cell, static_cast<std::uint8_t>(flows));

@@ -1,4 +1,4 @@
-// What cells keep, and what it becomes when their zone model or their stress is set: docs/theory/zones.md, "Cells".
+// Stresses that are stored for cells, and their changes when a zone model or a stress is set: docs/theory/zones.md, "Cells".
 #pragma once
 
 #include "mechanics/zones/zone_laws.hpp"

@@ -183,10 +183,8 @@ private:
         SixZones initial = load_zones(model_.zones.initial, zone, cells),
                  stress = load_zones(model_.zones.stress, zone, cells);
         if (large_) {
-            for (Row z = 0; z < zones_of_cell; ++z) {
-                initial[z] = turned(initial[z], g.half_spin);
-                stress[z] = turned(stress[z], g.half_spin);
-            }
+            turn(initial, g.half_spin);
+            turn(stress, g.half_spin);
             store_zones(model_.zones.initial, zone, cells, initial);
         }
         const SixEights before = difference(stress[0], initial[0]);
@@ -195,10 +193,10 @@ private:
         SixEights made = difference(stress[0], initial[0]);
         g.work += 0.5 * g.volume * product(sum(before, made), strain);
         if (damping_ > 0) made = sum(made, damp(g, zone, cells, change, strain));
-        const CellField place = from_first(rows_.places(), g.corners), shift = from_first(rows_.shifts(), g.corners);
-        const CellForces start = initial_forces(model_, place, initial); // the same before and after the step
-        g.work += work_of_initial(start, initial, g.shape, shift, strain, g.volume);
-        forces_.add(g.corners, cells, both(forces_of(g.shape, made, g.warp), start));
+        const InitialForces start(model_, g.shape, from_first(rows_.places(), g.corners),
+                                  from_first(rows_.shifts(), g.corners), initial, strain, g.volume);
+        g.work += start.work;
+        forces_.add(g.corners, cells, both(forces_of(g.shape, made, g.warp), start.forces));
     }
 
     Model& model_;

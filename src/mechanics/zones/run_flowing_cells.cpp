@@ -113,9 +113,9 @@ private:
         g.has_initial = has_initial(model_.zones, at.zone, at.cells);
         if (g.has_initial) g.initial = load_zones(model_.zones.initial, at.zone, at.cells);
         if (!large_) return;
-        for (SixEights& stress : g.before) stress = turned(stress, half_spin);
+        turn(g.before, half_spin);
         if (!g.has_initial) return;
-        for (SixEights& stress : g.initial) stress = turned(stress, half_spin);
+        turn(g.initial, half_spin);
         store_zones(model_.zones.initial, at.zone, at.cells, g.initial);
     }
 
@@ -195,11 +195,10 @@ private:
         if (damping_ > 0) damp(at, g, after, now);
         CellForces forces = forces_of(g.shape, now.mean, now.warp);
         if (g.has_initial) {
-            const CellField place = from_first(rows_.places(), g.corners),
-                            shift = from_first(rows_.shifts(), g.corners);
-            const CellForces start = initial_forces(model_, place, g.initial); // the same before and after the step
-            work += 2.0 * work_of_initial(start, g.initial, g.shape, shift, g.strain, g.volume);
-            forces = both(forces, start);
+            const InitialForces start(model_, g.shape, from_first(rows_.places(), g.corners),
+                                      from_first(rows_.shifts(), g.corners), g.initial, g.strain, g.volume);
+            work += 2.0 * start.work;
+            forces = both(forces, start.forces);
         }
         forces_.add(g.corners, at.cells, forces);
         add_to(work_, of_cells(at, work));

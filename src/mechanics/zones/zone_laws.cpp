@@ -182,7 +182,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
     }
     const auto law_of = [&](Row zone) { return static_cast<std::size_t>(law_of_[model.zones.block[zone]]); };
     tiles = ZoneTiles(model, law_of, [&](std::size_t law) { return by_cells(laws[law].together) ? zones_of_cell : 1; });
-    if (any(Together::cells) || any(Together::flow_in_cells)) model.zones.keep_warps();
+    if (std::ranges::any_of(laws, by_cells, &ZoneLaw::together)) model.zones.keep_warps();
 }
 
 std::vector<ElasticConstants> ZoneLaws::elastic_constants() const {

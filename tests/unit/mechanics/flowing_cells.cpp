@@ -24,12 +24,7 @@ struct Cells : test::Bench {
         material.dilation = 10;
         generate_zones(model, {brick({0, 0, 0}, {1, 1, 1}, 1)}, {4, 3, 5}, {1, 1, 1});
         std::mt19937 random(7);
-        std::uniform_real_distribution<double> small(-0.01, 0.01);
-        auto& g = model.gridpoints;
-        for (std::size_t p = 0; p < g.size(); ++p) {
-            g.position[p] += Vec3(small(random), small(random), small(random));
-            g.velocity[p] = 100 * Vec3(small(random), small(random), small(random));
-        }
+        distort(random);
         model.clock.time_step = 0.01;
     }
 

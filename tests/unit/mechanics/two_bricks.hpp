@@ -8,6 +8,7 @@
 #include "model/kinds/selection.hpp"
 
 #include <numeric>
+#include <random>
 
 namespace kaya::test {
 
@@ -34,6 +35,15 @@ struct Bench {
         find_contacts(model, joints);
         assign_joint_model(model, joints, all_contacts(), name, "");
         set_joint_properties(model, joints, all_contacts(), values, "");
+    }
+    /// Moves all gridpoints by up to 0.01 along each axis, and gives them random velocities of up to 1.
+    void distort(std::mt19937& random) {
+        std::uniform_real_distribution<double> small(-0.01, 0.01);
+        auto& g = model.gridpoints;
+        for (std::size_t p = 0; p < g.size(); ++p) {
+            g.position[p] += Vec3(small(random), small(random), small(random));
+            g.velocity[p] = 100 * Vec3(small(random), small(random), small(random));
+        }
     }
     std::vector<Row> all_contacts() const {
         std::vector<Row> rows(model.contacts.size());

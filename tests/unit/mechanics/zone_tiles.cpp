@@ -27,12 +27,8 @@ struct TwoBlocks : Bench {
         generate_zones(model, {brick({0, 0, 0}, {1, 1, 1}, 1)}, {7, 7, 7}, {1, 1, 1});
         generate_zones(model, {brick({5, 0, 0}, {6, 1, 1}, 2)}, {3, 3, 3}, {1, 1, 1});
         std::mt19937 random(7);
+        distort(random);
         std::uniform_real_distribution<double> small(-0.01, 0.01);
-        auto& g = model.gridpoints;
-        for (std::size_t p = 0; p < g.size(); ++p) {
-            g.position[p] += Vec3(small(random), small(random), small(random));
-            g.velocity[p] = 100 * Vec3(small(random), small(random), small(random));
-        }
         for (auto& stress : model.zones.stress)
             for (int k = 0; k < 6; ++k) stress[k] = 1e6 * small(random);
     }

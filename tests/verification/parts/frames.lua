@@ -11,6 +11,16 @@ function frames.axes(azimuth, plunge)
     return x, y, x:cross(y)
 end
 
+-- The same axes turned about x, in degrees; `side` is -1 for their mirror image across y.
+function frames.turned(azimuth, plunge, turn, side)
+    local x, flat, steep = frames.axes(azimuth, plunge)
+    local c, s = math.cos(math.rad(turn)), math.sin(math.rad(turn))
+    return x, (flat * c + steep * s) * side, steep * c - flat * s
+end
+
+-- Four frames: the name, and what frames.turned is called with.
+frames.four = { { "as it is", 0, 0, 0, 1 }, { "turned by 90", 90, 0, 0, 1 }, { "oblique", 50, 40, 30, 1 }, { "mirrored", 0, 0, 0, -1 } }
+
 -- A brick between two corners given in the frame at o.
 function frames.brick(o, x, y, z, low, high)
     local function side(at)
