@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,21 +15,51 @@ namespace {
 /// Integrals over polygons: of m n, and of m x x n, where m is the depth and n the outward normal.
 struct Push {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    Vec3 of_end = Vec3::Zero(); ///< the part of the force where the end of the Apex is the nearest
 };
 
-/// Adds a polygon over which one face is the nearest.
-void add_polygon(const std::vector<Vec3>& polygon, const HalfSpace& face, Push& sum) {
+/// A point in which the depths below all near faces vanish. One of them, the end, may have another point, so that a strip with two ends need
+/// not be divided. docs/theory/contacts.md, equation (9a).
+struct Apex {
+    Vec3 point;
+    std::size_t end;           ///< place of the face in the list; that of no face if all meet in the point
+    Vec3 shift = Vec3::Zero(); ///< from the point to that of the end
+};
+
+/// Adds a polygon over which one face, or the end, is the nearest.
+void add_polygon(const std::vector<Vec3>& polygon, const HalfSpace& face, bool is_end, Push& sum) {
     if (polygon.size() < 3) return;
     const Vec3& a = polygon[0];
     const double pa = face.depth(a);
+    Vec3 force = Vec3::Zero();
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         const Vec3 &b = polygon[i], &c = polygon[i + 1];
         const Vec3 area = 0.5 * (b - a).cross(c - a);
         const double pb = face.depth(b), pc = face.depth(c), whole = pa + pb + pc;
-        sum.force += whole / 3 * area;
+        force += whole / 3 * area;
         sum.moment += (pa * a + pb * b + pc * c + whole * (a + b + c)).cross(area) / 12;
     }
+    sum.force += force;
+    if (is_end) sum.of_end += force;
 }
+
+/// The middle of a region's vertices and how far the farthest is from there.
+struct Extent {
+    Vec3 middle = Vec3::Zero();
+    double square = 0; ///< of the distance
+
+    explicit Extent(const ConvexClip& region) {
+        region.each_vertex([&](const Vec3& x) { middle += x; });
+        middle /= static_cast<double>(region.vertex_count());
+        region.each_vertex([&](const Vec3& x) { square = std::max(square, (x - middle).squaredNorm()); });
+    }
+
+    /// Whether toward/divisor is short: the farther a point is, the more digits of the integral it costs.
+    bool reaches(const Vec3& toward, double divisor) const {
+        constexpr double farthest = 30; // sizes of the region: costs a digit
+        return toward.squaredNorm() < farthest * farthest * divisor * divisor * square;
+    }
+};
 
 /// The depth m = min d_i is linear between the planes in which two depths are equal. About a point p in which all d_i vanish it is
 /// homogeneous, div((x - p) m) = 4 m, so that its integral is a fourth of that of m (x - p) . n over the surface. Where there is no such point
@@ -46,7 +77,7 @@ public:
 
     /// The region is nearest to the faces in the list from `first` on; `level` counts divisions.
     void add(const ConvexClip& region, std::size_t first, std::size_t level) {
-        if (const auto apex = common_point(region, first)) add_surface(region, first, *apex);
+        if (const auto apex = apex_of(region, first)) add_surface(region, first, *apex);
         else divide(region, first, level);
     }
 
@@ -55,13 +86,63 @@ public:
 private:
     std::span<const std::size_t> near(std::size_t first) const { return std::span(work_.near).subspan(first); }
 
-    /// A point in which the depths below all near faces vanish, not far from the region.
-    std::optional<Vec3> common_point(const ConvexClip& region, std::size_t first) const {
-        constexpr double farthest = 30; // sizes of the region: costs a digit of the integral
-        Vec3 middle = Vec3::Zero();
-        region.each_vertex([&](const Vec3& x) { middle += x; });
-        middle /= static_cast<double>(region.vertex_count());
-        const std::span<const std::size_t> list = near(first);
+    /// The point of a region's near faces, or two of them; none where they are not near the region.
+    std::optional<Apex> apex_of(const ConvexClip& region, std::size_t first) {
+        const Extent extent(region);
+        const std::size_t count = near(first).size();
+        if (const auto point = common_point(region, near(first), extent)) return Apex{*point, faces_.size()};
+        return count == 3 || count == 4 ? apex_with_end(region, first, extent) : std::nullopt;
+    }
+
+    /// A point of all near faces but one, the end, for which it is shifted such that depths are equal where the end meets the others. The face
+    /// most opposite to the end must not meet it within the depth of the region.
+    std::optional<Apex> apex_with_end(const ConvexClip& region, std::size_t first, const Extent& extent) {
+        const auto [one, two] = most_opposite(first);
+        std::swap(work_.near[first + two], work_.near.back());
+        const std::span<const std::size_t> list = near(first), rest = list.first(list.size() - 1);
+        const std::size_t end = list.back();
+        if (closest(region, faces_[rest[one]], faces_[end]) <= deepest(region, list)) return std::nullopt;
+        const auto point = common_point(region, rest, extent);
+        if (!point) return std::nullopt;
+        std::array<std::size_t, 2> other{};
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            if (i != one) other[others++] = rest[i];
+        const Vec3 &n = faces_[end].normal, &u = faces_[other[0]].normal;
+        Vec3 toward = n + u;
+        double divisor = 1 + n.dot(u);
+        if (others == 2) {
+            const Vec3 &v = faces_[other[1]].normal, across = u.cross(v);
+            toward = across + v.cross(n) + n.cross(u);
+            divisor = n.dot(across);
+        }
+        toward *= faces_[end].depth(*point);
+        if (!extent.reaches(toward, divisor)) return std::nullopt;
+        return Apex{*point, end, toward / divisor};
+    }
+
+    /// Half of the smallest distance between two planes that a region has: where their depths are equal, they are at least this.
+    static double closest(const ConvexClip& region, const HalfSpace& one, const HalfSpace& two) {
+        double least = std::numeric_limits<double>::infinity();
+        region.each_vertex([&](const Vec3& x) { least = std::min(least, one.depth(x) + two.depth(x)); });
+        return 0.5 * least;
+    }
+
+    /// No place of the region is deeper.
+    double deepest(const ConvexClip& region, std::span<const std::size_t> list) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::size_t i : list) {
+            double high = 0;
+            region.each_vertex([&](const Vec3& x) { high = std::max(high, faces_[i].depth(x)); });
+            least = std::min(least, high);
+        }
+        return least;
+    }
+
+    /// A point in which the depths below all faces of a list vanish, not far from the region.
+    std::optional<Vec3> common_point(const ConvexClip& region, std::span<const std::size_t> list,
+                                     const Extent& extent) const {
+        const Vec3& middle = extent.middle;
         const HalfSpace& one = faces_[list[0]];
         const double d1 = one.depth(middle);
         if (list.size() == 1) return middle + d1 * one.normal;
@@ -80,9 +161,7 @@ private:
                      three.depth(middle) * one.normal.cross(two.normal);
             divisor = one.normal.dot(across);
         }
-        double size = 0;
-        region.each_vertex([&](const Vec3& x) { size = std::max(size, (x - middle).squaredNorm()); });
-        if (!(toward.squaredNorm() < farthest * farthest * divisor * divisor * size)) return std::nullopt;
+        if (!extent.reaches(toward, divisor)) return std::nullopt;
         const Vec3 point = middle + toward / divisor;
         return list.size() > 3 && !all_meet(region, list, point) ? std::nullopt : std::optional(point);
     }
@@ -114,19 +193,24 @@ private:
                            [&](std::size_t i) { return std::abs(faces_[i].depth(point)) <= precision * deepest; });
     }
 
-    /// Divides the region between the two faces that look most in opposite directions.
-    void divide(const ConvexClip& region, std::size_t first, std::size_t level) {
+    /// The places in a list of the two faces that look most in opposite directions, the later one second.
+    std::pair<std::size_t, std::size_t> most_opposite(std::size_t first) const {
         const std::span<const std::size_t> list = near(first);
-        std::size_t one = 0, two = 1;
+        std::pair<std::size_t, std::size_t> best{0, 1};
         double least = 2;
         for (std::size_t i = 0; i < list.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (const double cosine = faces_[list[i]].normal.dot(faces_[list[j]].normal); cosine < least) {
                     least = cosine;
-                    one = j;
-                    two = i;
+                    best = {j, i};
                 }
-        const std::size_t count = list.size(), end = first + count;
+        return best;
+    }
+
+    /// Divides the region between the two faces that look most in opposite directions.
+    void divide(const ConvexClip& region, std::size_t first, std::size_t level) {
+        const auto [one, two] = most_opposite(first);
+        const std::size_t count = near(first).size(), end = first + count;
         for (const auto& [kept, left] : {std::pair(one, two), std::pair(two, one)}) {
             const HalfSpace &here = faces_[work_.near[first + kept]], &there = faces_[work_.near[first + left]];
             ConvexClip& half = work_.halves[level];
@@ -140,7 +224,7 @@ private:
         }
     }
 
-    void add_surface(const ConvexClip& region, std::size_t first, const Vec3& apex) {
+    void add_surface(const ConvexClip& region, std::size_t first, const Apex& apex) {
         const bool below_all = faces_.size() > 1; // then the depth vanishes on the body's own faces
         for (std::size_t f = 0; f < region.face_count(); ++f) {
             const FaceOrigin origin = region.origin(f);
@@ -148,8 +232,8 @@ private:
             work_.loops[0].clear();
             for (int i = 0; i < region.corner_count(f); ++i) work_.loops[0].push_back(region.corner(f, i));
             Push push;
-            add_parts(0, first, 0, push);
-            sum_.value += 0.25 * (region.corner(f, 0) - apex).dot(push.force);
+            add_parts(0, first, 0, apex.end, push);
+            sum_.value += 0.25 * ((region.corner(f, 0) - apex.point).dot(push.force) - apex.shift.dot(push.of_end));
             if (origin != pushed_) continue;
             sum_.force -= sense_ * push.force;
             sum_.moment -= sense_ * push.moment;
@@ -168,20 +252,23 @@ private:
     }
 
     /// Adds the polygon in a loop: whole where one face of the list is the nearest to all its corners, else its parts.
-    void add_parts(std::size_t place, std::size_t first, std::size_t level, Push& push) {
+    void add_parts(std::size_t place, std::size_t first, std::size_t level, std::size_t apart, Push& push) {
         const std::vector<Vec3>& polygon = work_.loops[place];
         if (polygon.size() < 3) return;
-        if (work_.near.size() == first + 1) return add_polygon(polygon, faces_[work_.near[first]], push);
-        const std::size_t one = nearest(polygon[0], first);
+        const auto add_whole = [&](std::size_t face) { add_polygon(polygon, faces_[face], face == apart, push); };
+        if (work_.near.size() == first + 1) return add_whole(work_.near[first]);
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& x : polygon) middle += x;
+        const std::size_t one = nearest(middle / static_cast<double>(polygon.size()), first);
         std::size_t two = one;
-        for (std::size_t i = 1; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], first);
-        if (two == one) return add_polygon(polygon, faces_[work_.near[one]], push);
+        for (std::size_t i = 0; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], first);
+        if (two == one) return add_whole(work_.near[one]);
         const std::size_t below = 2 * level + 1, above = below + 1, end = work_.near.size();
         split(place, faces_[work_.near[one]], faces_[work_.near[two]], below, above);
         for (const auto& [part, left] : {std::pair(below, two), std::pair(above, one)}) {
             for (std::size_t i = first; i < end; ++i)
                 if (i != left) work_.near.push_back(work_.near[i]);
-            add_parts(part, end, level + 1, push);
+            add_parts(part, end, level + 1, apart, push);
             work_.near.resize(end);
         }
     }

@@ -127,6 +127,18 @@ Body cube(std::mt19937&) {
     return body;
 }
 
+/// A roof with a long ridge between two gables, which lean a little; its common part with a plate is a strip with two ends.
+Body ridge(std::mt19937& random) {
+    std::uniform_real_distribution<double> steep(0.1, 2), lean(-0.1, 0.1);
+    Body body;
+    for (const double sign : {-1.0, 1.0}) {
+        body.add(Vec3(sign * steep(random), 0, 1), 0.5);
+        body.add(Vec3(lean(random), sign, lean(random)), 2);
+    }
+    body.add(-Vec3::UnitZ(), 0.5);
+    return body;
+}
+
 Body turned(Body body, std::mt19937& random) {
     std::uniform_real_distribution<double> angle(-3, 3);
     const Mat3 turn = Eigen::AngleAxisd(angle(random), random_direction(random)).toRotationMatrix();
@@ -149,61 +161,89 @@ std::pair<Body, Body> overlapping(const Kind& first, const Kind& second, double 
     return {one, two};
 }
 
-const Kind kinds[] = {{"stones", stone, 0.1},
-                      {"pyramids", pyramid, 0.05},
-                      {"plates", plate, 0.01},
-                      {"domes", dome, 1e-4},
-                      {"cubes", cube, 1e-5}};
+const Kind kinds[] = {{"stones", stone, 0.1}, {"pyramids", pyramid, 0.05}, {"plates", plate, 0.01},
+                      {"domes", dome, 1e-4},  {"cubes", cube, 1e-5},       {"ridges", ridge, 0.01}};
+
+/// A ridge along the top of a cube, a little askew, in the cube by `deep`.
+std::pair<Body, Body> ridge_on_top(double deep, std::mt19937& random) {
+    std::uniform_real_distribution<double> askew(-1e-4, 1e-4), turn(-1, 1);
+    const Mat3 over = Eigen::AngleAxisd(std::numbers::pi + askew(random), Vec3::UnitX()).toRotationMatrix() *
+                      Eigen::AngleAxisd(turn(random), Vec3::UnitZ()).toRotationMatrix();
+    Body one = cube(random), two = ridge(random);
+    for (HalfSpace& face : two.faces) face.normal = over * face.normal;
+    double high = 3, low = 0; // of the second body
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (high + low);
+        Body moved = two;
+        moved.move(middle * Vec3::UnitZ());
+        (common_part(one, moved).empty() ? high : low) = middle;
+    }
+    two.move((low - deep) * Vec3::UnitZ());
+    return {one, two};
+}
+
+/// Compares the integrals of the depths below both bodies with sums over pieces and with differences, `deep` being the size of the common part.
+void check(const Body& one, const Body& two, double deep, const std::string& name, std::mt19937& random) {
+    DepthScratch scratch;
+    const ConvexClip part = common_part(one, two);
+    ASSERT_FALSE(part.empty());
+    for (const bool of_subject : {true, false}) {
+        SCOPED_TRACE(name + (of_subject ? ", of the first" : ", of the second"));
+        const std::vector<HalfSpace>& faces = of_subject ? one.faces : two.faces;
+        const OverlapGradient depth = depth_gradient(part, faces, of_subject, false, scratch);
+        std::vector<HalfSpace> once; // the pieces of two faces in one plane would count twice
+        for (const HalfSpace& face : faces)
+            if (std::none_of(once.begin(), once.end(), [&](const HalfSpace& other) {
+                    return other.normal == face.normal && other.reach == face.reach;
+                }))
+                once.push_back(face);
+        const double exact = by_pieces(part, once);
+        // Depths follow from coordinates of some lengths.
+        const double rounding = 3e-14 * moments_of(part).volume + 1e-11 * exact;
+        EXPECT_NEAR(depth.value, exact, rounding);
+        // The faces in another order.
+        std::vector<HalfSpace> mixed = faces;
+        std::shuffle(mixed.begin(), mixed.end(), random);
+        const OverlapGradient again = depth_gradient(part, mixed, of_subject, false, scratch);
+        EXPECT_NEAR(again.value, depth.value, rounding);
+        EXPECT_LT((again.force - depth.force).norm(), 1e-9 * depth.force.norm());
+        EXPECT_LT((again.moment - depth.moment).norm(), 1e-9 * (depth.force.norm() + depth.moment.norm()));
+        // The force is minus the change of the integral as the second body moves.
+        const Vec3 along = depth.force.normalized();
+        const double step = 1e-4 * deep;
+        const auto moved = [&](double by) {
+            Body there = two;
+            there.move(by * along);
+            return depth_gradient(common_part(one, there), of_subject ? one.faces : there.faces, of_subject, false,
+                                  scratch)
+                .value;
+        };
+        EXPECT_NEAR(depth.force.norm(), (moved(-step) - moved(step)) / (2 * step), 1e-5 * depth.force.norm());
+    }
+}
 
 class DepthIntegrals : public testing::TestWithParam<std::tuple<int, int>> {};
 
 TEST_P(DepthIntegrals, AreTheSumOverPiecesAndHaveTheirGradient) {
     const Kind &first = kinds[std::get<0>(GetParam())], &second = kinds[std::get<1>(GetParam())];
     const double deep = std::min(first.deep, second.deep);
-    DepthScratch scratch;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         std::mt19937 random(seed);
         const auto [one, two] = overlapping(first, second, deep, random);
-        const ConvexClip part = common_part(one, two);
-        ASSERT_FALSE(part.empty());
-        for (const bool of_subject : {true, false}) {
-            SCOPED_TRACE(first.name + " and " + second.name + ", seed " + std::to_string(seed) +
-                         (of_subject ? ", of the first" : ", of the second"));
-            const std::vector<HalfSpace>& faces = of_subject ? one.faces : two.faces;
-            const OverlapGradient depth = depth_gradient(part, faces, of_subject, false, scratch);
-            std::vector<HalfSpace> once; // the pieces of two faces in one plane would count twice
-            for (const HalfSpace& face : faces)
-                if (std::none_of(once.begin(), once.end(), [&](const HalfSpace& other) {
-                        return other.normal == face.normal && other.reach == face.reach;
-                    }))
-                    once.push_back(face);
-            const double exact = by_pieces(part, once);
-            // Depths follow from coordinates of some lengths.
-            const double rounding = 3e-14 * moments_of(part).volume + 1e-11 * exact;
-            EXPECT_NEAR(depth.value, exact, rounding);
-            // The faces in another order.
-            std::vector<HalfSpace> mixed = faces;
-            std::shuffle(mixed.begin(), mixed.end(), random);
-            const OverlapGradient again = depth_gradient(part, mixed, of_subject, false, scratch);
-            EXPECT_NEAR(again.value, depth.value, rounding);
-            EXPECT_LT((again.force - depth.force).norm(), 1e-9 * depth.force.norm());
-            EXPECT_LT((again.moment - depth.moment).norm(), 1e-9 * (depth.force.norm() + depth.moment.norm()));
-            // The force is minus the change of the integral as the second body moves.
-            const Vec3 along = depth.force.normalized();
-            const double step = 1e-4 * deep;
-            const auto moved = [&](double by) {
-                Body there = two;
-                there.move(by * along);
-                return depth_gradient(common_part(one, there), of_subject ? one.faces : there.faces, of_subject, false,
-                                      scratch)
-                    .value;
-            };
-            EXPECT_NEAR(depth.force.norm(), (moved(-step) - moved(step)) / (2 * step), 1e-5 * depth.force.norm());
-        }
+        check(one, two, deep, first.name + " and " + second.name + ", seed " + std::to_string(seed), random);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, DepthIntegrals, testing::Combine(testing::Range(0, 5), testing::Range(0, 5)));
+TEST(DepthIntegral, OfStripsIsTheSumOverPiecesToo) {
+    for (const double deep : {1e-2, 1e-3, 1e-4})
+        for (unsigned seed = 1; seed <= 100; ++seed) {
+            std::mt19937 random(seed);
+            const auto [one, two] = ridge_on_top(deep, random);
+            check(one, two, deep, "ridge of depth " + std::to_string(deep) + ", seed " + std::to_string(seed), random);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DepthIntegrals, testing::Combine(testing::Range(0, 6), testing::Range(0, 6)));
 
 } // namespace
 } // namespace kaya
