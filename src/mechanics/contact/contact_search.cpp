@@ -210,6 +210,58 @@ bool any_row_pulls(const Model& model, Row contact) {
     return std::any_of(force + span.first, force + span.end(), [](double f) { return f < 0; });
 }
 
+/// Every point of a joint that an overlap becomes is closed by this part of the depth: hysteresis for a joint that is about to open.
+constexpr double least_closure = 0.03;
+
+/// The corners of a face of a rigid block: its triangles are a fan.
+template <class Visit> bool any_corner(const Model& model, Row face, const Visit& visit) {
+    const Span span = model.faces.triangles[face];
+    const auto& x = model.gridpoints.position;
+    if (span.count == 0) return false;
+    const auto& first = model.triangles.gridpoints[span.first];
+    if (visit(x[first[0]]) || visit(x[first[1]])) return true;
+    for (Row t = span.first; t < span.end(); ++t)
+        if (visit(x[model.triangles.gridpoints[t][2]])) return true;
+    return false;
+}
+
+/// Whether a place is over a face as seen along its normal, away from its edges.
+bool is_over(const Model& model, Row face, const Vec3& normal, const Vec3& place) {
+    constexpr double clear = 1e-6; // of the edge
+    const Span span = model.faces.triangles[face];
+    const auto& last = model.triangles.gridpoints[span.end() - 1];
+    const auto& x = model.gridpoints.position;
+    Vec3 from = x[last[2]];
+    return !any_corner(model, face, [&](const Vec3& to) {
+        const Vec3 edge = to - from;
+        const bool outside = edge.cross(place - from).dot(normal) < clear * edge.squaredNorm();
+        from = to;
+        return outside;
+    });
+}
+
+/// Whether a corner of one face of an overlap lies over the other face and is not closed: the faces cannot form a joint.
+bool has_open_corner(const Model& model, Row contact) {
+    const auto& contacts = model.contacts;
+    const Row faces[2] = {contacts.face1[contact], contacts.face2[contact]};
+    if (faces[0] == no_row || faces[1] == no_row) return false;
+    const Vec3 &n = contacts.normal[contact], &origin = model.blocks.centroid[contacts.block1[contact]];
+    const double least = least_closure * contacts.depth[contact];
+    for (const int of : {0, 1}) {
+        const Row other = faces[1 - of];
+        const Vec3 normal = current_normal(model, other);
+        const Vec3& base = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[other].first][0]];
+        const double along = std::abs(normal.dot(n));
+        const bool open = any_corner(model, faces[of], [&](const Vec3& x) {
+            const double gap = normal.dot(x - base) / along; // the other face looks toward this one
+            const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(x - origin) - gap;
+            return closure <= least && is_over(model, other, normal, x);
+        });
+        if (open) return true;
+    }
+    return false;
+}
+
 /// An overlap that is closed over most of its area may become a joint, unless it rolls: a joint follows small rotations only.
 bool may_close(const Model& model, Row contact) {
     constexpr double part = 0.4;     // a joint about to open carries on half of its area, which is rounded up
@@ -221,7 +273,8 @@ bool may_close(const Model& model, Row contact) {
     const Vec3 turn =
         2 * slide_interval * model.clock.time_step * (spin[contacts.block2[contact]] - spin[contacts.block1[contact]]);
     return turn.cross(contacts.normal[contact]).norm() * std::sqrt(contacts.area[contact]) <
-           rolling * contacts.depth[contact];
+               rolling * contacts.depth[contact] &&
+           !has_open_corner(model, contact);
 }
 
 /// Whether every point of the future joint is well closed by the present overlap, and the joint would carry the same force with the same
@@ -229,13 +282,12 @@ bool may_close(const Model& model, Row contact) {
 bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& geometry) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
-    constexpr double least = 0.03; // of the depth: hysteresis for a joint that is about to open
-    constexpr double same = 0.02;  // faces that interlock at their edges would form a joint of smaller area
+    constexpr double same = 0.02; // faces that interlock at their edges would form a joint of smaller area
     double volume = 0, square = 0;
     for (const ContactPoint& p : geometry.points) {
         const double closure =
             contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
-        if (!(closure > least * contacts.depth[contact])) return false;
+        if (!(closure > least_closure * contacts.depth[contact])) return false;
         volume += p.area * closure;
         square += p.area * closure * closure;
     }
