@@ -26,7 +26,6 @@ Heights heights_of(const ConvexFace& face, const Vec3& origin, const Vec3& norma
 
 bool FlatOverlap::find(const ConvexFace& face1, const ConvexFace& face2) {
     polygon_.clear();
-    vertices_.clear();
     deepest_below_ = 0;
     if (face1.corners.size() < 3 || face2.corners.size() < 3) return false;
     project(face1, face2);
@@ -101,39 +100,45 @@ void FlatOverlap::integrate() {
     area_ = deepest_ = 0;
     for (const Corner& c : polygon_) deepest_ = std::max(deepest_, c.closure);
     double volume = 0, energy = 0;
-    Eigen::Vector2d of_area = Eigen::Vector2d::Zero(), first = of_area; // integrals of x, and of closure x
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();                   // of closure x x'
+    double area_u = 0, area_v = 0, first_u = 0, first_v = 0; // integrals of x, and of closure x
+    double uu = 0, uv = 0, vv = 0;                           // of closure x x'
     const Corner& a = polygon_[0];
     for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
         const Corner &b = polygon_[i], &c = polygon_[i + 1];
-        const Eigen::Vector2d xb(b.u - a.u, b.v - a.v), xc(c.u - a.u, c.v - a.v), sum = xb + xc;
-        const double area = 0.5 * (xb.x() * xc.y() - xb.y() * xc.x()), closure = a.closure + b.closure + c.closure;
-        const Eigen::Vector2d weighted = b.closure * xb + c.closure * xc;
+        const double bu = b.u - a.u, bv = b.v - a.v, cu = c.u - a.u, cv = c.v - a.v, u = bu + cu, v = bv + cv;
+        const double area = 0.5 * (bu * cv - bv * cu), closure = a.closure + b.closure + c.closure;
+        const double weighted_u = b.closure * bu + c.closure * cu, weighted_v = b.closure * bv + c.closure * cv;
         area_ += area;
-        of_area += area / 3 * sum;
+        area_u += area / 3 * u;
+        area_v += area / 3 * v;
         volume += area / 3 * closure;
-        first += area / 12 * (weighted + closure * sum);
+        first_u += area / 12 * (weighted_u + closure * u);
+        first_v += area / 12 * (weighted_v + closure * v);
         energy +=
             area / 24 * (a.closure * a.closure + b.closure * b.closure + c.closure * c.closure + closure * closure);
-        second += area / 60 *
-                  (closure * (sum * sum.transpose() + xb * xb.transpose() + xc * xc.transpose()) +
-                   weighted * sum.transpose() + sum * weighted.transpose() + 2 * b.closure * xb * xb.transpose() +
-                   2 * c.closure * xc * xc.transpose());
+        const double of_b = closure + 2 * b.closure, of_c = closure + 2 * c.closure;
+        uu += area / 60 * (closure * u * u + of_b * bu * bu + of_c * cu * cu + 2 * weighted_u * u);
+        uv += area / 60 * (closure * u * v + of_b * bu * bv + of_c * cu * cv + weighted_u * v + weighted_v * u);
+        vv += area / 60 * (closure * v * v + of_b * bv * bv + of_c * cv * cv + 2 * weighted_v * v);
     }
     moments_ = {};
     if (!(volume > 0)) return;
-    const Eigen::Vector2d centre = first / volume;
-    second = second / volume - centre * centre.transpose();
+    const double centre_u = first_u / volume, centre_v = first_v / volume;
+    uu = uu / volume - centre_u * centre_u;
+    uv = uv / volume - centre_u * centre_v;
+    vv = vv / volume - centre_v * centre_v;
     moments_.volume = volume;
-    moments_.centroid = place(a.u + centre.x(), a.v + centre.y());
-    const Mat3 uv = axis_u_ * axis_v_.transpose();
-    moments_.second = second(0, 0) * axis_u_ * axis_u_.transpose() + second(1, 1) * axis_v_ * axis_v_.transpose() +
-                      second(0, 1) * (uv + uv.transpose());
-    const Eigen::Vector2d middle = of_area / area_;
-    volume_ = {volume, area_ * push_, area_ * place(a.u + middle.x(), a.v + middle.y()).cross(push_)};
+    moments_.centroid = place(a.u + centre_u, a.v + centre_v);
+    const Vec3 along = uu * axis_u_ + uv * axis_v_, across = uv * axis_u_ + vv * axis_v_;
+    moments_.second = axis_u_ * along.transpose() + axis_v_ * across.transpose();
+    volume_ = {volume, area_ * push_, area_ * place(a.u + area_u / area_, a.v + area_v / area_).cross(push_)};
     depth_ = {energy, volume * push_, volume * moments_.centroid.cross(push_)};
-    for (const Corner& c : polygon_)
-        for (const double half : {-0.5, 0.5}) vertices_.push_back(place(c.u, c.v) + half * c.closure * normal_);
+    double square = 0;
+    for (const Corner& c : polygon_) {
+        const double u = c.u - a.u - centre_u, v = c.v - a.v - centre_v, high = 0.5 * c.closure;
+        square = std::max(square, u * u + v * v + high * high);
+    }
+    extent_ = std::sqrt(square);
 }
 
 /// The sides of the second body move with it.

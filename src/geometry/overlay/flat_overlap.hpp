@@ -30,8 +30,7 @@ public:
     const OverlapMoments& moments() const { return moments_; }
     double area() const { return area_; }       ///< on which the closure is positive
     double deepest() const { return deepest_; } ///< greatest closure there
-    /// Corners of the wedge, on both faces.
-    const std::vector<Vec3>& vertices() const { return vertices_; }
+    double extent() const { return extent_; }   ///< distance of its farthest corner from the centroid of the wedge
     Vec3 longest_edge() const;
 
 private:
@@ -59,8 +58,7 @@ private:
     std::vector<double> above_;
     OverlapGradient volume_, depth_;
     OverlapMoments moments_;
-    double area_ = 0, deepest_ = 0, deepest_below_ = 0;
-    std::vector<Vec3> vertices_;
+    double area_ = 0, deepest_ = 0, deepest_below_ = 0, extent_ = 0;
 };
 
 } // namespace kaya

@@ -267,8 +267,7 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     contacts.energy_taken[c] = force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
         0;
-    std::array<Vec3, carriers> places;
-    places.fill(contacts.position[c]);
+    Eight3 places = eights(contacts.position[c]);
     if (patch.carried > 0) {
         contacts.normal[c] = patch.normal;
         contacts.axis[c] = axis_in_plane(Vec3::Zero(), patch.longest_edge, patch.normal);
@@ -294,7 +293,7 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
         subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
-        subs.position.set(s, carries ? places[k] : contacts.position[c]);
+        subs.position.set(s, carries ? Vec3(places.x[k], places.y[k], places.z[k]) : contacts.position[c]);
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }

@@ -52,12 +52,6 @@ bool stays_without_force(const Model& model, Row c, const CarriedLoad& before) {
     return true;
 }
 
-/// Adds the first `rows` lanes to a sum, in their order.
-double plus_rows(double sum, const Eight& e, std::ptrdiff_t rows) {
-    for (std::ptrdiff_t l = 0; l < rows; ++l) sum += e[l];
-    return sum;
-}
-
 /// Frictional work of idle contacts counts before and after a step, as for all others.
 void add_friction_of(const Model& model, Row c, JointWork& work) { work.friction[0] += frictional_work(model, c); }
 
@@ -78,7 +72,7 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
         const Eight3 flat = projected * (left > none ? size / left : same); // rotation keeps its size
         const Eight3 turned = flat + normal.cross(flat) * twist;
         const Eight work = (turned - force).dot(start.at(group.load(subs.position, s)));
-        lost = plus_rows(lost, 0.5 * work, group.rows());
+        lost += 0.5 * sum(work);
         group.store(subs.shear_force, s, turned);
     }
     return lost;
@@ -146,7 +140,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMo
     double whole = 0; // area of the joint; its open part belongs to the unloaded rows
     for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
     contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
-    const std::array<Vec3, carriers> places = places_of(patch, contacts.axis[c]);
+    const Eight3 places = places_of(patch, contacts.axis[c]);
     contacts.position[c] = patch.centre;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.depth[c] = patch.depth;
@@ -158,9 +152,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMo
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
         const Row first = span.first + i;
-        Eight3 place = centre;
-        for (Row k = 0; k < loaded.rows(); ++k)
-            place.x[k] = places[k].x(), place.y[k] = places[k].y(), place.z[k] = places[k].z();
+        const Eight3& place = i == 0 ? places : centre;
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
         Eight3 shift = motion.at(place);
         if (was_closed) shift = (shift + start.at(group.load(subs.position, first))) * eights(0.5);
@@ -198,8 +190,8 @@ double normal_work(const Model& model, Row c, const RelativeMotion& motion) {
     for (Row s = span.first; s < span.end(); s += eight) {
         const RowsOfEight group(span.end() - s);
         const Eight forces = group.load(subs.normal_force.data() + s);
-        work = plus_rows(work, forces * along.dot(motion.at(group.load(subs.position, s))), group.rows());
-        force = plus_rows(force, forces, group.rows());
+        work += sum(forces * along.dot(motion.at(group.load(subs.position, s))));
+        force += sum(forces);
     }
     return work + force * contacts.twist[c] * n.dot(motion.two.turn - motion.one.turn);
 }
@@ -224,7 +216,7 @@ double withheld_shear_work(const Model& model, Row c, double scale, const Relati
     for (Row s = span.first; s < span.end(); s += eight) {
         const RowsOfEight group(span.end() - s);
         const Eight3 shift = motion.at(group.load(subs.position, s));
-        work = plus_rows(work, group.load(subs.shear_force, s).dot(shift), group.rows());
+        work += sum(group.load(subs.shear_force, s).dot(shift));
     }
     return -0.5 * (1 / scale - 1) * work;
 }

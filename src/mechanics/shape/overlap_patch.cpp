@@ -210,15 +210,18 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
     constexpr double flat_enough = 5e-7; // 1 - cosine of an angle of 1e-3
     constexpr double thin_enough =
         1e-2; // greatest closure over the root of the least area: a thousandth of a face's size
+    constexpr double small_tilt = 0.03; // 2 degrees, from where Flatness is below 1, less the angle that is flat enough
     if (pair.face1 == no_row || pair.face2 == no_row) return Flat::not_known;
     const bool shifted = offset.closure != 0 || !offset.tilt.isZero(0), second = second_is_subject(model.blocks, pair);
-    if (shifted && Flatness(model, pair).value < 1) return Flat::not_known;
     const Vec3& offset_origin = model.blocks.centroid[pair.block1];
     take_corners(model, {pair.block1, 1}, pair.face1, origin, shifted && !second ? &offset : nullptr, offset_origin,
                  work.face1);
     take_corners(model, {pair.block2, -1}, pair.face2, origin, shifted && second ? &offset : nullptr, offset_origin,
                  work.face2);
     if (!(1 + work.face1.outward.dot(work.face2.outward) < flat_enough)) return Flat::not_known;
+    // An offset turns one of the faces; a small one cannot make faces parallel that are not nearly so.
+    if (shifted && offset.tilt.squaredNorm() > small_tilt * small_tilt && Flatness(model, pair).value < 1)
+        return Flat::not_known;
     const bool found = work.flat.find(work.face1, work.face2);
     if (work.flat.deepest_below() > thin_enough * std::sqrt(pair.least_area)) return Flat::not_known; // sides count too
     return found ? Flat::found : Flat::apart;
@@ -321,16 +324,19 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.energy = energy.value;
     patch.normal = energy.force / force;
     const Vec3& n = patch.normal;
-    double low = std::numeric_limits<double>::infinity(), high = -low, extent = 0;
-    const auto reach = [&](const Vec3& v) {
-        low = std::min(low, n.dot(v));
-        high = std::max(high, n.dot(v));
-        extent = std::max(extent, (v - common.moments.centroid).squaredNorm());
-    };
-    if (flat == Flat::found) std::for_each(work.flat.vertices().begin(), work.flat.vertices().end(), reach);
-    else work.clip.each_vertex(reach);
+    double extent = work.flat.extent();
     // Between flat faces the force may lean by the closure over their size, and the wedge is as thin.
-    patch.depth = flat == Flat::found ? work.flat.deepest() : high - low;
+    patch.depth = work.flat.deepest();
+    if (flat != Flat::found) {
+        double low = std::numeric_limits<double>::infinity(), high = -low, square = 0;
+        work.clip.each_vertex([&](const Vec3& v) {
+            low = std::min(low, n.dot(v));
+            high = std::max(high, n.dot(v));
+            square = std::max(square, (v - common.moments.centroid).squaredNorm());
+        });
+        patch.depth = high - low;
+        extent = std::sqrt(square);
+    }
     if (!(patch.depth > 0)) return OverlapPatch{.normal = normal};
     // Corners carry up to four joints of the least area, thin slivers some ten: far more is a rounding artefact.
     constexpr double most_carried = 100;
@@ -341,8 +347,7 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     // rounding artefacts too.
     constexpr double lengths = 10;
     const Vec3 arm = n.cross(energy.moment) / force, aside = arm - common.moments.centroid;
-    const double twist = energy.moment.dot(n) / force,
-                 farthest = lengths * (std::sqrt(extent) + std::sqrt(pair.least_area));
+    const double twist = energy.moment.dot(n) / force, farthest = lengths * (extent + std::sqrt(pair.least_area));
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
         return OverlapPatch{.normal = normal};
     patch.area = area;
@@ -377,18 +382,16 @@ Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
     return normal.cross(Vec3::Unit(least)).normalized();
 }
 
-std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u) {
-    const Vec3 v = patch.normal.cross(u);
-    const double uu = std::max(0.0, u.dot(patch.second * u)), vv = std::max(0.0, v.dot(patch.second * v)),
-                 uv = u.dot(patch.second * v);
+Eight3 places_of(const OverlapPatch& patch, const Vec3& u) {
+    const Vec3 v = patch.normal.cross(u), of_u = patch.second * u;
+    const double uu = std::max(0.0, u.dot(of_u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = v.dot(of_u);
     // The root of the 2 x 2 matrix: (M + s I)/t with s^2 = det M, t^2 = trace M + 2 s.
     const double s = std::sqrt(std::max(0.0, uu * vv - uv * uv)), t = std::sqrt(uu + vv + 2 * s);
-    const double a = t > 0 ? (uu + s) / t : 0, b = t > 0 ? uv / t : 0, d = t > 0 ? (vv + s) / t : 0;
-    std::array<Vec3, carriers> places;
-    constexpr double sign[carriers][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-    for (Row k = 0; k < carriers; ++k)
-        places[k] = patch.centre + (a * sign[k][0] + b * sign[k][1]) * u + (b * sign[k][0] + d * sign[k][1]) * v;
-    return places;
+    const double over = t > 0 ? 1 / t : 0;
+    const Vec3 along = over * ((uu + s) * u + uv * v), across = over * (uv * u + (vv + s) * v);
+    static_assert(carriers == 4);
+    constexpr Eight of_along{1, -1, -1, 1}, of_across{1, 1, -1, -1}; // the other rows are in the centre
+    return eights(patch.centre) + eights(along) * of_along + eights(across) * of_across;
 }
 
 } // namespace kaya

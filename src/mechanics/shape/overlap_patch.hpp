@@ -1,10 +1,10 @@
 // The common volume of two rigid blocks and the force that follows from it. docs/theory/contacts.md, "Corners and edges".
 #pragma once
 
+#include "mechanics/lanes/eight.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace kaya {
 
@@ -79,8 +79,8 @@ inline double shear_area(const Contacts& contacts, Row contact) {
 /// A unit vector in the plane of a normal: along `axis`, or along `wanted` where that has no direction.
 Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal);
 
-/// Four places around the centre that share the force equally and have the second moments of its pressure. `u` is a unit vector in the
-/// plane; the places lie between it and the direction across.
-std::array<Vec3, carriers> places_of(const OverlapPatch& patch, const Vec3& u);
+/// Four places around the centre that share the force equally and have the second moments of its pressure, in the first rows; the others
+/// are in the centre. `u` is a unit vector in the plane; the places lie between it and the direction across.
+Eight3 places_of(const OverlapPatch& patch, const Vec3& u);
 
 } // namespace kaya
