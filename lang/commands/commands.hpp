@@ -44,15 +44,16 @@ struct Solve {
 };
 /// solve control: loads are scaled such that their bodies move at a given speed, or a boundary is driven.
 struct SolveControl {
-    std::optional<Vec3> gravity;       ///< direction in which gravity is scaled
-    std::string variable;              ///< of FISH: scales the loads, or the velocities, with `hist @variable`
-    std::optional<Vec3> point, along;  ///< of the displacement that counts; none: that of the loads or the boundary
-    double speed = 0, to = 0;          ///< of that displacement, above 0
-    double damped = 0.02;              ///< share of the work above which the run goes slower
-    double below = 0;                  ///< share of the peak at which the run ends
-    std::int64_t every = 50;           ///< cycles of a row of the curve
-    std::string file;                  ///< of the curve
-    std::string picture;               ///< file of the picture of the curve
+    std::optional<Vec3> gravity;      ///< direction in which gravity is scaled
+    std::string variable;             ///< of FISH: scales the loads, or the velocities, with `hist @variable`
+    std::optional<Vec3> point, along; ///< of the displacement that counts; none: that of the loads or the boundary
+    double speed = 0, to = 0;         ///< of that displacement, above 0
+    double damped = 0.02;             ///< share of the work above which the run goes slower
+    double below = 0;                 ///< share of the peak at which the run ends
+    std::int64_t every = 50;          ///< cycles of a row of the curve
+    std::string file;                 ///< of the curve
+    std::string picture, reactions,
+        energies;                      ///< files of pictures over the displacement: of the load, and of the others
     std::optional<std::int64_t> table; ///< number of the table that gets the load over the displacement
     Place place;
 };

@@ -39,6 +39,10 @@ CommandSpec solve_control() {
         .keyword({"file"}, text("file"), &SolveControl::file, "of the curve, as CSV")
         .keyword({"plot"}, text("file"), &SolveControl::picture,
                  "a picture of the load over the displacement: .png, .svg or .pdf")
+        .keyword({"reactions"}, text("file"), &SolveControl::reactions,
+                 "a picture of the sum of all reactions over the displacement")
+        .keyword({"energies"}, text("file"), &SolveControl::energies,
+                 "a picture of what is stored, lost and damped over the displacement")
         .keyword({"table"}, integer("n").at_least(1), &SolveControl::table, "that gets the load over the displacement")
         .place(&SolveControl::place)
         .finish([](const Reader& reader, SolveControl& c) {
@@ -56,6 +60,7 @@ CommandSpec solve_control() {
         .right("solve control gravity 0 1 0 speed 0.01 to 0.02 below 0.8 every 20 file 'push.csv' table 5")
         .right("solve control scale @push speed 0.01 to 0.02")
         .right("solve control scale @drive speed 0.01 to 0.02 plot 'push.svg'")
+        .right("solve control scale @drive speed 0.01 to 0.02 reactions 'reactions.svg' energies 'energies.svg'")
         .right("solve control gravity 1 0 0 speed 0.01 to 0.02 point 0.5 0.5 2 along 1 0 0")
         .wrong("solve control", "solve control has no load to scale")
         .wrong("solve control gravity 1 0 0", "solve control needs the speed of the displacement and its end")

@@ -66,7 +66,7 @@ void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::si
     static constexpr std::size_t order[] = {4, 5, 2, 6, 1, 0, 7, 3}; // the dark colours first: the background is white
     vtkNew<vtkDoubleArray> x, y;
     x->SetName("x");
-    y->SetName(curve.name.empty() ? "y" : curve.name.c_str());
+    y->SetName("y"); // not the curve's name, which may be "x"
     for (std::size_t i = first; i < end; ++i) {
         x->InsertNextValue(curve.x[i]);
         y->InsertNextValue(curve.y[i]);
@@ -77,6 +77,7 @@ void add_piece(vtkChartXY* chart, const Curve& curve, std::size_t first, std::si
     table->AddColumn(y);
     vtkPlot* plot = chart->AddPlot(curve.marks ? vtkChart::POINTS : vtkChart::LINE);
     plot->SetInputData(table, 0, 1);
+    plot->SetLabel(curve.name);
     if (auto* points = vtkPlotPoints::SafeDownCast(plot); points != nullptr && curve.marks) { // lines are points, too
         points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
         points->SetMarkerSize(4 * width);

@@ -1,7 +1,6 @@
 #include "commands/stability/load_control.hpp"
 
 #include "commands/monitors/free_fall.hpp"
-#include "commands/plot/pictures.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "commands/stability/load_curve.hpp"
 #include "commands/stability/other_motion.hpp"
@@ -97,12 +96,8 @@ public:
     void end() {
         push_->end();
         store();
-        if (command_.picture.empty() || curve_.empty()) return;
         const bool turns = push_->turns() && !follower_.follows();
-        write_chart(
-            session_,
-            curve_.picture(session_, turns ? "rotation [radians]" : "displacement [length]", push_->load_name()),
-            command_.picture);
+        curve_.draw(session_, command_, turns ? "rotation [radians]" : "displacement [length]", push_->load_name());
     }
 
 private:

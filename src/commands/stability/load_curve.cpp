@@ -1,6 +1,7 @@
 #include "commands/stability/load_curve.hpp"
 
 #include "commands/conditions/tables.hpp"
+#include "commands/plot/pictures.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
@@ -47,20 +48,46 @@ void LoadCurve::store(Session& session, const lang::SolveControl& command) const
     write_whole_file(session.program.output_file(command.file), text);
 }
 
-Chart LoadCurve::picture(const Session& session, const std::string& displacement, const std::string& load) const {
-    const auto named = [&](const std::string& text) { return session.deck.units.in_brackets(text); };
-    Chart chart;
-    chart.title = session.deck.title.empty() ? "solve control" : session.deck.title;
-    chart.x_label = named(displacement);
-    chart.y_label = named(load);
-    Curve curve{"load", {}, {}};
-    for (const CurveRow& row : rows_) curve.x.push_back(row.displacement), curve.y.push_back(row.load);
-    chart.curves.push_back(std::move(curve));
-    chart.curves.push_back({fmt::format("peak {:.4g} at {:.4g}", peak().load, peak().displacement),
-                            {peak().displacement},
-                            {peak().load},
-                            true});
-    return chart;
+void LoadCurve::draw(Session& session, const lang::SolveControl& command, const std::string& displacement,
+                     const std::string& load) const {
+    if (rows_.empty()) return;
+    const auto chart = [&](const std::string& label) {
+        Chart chart;
+        chart.title = session.deck.title.empty() ? "solve control" : session.deck.title;
+        chart.x_label = session.deck.units.in_brackets(displacement);
+        chart.y_label = session.deck.units.in_brackets(label);
+        return chart;
+    };
+    const auto curve = [&](const std::string& name, const auto& value) {
+        Curve curve{name, {}, {}};
+        for (const CurveRow& row : rows_) curve.x.push_back(row.displacement), curve.y.push_back(value(row));
+        return curve;
+    };
+    if (!command.picture.empty()) {
+        Chart of_load = chart(load);
+        of_load.curves = {curve("load", [](const CurveRow& row) { return row.load; }),
+                          {fmt::format("peak {:.4g} at {:.4g}", peak().load, peak().displacement),
+                           {peak().displacement},
+                           {peak().load},
+                           true}};
+        write_chart(session, of_load, command.picture);
+    }
+    if (!command.reactions.empty()) {
+        Chart of_reactions = chart("sum of reactions [force]");
+        for (const int k : {0, 1, 2})
+            of_reactions.curves.push_back(
+                curve(std::string{"xyz"[k]}, [k](const CurveRow& row) { return row.reaction[k]; }));
+        write_chart(session, of_reactions, command.reactions);
+    }
+    if (!command.energies.empty()) {
+        Chart of_energies = chart("energy [energy]");
+        of_energies.curves = {curve("stored in joints", [](const CurveRow& row) { return row.stored; }),
+                              curve("lost in slip and failure", [](const CurveRow& row) { return row.lost; }),
+                              curve("damped", [](const CurveRow& row) { return row.damped; })};
+        if (session.engine.model.zones.size() > 0)
+            of_energies.curves.push_back(curve("work on zones", [](const CurveRow& row) { return row.zone_work; }));
+        write_chart(session, of_energies, command.energies);
+    }
 }
 
 } // namespace kaya

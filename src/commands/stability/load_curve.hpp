@@ -37,8 +37,10 @@ public:
 
     /// Writes the table and the CSV file that the command wants.
     void store(Session& session, const lang::SolveControl& command) const;
-    /// The load over the displacement, with its peak. Names of axes are quantities with their units: "force [force]".
-    Chart picture(const Session& session, const std::string& displacement, const std::string& load) const;
+    /// Draws what the command wants: the load with its peak, the sums of reactions, the energies, over the displacement. Names of axes are
+    /// quantities with their units: "force [force]".
+    void draw(Session& session, const lang::SolveControl& command, const std::string& displacement,
+              const std::string& load) const;
 
 private:
     std::vector<CurveRow> rows_;
