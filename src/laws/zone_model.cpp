@@ -72,7 +72,7 @@ bool all_finite(const double* column, std::size_t n) {
     return others == 0;
 }
 
-std::optional<ZoneFailure> not_finite(const std::string& model, const std::string& quantity, const double* column,
+std::optional<ZoneFailure> not_finite(std::string_view model, std::string_view quantity, const double* column,
                                       std::size_t n) {
     if (all_finite(column, n)) return std::nullopt;
     const auto row = std::find_if(column, column + n, [](double value) { return !std::isfinite(value); });

@@ -117,13 +117,13 @@ struct Bounds {
         return {mean + r * cosine(t + around) + small, mean - r * cosine(around - t) - small};
     }
 
-    /// The same with c = 1, for any angle: cheaper, and sufficient far from yielding.
+    /// The same with c = 1, for any angle: cheaper, and sufficient far from yielding. Without divisions, which take longer than all the rest.
     [[gnu::always_inline]] static Bounds wide(double xx, double yy, double zz, double xy, double xz, double yz) {
-        constexpr double rounding = 1e-12;
-        const double mean = (xx + yy + zz) / 3;
-        const double second =
-            ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 6 + xy * xy + xz * xz + yz * yz;
-        const double r = 2 * std::sqrt(second / 3), reach = r + rounding * (std::abs(mean) + r);
+        constexpr double rounding = 1e-12, third = 1.0 / 3;
+        const double mean = (xx + yy + zz) * third;
+        const double normal = (xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx);
+        const double r = std::sqrt(normal * (2 * third / 3) + (xy * xy + xz * xz + yz * yz) * (4 * third)); // 4/3 J2
+        const double reach = r + rounding * (std::abs(mean) + r);
         return {mean + reach, mean - reach};
     }
 

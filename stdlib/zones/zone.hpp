@@ -48,14 +48,19 @@ inline void give_moduli(const double* properties, double* bulk, double* shear) {
 /// The elastic step of a whole batch.
 inline void add_elastic(kaya_zbatch& batch, const Moduli& moduli) {
     const double two_shear = 2 * moduli.shear, lame = moduli.lame();
-    for (int k = 0; k < 3; ++k) {
-        double* __restrict normal = batch.stress[k], * __restrict shear = batch.stress[k + 3];
-        const double *xx = batch.strain_inc[0], *yy = batch.strain_inc[1], *zz = batch.strain_inc[2];
-        const double *own = batch.strain_inc[k], *sheared = batch.strain_inc[k + 3];
-        for (std::size_t i = 0; i < batch.n; ++i) {
-            normal[i] = (normal[i] + two_shear * own[i]) + lame * (xx[i] + yy[i] + zz[i]);
-            shear[i] += two_shear * sheared[i];
-        }
+    double *__restrict sxx = batch.stress[0], *__restrict syy = batch.stress[1], *__restrict szz = batch.stress[2],
+           *__restrict sxy = batch.stress[3], *__restrict sxz = batch.stress[4], *__restrict syz = batch.stress[5];
+    const double *xx = batch.strain_inc[0], *yy = batch.strain_inc[1], *zz = batch.strain_inc[2],
+                 *xy = batch.strain_inc[3], *xz = batch.strain_inc[4], *yz = batch.strain_inc[5];
+    const std::size_t n = batch.n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double mean = lame * (xx[i] + yy[i] + zz[i]);
+        sxx[i] = (sxx[i] + two_shear * xx[i]) + mean;
+        syy[i] = (syy[i] + two_shear * yy[i]) + mean;
+        szz[i] = (szz[i] + two_shear * zz[i]) + mean;
+        sxy[i] += two_shear * xy[i];
+        sxz[i] += two_shear * xz[i];
+        syz[i] += two_shear * yz[i];
     }
 }
 
