@@ -4,6 +4,7 @@
 #include "mechanics/common/elastic_constants.hpp"
 #include "mechanics/zones/cells.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kaya {
@@ -22,21 +23,21 @@ constexpr LayerZones layer_zones[3] = {{0, 4}, {1, 3}, {2, 5}};
     for (Row i = 0; i < count; i += eight) __builtin_prefetch(first + i, 1);
 }
 
-inline SixZones load_zones(const Column<Stress>& column, Row zone, Row cells) {
+[[gnu::always_inline]] inline SixZones load_zones(const Column<Stress>& column, Row zone, Row cells) {
     SixZones stress;
     for (Row z = 0; z < zones_of_cell; ++z) stress[z] = load_six(column[zone + z].data(), to_next_cell, cells);
     return stress;
 }
-inline void store_zones(Column<Stress>& column, Row zone, Row cells, const SixZones& stress) {
+[[gnu::always_inline]] inline void store_zones(Column<Stress>& column, Row zone, Row cells, const SixZones& stress) {
     for (Row z = 0; z < zones_of_cell; ++z) store_six(column[zone + z].data(), to_next_cell, cells, stress[z]);
 }
 
-inline SixZones sum(const SixZones& a, const SixZones& b) {
+[[gnu::always_inline]] inline SixZones sum(const SixZones& a, const SixZones& b) {
     SixZones of_both;
     for (Row z = 0; z < zones_of_cell; ++z) of_both[z] = sum(a[z], b[z]);
     return of_both;
 }
-inline SixZones difference(const SixZones& a, const SixZones& b) {
+[[gnu::always_inline]] inline SixZones difference(const SixZones& a, const SixZones& b) {
     SixZones rest;
     for (Row z = 0; z < zones_of_cell; ++z) rest[z] = difference(a[z], b[z]);
     return rest;
@@ -47,7 +48,7 @@ inline void turn(SixZones& stress, const Eight3& half_spin) {
     for (SixEights& zone : stress) zone = turned(zone, half_spin);
 }
 
-inline SixEights mean_of(const SixZones& stress) {
+[[gnu::always_inline]] inline SixEights mean_of(const SixZones& stress) {
     SixEights mean = stress[0];
     for (Row z = 1; z < zones_of_cell; ++z) mean = sum(mean, stress[z]);
     for (Eight& s : mean) s *= 1.0 / zones_of_cell;
@@ -55,49 +56,56 @@ inline SixEights mean_of(const SixZones& stress) {
 }
 
 /// Half of the difference of stress between the layers of an axis.
-inline SixEights layer_stress(const SixZones& stress, std::size_t axis) {
+[[gnu::always_inline]] inline SixEights layer_stress(const SixZones& stress, std::size_t axis) {
     SixEights half = difference(stress[layer_zones[axis].upper], stress[layer_zones[axis].lower]);
     for (Eight& s : half) s *= 0.5;
     return half;
 }
 
-/// The product of two vectors as a symmetric tensor.
+/// The product of two vectors as a tensor, on and above its diagonal: of parallel vectors, or part of a sum that is symmetric.
 [[gnu::always_inline]] inline SixEights tensor(const Eight3& a, const Eight3& b) {
-    return {a.x * b.x,
-            a.y * b.y,
-            a.z * b.z,
-            0.5 * (a.x * b.y + a.y * b.x),
-            0.5 * (a.x * b.z + a.z * b.x),
-            0.5 * (a.y * b.z + a.z * b.y)};
+    return {a.x * b.x, a.y * b.y, a.z * b.z, a.x * b.y, a.x * b.z, a.y * b.z};
 }
 
-/// The plane of the layers of one axis, spanned by the two others, b and c.
+/// The plane of the layers of one axis, spanned by the two others, b and c. A layer whose strain has the components bb, cc and bc in its plane
+/// becomes thinner or thicker such that it takes no stress across itself while it is elastic.
 struct LayerPlane {
-    /// The strain of the upper layer by a component of 1 in its plane, bb, cc or both bc: an elastic layer becomes thinner or thicker by it
-    /// such that it takes no stress across itself. Their products with a stress are the components that do the work.
-    std::array<SixEights, 3> part;
-    SixEights across; ///< of the normal with itself
+    Eight3 dual_b, dual_c; ///< vectors in the plane: products with b and c are 0 or 1
+    SixEights across;      ///< of the normal with itself
+    Eight bb, cc, bc;      ///< products of the dual vectors
+    double thinner;        ///< strain across elastic layers over the trace of that in their plane, with the other sign
 
     LayerPlane() = default;
     [[gnu::always_inline]] LayerPlane(const std::array<Eight3, 3>& axes, std::size_t axis,
                                       const ElasticConstants& elastic) {
         const Eight3 &b = axes[(axis + 1) % 3], &c = axes[(axis + 2) % 3], n = b.cross(c);
-        const Eight bb = b.dot(b), cc = c.dot(c), bc = b.dot(c), r = 1.0 / (bb * cc - bc * bc);
-        const std::array<Eight, 3> metric{cc * r, bb * r, -bc * r}; // inverse: bb, cc, bc
-        const Eight3 dual_b = b * metric[0] + c * metric[2], dual_c = b * metric[2] + c * metric[1];
+        const Eight square_b = b.dot(b), square_c = c.dot(c), of_both = b.dot(c),
+                    r = 1.0 / (square_b * square_c - of_both * of_both);
+        bb = square_c * r, cc = square_b * r, bc = -of_both * r;
+        dual_b = b * bb + c * bc, dual_c = b * bc + c * cc;
         across = tensor(n, n * r);
-        part = {tensor(dual_b, dual_b), tensor(dual_c, dual_c), tensor(dual_b, dual_c)};
-        const double whole = elastic.lambda + elastic.two_shear, thinner = whole > 0 ? elastic.lambda / whole : 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t k = 0; k < 6; ++k) part[i][k] -= thinner * metric[i] * across[k];
+        const double whole = elastic.lambda + elastic.two_shear;
+        thinner = whole > 0 ? elastic.lambda / whole : 0;
     }
 
     /// The strain of the upper layer with these components bb, cc and bc.
     [[gnu::always_inline]] SixEights strain(const Eight* own) const {
-        SixEights strain;
-        for (std::size_t k = 0; k < 6; ++k)
-            strain[k] = own[0] * part[0][k] + own[1] * part[1][k] + 2.0 * own[2] * part[2][k];
+        const Eight thickening = -thinner * (own[0] * bb + own[1] * cc + 2.0 * own[2] * bc);
+        SixEights strain = tensor(dual_b, dual_b * own[0] + dual_c * own[2]);
+        const SixEights rest = tensor(dual_c, dual_b * own[2] + dual_c * own[1]);
+        for (std::size_t k = 0; k < 6; ++k) strain[k] = strain[k] + rest[k] + thickening * across[k];
         return strain;
+    }
+
+    /// The components bb, cc and bc of a stress that do the work of such strains.
+    [[gnu::always_inline]] std::array<Eight, 3> components(const SixEights& s) const {
+        const auto on = [&](const Eight3& v) {
+            return Eight3{s[0] * v.x + s[3] * v.y + s[4] * v.z, s[3] * v.x + s[1] * v.y + s[5] * v.z,
+                          s[4] * v.x + s[5] * v.y + s[2] * v.z};
+        };
+        const Eight3 on_b = on(dual_b), on_c = on(dual_c);
+        const Eight pressed = thinner * product(s, across);
+        return {on_b.dot(dual_b) - pressed * bb, on_c.dot(dual_c) - pressed * cc, on_b.dot(dual_c) - pressed * bc};
     }
 };
 
@@ -114,11 +122,12 @@ struct MadeStress {
 };
 
 /// Of cells with these stresses of their zones; that of fibres is 0.
-[[gnu::always_inline]] inline MadeStress made_stress(const LayerPlanes& planes, const SixZones& stress) {
+[[gnu::always_inline]] [[gnu::always_inline]] inline MadeStress made_stress(const LayerPlanes& planes,
+                                                                            const SixZones& stress) {
     MadeStress made{mean_of(stress), {}};
     for (std::size_t a = 0; a < 3; ++a) {
-        const SixEights layer = layer_stress(stress, a);
-        for (std::size_t k = 0; k < 3; ++k) made.warp[3 * a + k] = product(layer, planes[a].part[k]);
+        const std::array<Eight, 3> layer = planes[a].components(layer_stress(stress, a));
+        std::copy(layer.begin(), layer.end(), &made.warp[3 * a]);
     }
     return made;
 }

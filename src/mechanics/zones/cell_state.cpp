@@ -54,9 +54,8 @@ void put_layers(const LayerColumns& columns, const std::array<Eight3, 3>& axes, 
     SixZones stress = load_zones(columns.zones, first, 1);
     for (std::size_t a = 0; a < 3; ++a) {
         const Eight3 &b = axes[(a + 1) % 3], &c = axes[(a + 2) % 3];
-        SixEights layer = tensor(b, b * warp[3 * a]);
-        layer = sum(layer, tensor(c, c * warp[3 * a + 1]));
-        layer = sum(layer, tensor(b, c * (2.0 * warp[3 * a + 2])));
+        const Eight *const own = &warp[3 * a], &bb = own[0], &cc = own[1], &bc = own[2];
+        const SixEights layer = sum(tensor(b, b * bb + c * bc), tensor(c, b * bc + c * cc));
         const auto [upper, lower] = layer_zones[a];
         stress[upper] = sum(stress[upper], layer);
         stress[lower] = difference(stress[lower], layer);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 
 namespace kaya {
@@ -23,14 +25,40 @@ Eight square_of_deviator(const SixEights& stress) {
     return product(stress, stress) - 3.0 * mean * mean;
 }
 
-/// A number, or the nearer limit where it is beyond.
-Eight within(const Eight& limit, const Eight& number) {
-    const Eight low = number < -limit ? -limit : number;
-    return low > limit ? limit : low;
+/// A number, or the nearer limit where it is beyond. `square` is that of the limits; their root is computed where it is needed.
+[[gnu::always_inline]] inline Eight within_root(const Eight& square, const Eight& number) {
+    const MaskOfEight inside = number * number <= square;
+    if (all(inside)) return number;
+    const Eight limit = square_root(square);
+    return inside ? number : number < 0 ? -limit : limit;
 }
+
+/// Whether all bits of an even count of numbers are 0.
+template <class Number> [[gnu::always_inline]] inline bool are_blank(const Number* numbers, Row count) {
+    const Row words = count * static_cast<Row>(sizeof(Number)) / static_cast<Row>(sizeof(std::uint64_t));
+    std::uint64_t any = 0;
+    for (Row w = 0; w < words; ++w) {
+        std::uint64_t word;
+        std::memcpy(&word, reinterpret_cast<const char*>(numbers) + sizeof word * static_cast<std::size_t>(w),
+                    sizeof word);
+        any |= word;
+    }
+    return any == 0;
+}
+
+/// Numbers of the zones of a group in the order of its rows: the same zone of each cell, then the next one; from 1.
+constexpr std::array<Row, zones_of_group> number_in_group = [] {
+    std::array<Row, zones_of_group> number{};
+    for (std::size_t i = 0; i < number.size(); ++i)
+        number[i] = static_cast<Row>(i % eight * zones_of_cell + i / eight + 1);
+    return number;
+}();
+
+constexpr Row groups_in_batch = 2; ///< their data remain in the first-level cache
 
 /// Data of eight cells kept until their stresses are updated.
 struct FlowGroup {
+    bool blank; ///< states and histories are 0
     CellGroupCorners corners;
     CellShape shape; ///< at the end of the step
     LayerPlanes planes;
@@ -38,6 +66,7 @@ struct FlowGroup {
     WarpStep warp;
     WarpStress kept;          ///< the columns of warps: FlowingCells
     Eight volume;             ///< in the middle of the step
+    Eight work;               ///< twice that of the stresses before the step, apart from fibres
     SixZones before, initial; ///< stresses, turned with the cell
     bool has_initial;
 };
@@ -54,12 +83,13 @@ public:
           forces_(tile, forces), batch_(model, law) {}
 
     ZoneSums run() {
-        for (Row zone = tile_.first; zone < tile_.last; zone += zones_of_group) {
-            const Place at{zone, cells_from(zone, tile_.last)};
-            batch_.begin(zones_of_cell * at.cells);
-            strain(at);
+        constexpr Row whole = groups_in_batch * zones_of_group;
+        for (Row first = tile_.first; first < tile_.last; first += whole) {
+            const Row count = std::min(whole, tile_.last - first);
+            batch_.begin(count);
+            for_groups(first, count, [this](const Place& at) { strain(at); });
             batch_.run(model_);
-            finish(at);
+            for_groups(first, count, [this](const Place& at) { finish(at); });
         }
         ZoneSums sums;
         sums.work = kaya::sum(work_);
@@ -70,13 +100,27 @@ public:
 private:
     /// Up to eight cells and their rows.
     struct Place {
-        Row row(Row z) const { return z * cells; } ///< of zone z of the first cell
-        Row zone, cells;
+        [[gnu::always_inline]] Row row(Row z) const { return first_row + z * cells; } ///< of zone z of the first cell
+        Row zone, cells, first_row;
     };
+
+    /// Calls each(place) for the groups of a batch. With eight cells, a number that the compiler sees, no loop over rows remains.
+    template <class Each> [[gnu::always_inline]] static void for_groups(Row first, Row count, Each each) {
+        Row row = 0;
+        for (; row + zones_of_group <= count; row += zones_of_group) whole_group(each, {first + row, eight, row});
+        if (row < count) part_of_group(each, {first + row, (count - row) / zones_of_cell, row});
+    }
+    template <class Each> [[gnu::always_inline]] static void whole_group(Each each, Place at) {
+        at.cells = eight;
+        each(at);
+    }
+    template <class Each> [[gnu::noinline]] static void part_of_group(Each each, const Place& at) { each(at); }
+
+    FlowGroup& group_at(const Place& at) { return groups_[static_cast<std::size_t>(at.first_row / zones_of_group)]; }
 
     /// Strains of the step, and the stresses turned with the material.
     [[gnu::always_inline]] void strain(const Place& at) {
-        FlowGroup& g = group_;
+        FlowGroup& g = group_at(at);
         bring_group(at.zone + zones_of_group);
         g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
@@ -98,7 +142,7 @@ private:
             fill_rows(at, z, g, strains[z], pressure);
             if (large_) store_spin(batch_, at.row(z), motion.half_spin);
         }
-        read_history(at);
+        read_history(at, g);
     }
 
     /// Prefetches eight cells while the previous ones are processed.
@@ -108,7 +152,7 @@ private:
         for (const auto& column : model_.zones.warp) bring(&column[zone], zones_of_group);
     }
 
-    void load_stresses(FlowGroup& g, const Place& at, const Eight3& half_spin) {
+    [[gnu::always_inline]] void load_stresses(FlowGroup& g, const Place& at, const Eight3& half_spin) {
         g.before = load_zones(model_.zones.stress, at.zone, at.cells);
         g.has_initial = has_initial(model_.zones, at.zone, at.cells);
         if (g.has_initial) g.initial = load_zones(model_.zones.initial, at.zone, at.cells);
@@ -125,8 +169,11 @@ private:
     }
 
     /// Layers change their thickness such that no stress goes from one to the next: equation (13).
-    SixZones strains_of(FlowGroup& g) const {
+    [[gnu::always_inline]] SixZones strains_of(FlowGroup& g) const {
         const double softness = 1 / (law_.elastic.lambda + law_.elastic.two_shear);
+        SixEights mean = mean_of(g.before);
+        if (g.has_initial) mean = difference(mean, mean_of(g.initial));
+        Eight of_layers{};
         SixZones strains;
         for (std::size_t a = 0; a < 3; ++a) {
             const LayerPlane& plane = g.planes[a];
@@ -134,46 +181,62 @@ private:
             SixEights pressed = layer_stress(g.before, a);
             if (g.has_initial) pressed = difference(pressed, layer_stress(g.initial, a));
             const Eight wanted = product(pressed, plane.across) * -softness;
-            const Eight most = most_thickening * square_root(product(layer, layer));
-            const Eight thicker = within(most, g.kept[a] + wanted);
-            g.kept[a] = within(most, g.kept[a] + 0.25 * wanted);
+            of_layers += product(pressed, layer);
+            const Eight most = most_thickening * most_thickening * product(layer, layer);
+            const Eight thicker = within_root(most, g.kept[a] + wanted);
+            g.kept[a] = within_root(most, g.kept[a] + 0.25 * wanted);
             for (std::size_t k = 0; k < 6; ++k) layer[k] += thicker * plane.across[k];
             strains[layer_zones[a].upper] = kaya::sum(g.strain, layer);
             strains[layer_zones[a].lower] = difference(g.strain, layer);
         }
+        g.work = g.volume * (product(mean, g.strain) + of_layers * (1.0 / 3));
         return strains;
     }
 
-    void fill_rows(const Place& at, Row z, const FlowGroup& g, const SixEights& strain, const Eight& pressure) {
+    [[gnu::always_inline]] void fill_rows(const Place& at, Row z, const FlowGroup& g, const SixEights& strain,
+                                          const Eight& pressure) {
         const Row row = at.row(z);
         const auto put = [&](double* column, const Eight& value) { store_rows(column + row, at.cells, value); };
         for (std::size_t k = 0; k < 6; ++k) {
             put(batch_.strain[k], strain[k]);
-            put(batch_.stress[k], k < 3 ? g.before[z][k] + pressure : g.before[z][k]);
+            put(batch_.stress[k], wet_ && k < 3 ? g.before[z][k] + pressure : g.before[z][k]);
         }
         put(batch_.volume, g.volume * (1.0 / zones_of_cell));
         put(batch_.pressure, pressure);
     }
 
-    void read_history(const Place& at) {
+    [[gnu::always_inline]] void read_history(const Place& at, FlowGroup& g) {
         const Zones& zones = model_.zones;
+        const std::size_t columns = law_.model->history.size();
         for (Row z = 0; z < zones_of_cell; ++z)
-            for (Row l = 0; l < at.cells; ++l) {
-                const Row zone = at.zone + zones_of_cell * l + z;
-                batch_.state[at.row(z) + l] = zones.state[zone];
-                batch_.number[at.row(z) + l] = zone + 1;
-            }
-        for (std::size_t k = 0; k < law_.model->history.size(); ++k) {
+            for (Row l = 0; l < at.cells; ++l) batch_.number[at.row(z) + l] = at.zone + number_in_group[z * eight + l];
+        const Row count = zones_of_cell * at.cells;
+        g.blank = are_blank(&zones.state[at.zone], count);
+        for (std::size_t k = 0; k < columns; ++k) g.blank &= are_blank(&zones.history[k][at.zone], count);
+        if (g.blank) {
+            std::fill_n(batch_.state + at.first_row, count, 0u);
+            for (std::size_t k = 0; k < columns; ++k) std::fill_n(batch_.history[k] + at.first_row, count, 0.0);
+            return;
+        }
+        for (Row z = 0; z < zones_of_cell; ++z)
+            for (Row l = 0; l < at.cells; ++l)
+                batch_.state[at.row(z) + l] = zones.state[at.zone + zones_of_cell * l + z];
+        for (std::size_t k = 0; k < columns; ++k) {
             const SixEights kept = load_six(&zones.history[k][at.zone], 6, at.cells);
             for (Row z = 0; z < zones_of_cell; ++z) store_rows(batch_.history[k] + at.row(z), at.cells, kept[z]);
         }
     }
-    void write_history(const Place& at) {
+    [[gnu::always_inline]] void write_history(const Place& at, const FlowGroup& g) {
         Zones& zones = model_.zones;
+        const std::size_t columns = law_.model->history.size();
+        const Row count = zones_of_cell * at.cells;
+        bool blank = g.blank && are_blank(batch_.state + at.first_row, count);
+        for (std::size_t k = 0; k < columns && blank; ++k) blank = are_blank(batch_.history[k] + at.first_row, count);
+        if (blank) return;
         for (Row z = 0; z < zones_of_cell; ++z)
             for (Row l = 0; l < at.cells; ++l)
                 zones.state[at.zone + zones_of_cell * l + z] = batch_.state[at.row(z) + l];
-        for (std::size_t k = 0; k < law_.model->history.size(); ++k) {
+        for (std::size_t k = 0; k < columns; ++k) {
             SixEights kept;
             for (Row z = 0; z < zones_of_cell; ++z) kept[z] = load_rows(batch_.history[k] + at.row(z), at.cells);
             store_six(&zones.history[k][at.zone], 6, at.cells, kept);
@@ -181,17 +244,23 @@ private:
     }
 
     /// Writes stresses to the zones, updates their state, and computes their forces.
-    void finish(const Place& at) {
-        FlowGroup& g = group_;
-        write_history(at);
+    [[gnu::always_inline]] void finish(const Place& at) {
+        FlowGroup& g = group_at(at);
+        write_history(at, g);
         Eight left;
         const SixZones after = flowed(at, g, left);
         store_zones(model_.zones.stress, at.zone, at.cells, after);
 
-        MadeStress before = made(g, g.before), now = made(g, after);
-        move_fibres(at, g, left, before.warp, now.warp);
-        Eight work = g.volume * product(kaya::sum(before.mean, now.mean), g.strain) +
-                     g.warp.work(added(before.warp, 1, now.warp));
+        MadeStress now = made(g, after);
+        WarpStress of_both = now.warp;
+        for (std::size_t k = 9; k < of_both.size(); ++k) {
+            now.warp[k] =
+                left * (g.kept[k] + g.warp.change[k]); // no law runs on the strain of fibres: theory, "Six points"
+            of_both[k] = g.kept[k] + now.warp[k];
+            g.kept[k] = now.warp[k];
+        }
+        store_warps(model_.zones.warp, at.zone, at.cells, g.kept);
+        Eight work = g.work + g.volume * product(now.mean, g.strain) + g.warp.work(of_both);
         if (damping_ > 0) damp(at, g, after, now);
         CellForces forces = forces_of(g.shape, now.mean, now.warp);
         if (g.has_initial) {
@@ -211,23 +280,37 @@ private:
     }
 
     /// The stresses after the step. `left`: the squares of the deviators over what they would be without flow.
-    SixZones flowed(const Place& at, const FlowGroup& g, Eight& left) const {
-        SixZones after, beyond; // what flow has changed
-        bool flow = false;
+    [[gnu::always_inline]] SixZones flowed(const Place& at, const FlowGroup& g, Eight& left) const {
+        SixZones after;
+        MaskOfEight changed{}; // bits that differ from those of an elastic step
         for (Row z = 0; z < zones_of_cell; ++z) {
-            const auto column = [&](const double* rows) { return load_rows(rows + at.row(z), at.cells); };
-            const Eight pressure = wet_ ? column(batch_.pressure) : Eight{};
-            SixEights strain;
-            for (std::size_t k = 0; k < 6; ++k) {
-                after[z][k] = k < 3 ? column(batch_.stress[k]) - pressure : column(batch_.stress[k]);
-                strain[k] = column(batch_.strain[k]);
-            }
-            beyond[z] = difference(after[z], elastic_trial(g.before[z], strain));
-            flow |= !std::ranges::all_of(beyond[z], [](const Eight& s) { return all_zero(s); });
+            after[z] = rows_of(batch_.stress, at, z);
+            if (wet_)
+                for (std::size_t k = 0; k < 3; ++k) after[z][k] -= load_rows(batch_.pressure + at.row(z), at.cells);
+            const SixEights trial = elastic_trial(g.before[z], rows_of(batch_.strain, at, z));
+            for (std::size_t k = 0; k < 6; ++k)
+                changed |=
+                    reinterpret_cast<const MaskOfEight&>(after[z][k]) ^ reinterpret_cast<const MaskOfEight&>(trial[k]);
         }
-        left = flow ? part_left(after, beyond) : eights(1);
-        if (flow && averages_) average(after, beyond);
+        left = eights(1);
+        if (!all(changed == 0)) flow(at, g, after, left);
         return after;
+    }
+
+    template <std::size_t length>
+    [[gnu::always_inline]] static SixEights rows_of(const double (&columns)[6][length], const Place& at, Row z) {
+        SixEights rows;
+        for (std::size_t k = 0; k < 6; ++k) rows[k] = load_rows(columns[k] + at.row(z), at.cells);
+        return rows;
+    }
+
+    /// The same where zones flow.
+    [[gnu::noinline]] void flow(const Place& at, const FlowGroup& g, SixZones& after, Eight& left) const {
+        SixZones beyond; // what flow has changed
+        for (Row z = 0; z < zones_of_cell; ++z)
+            beyond[z] = difference(after[z], elastic_trial(g.before[z], rows_of(batch_.strain, at, z)));
+        left = part_left(after, beyond);
+        if (averages_) average(after, beyond);
     }
 
     static Eight part_left(const SixZones& after, const SixZones& beyond) {
@@ -251,21 +334,13 @@ private:
                 for (std::size_t k = 0; k < 3; ++k) after[z][k] += mean - flow[a];
     }
 
-    SixEights elastic_trial(const SixEights& before, const SixEights& strain) const {
+    [[gnu::always_inline]] SixEights elastic_trial(const SixEights& before, const SixEights& strain) const {
         const auto& [lambda, two_shear] = law_.elastic;
         const Eight mean = lambda * (strain[0] + strain[1] + strain[2]);
         SixEights stress;
-        for (std::size_t k = 0; k < 6; ++k) stress[k] = before[k] + two_shear * strain[k] + (k < 3 ? mean : Eight{});
+        for (std::size_t k = 0; k < 6; ++k) stress[k] = before[k] + two_shear * strain[k];
+        for (std::size_t k = 0; k < 3; ++k) stress[k] += mean;
         return stress;
-    }
-
-    /// No law runs on the strain of fibres: their stress is elastic, and falls as the squares of the deviators do.
-    void move_fibres(const Place& at, FlowGroup& g, const Eight& left, WarpStress& before, WarpStress& now) {
-        for (std::size_t k = 9; k < g.kept.size(); ++k) {
-            before[k] = g.kept[k];
-            now[k] = g.kept[k] = left * (g.kept[k] + g.warp.change[k]);
-        }
-        store_warps(model_.zones.warp, at.zone, at.cells, g.kept);
     }
 
     /// Adds the viscous stresses of the step.
@@ -299,8 +374,8 @@ private:
     const bool large_, wet_, averages_;
     TileRows rows_;
     TileForces forces_;
-    StagedZones<zones_of_group> batch_;
-    FlowGroup group_;
+    StagedZones<groups_in_batch * zones_of_group> batch_;
+    std::array<FlowGroup, groups_in_batch> groups_;
     Lanes work_ = Lanes::Zero(), damped_work_ = Lanes::Zero();
 };
 
