@@ -201,7 +201,8 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         const Row c = batch.contacts[i];
         if (i % eight == 0) take_pairs(model, std::span(batch.contacts).subspan(i), pairs);
         if (follows_overlap(model, c)) {
-            const OverlapStart start = move_overlap_contact(model, c, before, scratch.overlap);
+            const OverlapStart start =
+                move_overlap_contact(model, c, before, scratch.overlap, scratch.slopes_of(model, i, c));
             sums.lost += start.lost;
             turn_kept_vectors(model, c, batch.model->vectors);
             std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
@@ -226,7 +227,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         const Row c = batch.contacts[i];
         if (follows_overlap(model, c)) {
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
-            const OverlapEnd end = finish_overlap_contact(model, c, carried[i], after);
+            const OverlapEnd end = finish_overlap_contact(model, c, carried[i], scratch.slopes_of(model, i, c), after);
             sums.lost += end.lost;
             if (closed_by_law) begin_again(model, batch, c, scratch.of_contact);
             if (end.idle && !closed_by_law) forces.of_contact[c] = forces.moment[c] = Vec3::Zero();
@@ -238,7 +239,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
             const double work_before = work_of_step(model, c);
-            sums.lost += follow_overlap(model, c, scratch.overlap);
+            sums.lost += follow_overlap(model, *batch.model, c, scratch.overlap);
             // The change of its force acts during half of the step and is not part of the energy stored in the springs.
             const double more = work_of_step(model, c) - work_before;
             after.joint[0] += more;

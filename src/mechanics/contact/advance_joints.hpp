@@ -32,9 +32,17 @@ struct JointForces {
 struct JointScratch {
     BatchColumns columns, of_contact; ///< of the batch, and of one contact that is re-initialised
     std::vector<double> friction; ///< frictional work before the step, by contact of the batch; of those with overlap
-    std::vector<double> row_friction; ///< by row of the batch
-    std::vector<CarriedLoad> carried; ///< by contact of the batch; of those with overlap
+    std::vector<double> row_friction;  ///< by row of the batch
+    std::vector<CarriedLoad> carried;  ///< by contact of the batch; of those with overlap
+    std::vector<OverlapSlopes> slopes; ///< likewise; of curved ones
     OverlapScratch overlap;
+
+    /// Of contact `c`, the i-th of the batch; null where it is not curved.
+    OverlapSlopes* slopes_of(const Model& model, std::size_t i, Row c) {
+        if (model.contacts.curved[c] == 0) return nullptr;
+        if (slopes.size() <= i) slopes.resize(i + 1);
+        return &slopes[i];
+    }
 };
 
 /// Turns the planes, computes displacement increments, calls the joint models, and writes contact forces, displacements, history, state and

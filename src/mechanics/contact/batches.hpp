@@ -18,6 +18,7 @@ struct Batch {
     Row properties;
     Row first, count;          ///< rows of sub-contacts
     std::vector<Row> contacts; ///< in the order of their rows
+    bool curved = false;       ///< a stiffness of its joint model depends on the closure
 };
 
 /// All batches, in row order; columns for the history of their models are allocated. A batch holds whole contacts and, if it holds several,

@@ -13,6 +13,7 @@ CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model
         const auto k = static_cast<std::size_t>(s - first);
         shear[k] = subs.shear_force[s];
         worn_by_row[k] = subs.frictional_work[s];
+        shear_stiffness[k] = subs.shear_stiffness[s];
     }
 }
 

@@ -7,12 +7,12 @@
 
 namespace kaya {
 
-/// Normal force, stiffness, frictional work and shear forces of the carriers of an overlap before a joint model sees them.
+/// Normal force, stiffness, frictional work, shear forces and shear stiffnesses of the carriers of an overlap before a joint model sees them.
 struct CarriedLoad {
     double force = 0, stiffness = 0, worn = 0;
     bool lies = false; ///< see OverlapStart, which gives it
     std::array<Vec3, carriers> shear;
-    std::array<double, carriers> worn_by_row{};
+    std::array<double, carriers> worn_by_row{}, shear_stiffness{};
 
     CarriedLoad() { shear.fill(Vec3::Zero()); }
     CarriedLoad(const Model& model, Row contact);

@@ -1,3 +1,4 @@
+#include "mechanics/contact/curved_closure.hpp"
 #include "mechanics/contact/contact_search.hpp"
 
 #include "base/parallel.hpp"
@@ -279,17 +280,24 @@ bool may_close(const Model& model, Row contact) {
 
 /// Whether every point of the future joint is well closed by the present overlap, and the joint would carry the same force with the same
 /// energy.
-bool closes_everywhere(const Model& model, Row contact, const ContactGeometry& geometry) {
+bool closes_everywhere(const Model& model, const JointRegistry& joints, Row contact, const ContactGeometry& geometry) {
     const auto& contacts = model.contacts;
     const Vec3& origin = model.blocks.centroid[contacts.block1[contact]];
     constexpr double same = 0.02; // faces that interlock at their edges would form a joint of smaller area
     double volume = 0, square = 0;
+    const bool curved = contacts.curved[contact] != 0;
+    std::vector<PlaceAhead> places;
     for (const ContactPoint& p : geometry.points) {
         const double closure =
             contacts.offset[contact] + contacts.offset_tilt[contact].dot(p.position - origin) - p.gap;
         if (!(closure > least_closure * contacts.depth[contact])) return false;
         volume += p.area * closure;
         square += p.area * closure * closure;
+        if (curved) places.push_back({p.area, closure});
+    }
+    if (curved) {
+        const JointModel* joint = joints.find(model.joint_properties[contacts.properties[contact]].model);
+        return joint != nullptr && closes_alike(model, *joint, contact, places);
     }
     const double carried = contacts.area[contact] * contacts.depth[contact];
     return std::abs(volume - carried) <= same * carried &&
@@ -320,8 +328,8 @@ bool is_of_other_faces(const Model& model, Row contact, const ContactGeometry& g
 
 /// The kind of contact of two rigid blocks. A joint that opens in part, or goes over to other faces, becomes an overlap, an overlap closed
 /// everywhere becomes a joint; a joint in tension keeps its kind.
-DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving, ContactGeometry& geometry,
-                        OverlapScratch& scratch) {
+DraftKind kind_of_rigid(const Model& model, const JointRegistry& joints, Row b1, Row b2, Row old, bool moving,
+                        ContactGeometry& geometry, OverlapScratch& scratch) {
     const bool in_place = !model.settings.large_strain;
     if (old == no_row) {
         const bool as_joint = geometry.kind == ContactKind::joint && // an overlap has no points yet
@@ -341,14 +349,14 @@ DraftKind kind_of_rigid(const Model& model, Row b1, Row b2, Row old, bool moving
         return rolls && !any_row_pulls(model, old) && !stands_on_corners(model, b1, b2) ? DraftKind::overlap
                                                                                         : DraftKind::new_geometry;
     }
-    return may_close(model, old) && closes_everywhere(model, old, geometry) ? DraftKind::new_geometry
-                                                                            : DraftKind::as_it_was;
+    return may_close(model, old) && closes_everywhere(model, joints, old, geometry) ? DraftKind::new_geometry
+                                                                                    : DraftKind::as_it_was;
 }
 
 /// Drafts of the pairs in contact; their points are in `found`.
-std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces, const std::vector<double>& beyond,
-                                   const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found,
-                                   PerThread<SearchScratch>& scratch_of) {
+std::vector<ContactDraft> find_all(const Model& model, const JointRegistry& joints, const Surfaces& surfaces,
+                                   const std::vector<double>& beyond, const std::vector<Pair>& pairs, bool moving,
+                                   std::vector<FoundContacts>& found, PerThread<SearchScratch>& scratch_of) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // existing entries keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
@@ -368,8 +376,9 @@ std::vector<ContactDraft> find_all(const Model& model, const Surfaces& surfaces,
                 continue;
             }
             const bool rigid = !model.blocks.deformable[block1] && !model.blocks.deformable[block2];
-            const DraftKind kind = rigid ? kind_of_rigid(model, block1, block2, old, moving, geometry, scratch.overlap)
-                                         : DraftKind::new_geometry;
+            const DraftKind kind =
+                rigid ? kind_of_rigid(model, joints, block1, block2, old, moving, geometry, scratch.overlap)
+                      : DraftKind::new_geometry;
             if (kind == DraftKind::as_it_was || (kind == DraftKind::overlap && old != no_row)) geometry.points.clear();
             part.drafts.push_back({block1, block2, old, kind, geometry, {part.points.data(), geometry.points.size()}});
         }
@@ -450,8 +459,8 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
     surfaces_.update(model, blocks_due(model, pairs));
-    return replace_contacts(model, joints, find_all(model, surfaces_, beyond_, pairs, moving, found_, scratch_), moving,
-                            scratch_.local().overlap);
+    return replace_contacts(model, joints, find_all(model, joints, surfaces_, beyond_, pairs, moving, found_, scratch_),
+                            moving, scratch_.local().overlap);
 }
 
 ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints) {
@@ -481,7 +490,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     beyond_.resize(model.blocks.size());
     for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);
-    std::vector<ContactDraft> drafts = find_all(model, surfaces_, beyond_, pairs, true, found_, scratch_);
+    std::vector<ContactDraft> drafts = find_all(model, joints, surfaces_, beyond_, pairs, true, found_, scratch_);
     OverlapScratch& scratch = scratch_.local().overlap;
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts, scratch))
         return ContactChange::refreshed;

@@ -113,7 +113,7 @@ void write_contact(Model& model, Row c, const ContactPlane& g) {
     contacts.normal[c] = contacts.offset_normal[c] = g.normal;
     contacts.position[c] = g.position;
     contacts.area[c] = g.area;
-    contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
+    contacts.energy_length[c] = contacts.energy_taken[c] = contacts.energy_density[c] = contacts.withheld[c] = 0;
     contacts.slip_since_update[c] = 0;
     contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
                             : g.face2 != no_row ? model.faces.joint_set[g.face2]
@@ -238,15 +238,19 @@ bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
     return true;
 }
 
+const JointModel& joint_of(const Model& model, JointRegistry& joints, Row c) {
+    return joints.get(model.joint_properties[model.contacts.properties[c]].model);
+}
+
 /// Returns the energy in springs that is lost where joints become overlaps.
-double refresh_in_place(Model& model, const std::vector<ContactDraft>& drafts, Changes& changes,
+double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts, Changes& changes,
                         OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
-            lost += follow_overlap(model, draft.old, scratch);
+            lost += follow_overlap(model, joint_of(model, joints, draft.old), draft.old, scratch);
             continue;
         }
         const auto& g = draft.plane;
@@ -378,11 +382,11 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
     Changes changes(model.sub_contacts.size());
-    double lost = refresh_in_place(model, drafts, changes, scratch);
+    double lost = refresh_in_place(model, joints, drafts, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
         const Row c = drafts[before.row].old;
-        lost += before.settle(model, c, true);
+        lost += before.settle(model, joints, c, true);
     }
     if (model.settings.energy) model.energy.joint_lost += lost;
     return true;
@@ -421,9 +425,9 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     ModelEdit(model, Change::lists);                // even if a joint model throws below
     for (std::size_t c = 0; c < drafts.size(); ++c) // joints that become overlaps
         if (drafts[c].kind == DraftKind::overlap && drafts[c].old != no_row)
-            lost += follow_overlap(model, static_cast<Row>(c), scratch);
+            lost += follow_overlap(model, joint_of(model, joints, static_cast<Row>(c)), static_cast<Row>(c), scratch);
     tell_joint_models(model, joints, changes, moving);
-    for (const auto& before : loads) lost += before.settle(model, before.row, moving);
+    for (const auto& before : loads) lost += before.settle(model, joints, before.row, moving);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         if (drafts[c].old == no_row) lost -= ContactLoad(model, static_cast<Row>(c)).stored();
     if (model.settings.energy) model.energy.joint_lost += lost;

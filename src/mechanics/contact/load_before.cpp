@@ -1,6 +1,7 @@
 #include "mechanics/contact/load_before.hpp"
 
 #include "mechanics/contact/contact_work.hpp"
+#include "mechanics/contact/curved_closure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,7 @@ double keep_passive(Model& model, Row c, const ContactLoad& before) {
 
 /// Limits the shear forces of a joint between rigid blocks to their former size when its places change; its normal force follows its
 /// closure before and after. Returns the energy lost from the springs.
-double keep_shear(Model& model, Row c, const ContactLoad& before) {
-    const ContactLoad after(model, c);
+double keep_shear(Model& model, Row c, const ContactLoad& before, ContactLoad after) {
     const double scale = after.shear > before.shear ? before.shear / after.shear : 1;
     const Span span = model.contacts.sub_contacts[c];
     if (scale != 1)
@@ -56,12 +56,18 @@ double book_change(Model& model, Row c, double work_before) {
 } // namespace
 
 LoadBefore::LoadBefore(const Model& model, Row draft, Row old)
-    : row(draft), load(model, old), work_(model.settings.energy ? work_of_step(model, old) : 0) {}
+    : row(draft), load(model, old), overlap_(model.contacts.kind[old] == ContactKind::overlap),
+      work_(model.settings.energy ? work_of_step(model, old) : 0) {}
 
-double LoadBefore::settle(Model& model, Row c, bool moving) const {
+double LoadBefore::settle(Model& model, const JointRegistry& joints, Row c, bool moving) const {
     double lost = 0;
-    if (model.contacts.kind[c] != ContactKind::overlap)
-        lost = between_rigid(model, c) ? keep_shear(model, c, load) : keep_passive(model, c, load);
+    if (model.contacts.kind[c] != ContactKind::overlap) {
+        ContactLoad after(model, c);
+        if (overlap_ && model.contacts.curved[c] != 0)
+            if (const JointModel* joint = joints.find(model.joint_properties[model.contacts.properties[c]].model))
+                after.energy = energy_of_rows(model, *joint, c);
+        lost = between_rigid(model, c) ? keep_shear(model, c, load, after) : keep_passive(model, c, load);
+    }
     return moving ? lost + book_change(model, c, work_) : lost; // of the forces that are left
 }
 

@@ -3,6 +3,7 @@
 
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_draft.hpp"
+#include "laws/joint_model.hpp"
 
 #include <vector>
 
@@ -15,13 +16,14 @@ public:
 
     /// Removes from the contact, now at row `contact`, the energy that its new geometry would create. `moving`: changed forces have acted
     /// during half of the step. Returns the energy lost from its springs.
-    double settle(Model& model, Row contact, bool moving) const;
+    double settle(Model& model, const JointRegistry& joints, Row contact, bool moving) const;
 
     Row row; ///< of the draft
     ContactLoad load;
 
 private:
-    double work_; ///< work of its forces in the step
+    bool overlap_; ///< it was one
+    double work_;  ///< work of its forces in the step
 };
 
 /// For all contacts with new geometry.

@@ -4,6 +4,7 @@
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/lanes/eight.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
+#include "mechanics/contact/curved_closure.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -240,11 +241,14 @@ struct RowState {
 
 } // namespace
 
-double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
+double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
-    const double stored = ContactLoad(model, c).stored();
+    const ContactLoad load(model, c);
+    const double stored = contacts.curved[c] != 0 && contacts.kind[c] == ContactKind::joint
+                              ? load.shear_energy + energy_of_rows(model, joint, c)
+                              : load.stored();
     const Closures closures = closures_of(model, c);
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
@@ -252,8 +256,14 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
     const bool fits = !(closures.force > 0 && closures.misfit > same * closures.deepest);
     if (!fits) offset = closure_of_resultant(model, c, closures, scratch);
 
-    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch);
+    OverlapSlopes slopes;
+    const bool curved = contacts.curved[c] != 0;
+    OverlapPatch patch =
+        overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch, curved ? &slopes : nullptr);
+    if (curved && patch.carried > 0) press(patch, slopes, 0.5);
     const bool closed = patch.carried > 0 && closures.force > 0;
+    const ClosedPlace most = {closure_of(subs, closures.most),
+                              subs.normal_force[closures.most] / subs.area[closures.most]};
     const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
@@ -297,6 +307,10 @@ double follow_overlap(Model& model, Row c, OverlapScratch& scratch) {
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
+    if (curved && closed) {
+        begin_curved(model, joint, c, slopes, most);
+        contacts.energy_taken[c] = ContactLoad(model, c).normal * contacts.energy_length[c];
+    }
     return stored - ContactLoad(model, c).stored();
 }
 
@@ -310,6 +324,10 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
     };
     double whole = 0;
     for (const auto& point : draft.points) whole += point.area * std::max(0.0, closure(point));
+    // A curved joint model is run from the mean closure to that of each place.
+    const bool curved = model.contacts.curved[c] != 0;
+    const double mean = -subs.normal_displacement[first],
+                 stress = subs.area[first] > 0 ? subs.normal_force[first] / subs.area[first] : 0;
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
         const ContactPoint& point = draft.points[i];
         const Row s = first + static_cast<Row>(i);
@@ -326,6 +344,12 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         moved[static_cast<std::size_t>(s)] = closed < 0;
         subs.normal_displacement[s] = std::min(0.0, -closed);
         subs.normal_displacement_increment[s] = std::max(0.0, -closed);
+        if (curved) {
+            moved[static_cast<std::size_t>(s)] = 1;
+            subs.normal_force[s] = stress * point.area;
+            subs.normal_displacement[s] = -mean;
+            subs.normal_displacement_increment[s] = mean - closed;
+        }
         if (s == first) continue;
         for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)
             subs.history[h][s] = subs.history[h][first];

@@ -1,4 +1,5 @@
 #include "mechanics/contact/overlap_contact.hpp"
+#include "mechanics/contact/curved_closure.hpp"
 #include "mechanics/common/growth.hpp"
 #include "mechanics/shape/overlap_gap.hpp"
 #include "mechanics/contact/overlap_shear.hpp"
@@ -273,20 +274,21 @@ double keep_passive(Model& model, Row c, bool lies, double worn) {
 
 /// Surfaces that climb on each other are farther apart at the same closure: the growth of the force beyond the closure of the step is moved
 /// to the offset, so that the overlap keeps representing the force of the joint model. Over a closed path this adds up to zero for any law
-/// whose force depends on its closure only.
-void take_dilation(Model& model, Row c, const CarriedLoad& before) {
+/// whose force depends on its closure only. Returns the growth.
+double take_dilation(Model& model, Row c, const CarriedLoad& before) {
     constexpr double rounding = 1e-12; // of the depth
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const CarriedLoad after(model, c);
     const double stiffness = 0.5 * (before.stiffness + after.stiffness);
-    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
+    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return 0;
     const Row first = contacts.sub_contacts[c].first;
     const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
-    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
+    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return 0;
     contacts.offset[c] += dilation;
     contacts.energy_taken[c] += after.force * dilation;
     for (Row s = first; s < first + carriers; ++s) subs.normal_displacement[s] -= dilation;
+    return dilation;
 }
 
 /// The joint model sees the force of the overlap. Returns the energy lost from the shear springs.
@@ -323,7 +325,8 @@ void begin_without_force(Model& model, Row c, OverlapScratch& scratch) {
     contacts.offset_normal[c] = n;
 }
 
-OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch) {
+OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapScratch& scratch,
+                                  OverlapSlopes* slopes) {
     auto& contacts = model.contacts;
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
@@ -379,13 +382,14 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     const bool near = contacts.depth[c] > 0 || comes_near();
     double area = 0;
     if (near) {
-        patch = overlap_patch(model, pair_of(contacts, c), n, offset, scratch);
+        patch = overlap_patch(model, pair_of(contacts, c), n, offset, scratch, slopes);
         area = patch.area;
         if (closing > 0.25 * patch.depth) {
             offset.closure += closing;
             area = std::max(area, overlap_area(model, pair_of(contacts, c), patch.normal, offset, scratch));
         }
     }
+    if (slopes != nullptr && patch.carried > 0) press(patch, *slopes, foreseen_part(model, c, slopes->closure.value));
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
     const double in_springs = idle ? 0 : shear_energy(model, c);
@@ -400,7 +404,8 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     return {idle ? 0 : of_scale + of_turn + pay_for_area(model, c, in_springs), patch.lies};
 }
 
-OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, JointWork& work) {
+OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carried, const OverlapSlopes* slopes,
+                                  JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -420,9 +425,10 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
         contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
         contacts.offset_tilt[c].setZero();
         end.lost += contacts.energy_taken[c];
-        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
+        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = contacts.energy_density[c] = 0;
     } else {
-        take_dilation(model, c, carried);
+        const double dilation = take_dilation(model, c, carried);
+        if (slopes != nullptr) settle_curved(model, c, *slopes, carried, dilation);
         end.lost += keep_passive(model, c, carried.lies, frictional_work(model, c) - carried.worn);
     }
     end.idle = is_idle(model, c);

@@ -6,6 +6,7 @@
 #include "mechanics/contact/contact_draft.hpp"
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_work.hpp"
+#include "laws/joint_model.hpp"
 
 namespace kaya {
 
@@ -15,8 +16,10 @@ struct OverlapStart {
     bool lies = false; ///< the blocks touch with faces that are parallel, or nearly so
 };
 
-/// move_contact for overlap contacts: computes the present common volume and writes places, areas and increments of the sub-contacts.
-OverlapStart move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch);
+/// move_contact for overlap contacts: computes the present common volume and writes places, areas and increments of the sub-contacts. `slopes`
+/// receives the integrals of a curved contact, and is empty for others.
+OverlapStart move_overlap_contact(Model& model, Row contact, JointWork& work, OverlapScratch& scratch,
+                                  OverlapSlopes* slopes);
 
 /// Sets the offset of a contact so that its present overlap carries no force; no offset without overlap.
 void begin_without_force(Model& model, Row contact, OverlapScratch& scratch);
@@ -29,13 +32,14 @@ struct OverlapEnd {
 };
 
 /// Adds the work of the joint model's forces, and its dilation to the offset. A separated contact carries nothing.
-OverlapEnd finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, JointWork& work);
+OverlapEnd finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, const OverlapSlopes* slopes,
+                                  JointWork& work);
 
 /// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension.
 bool is_partly_open(const Model& model, Row contact);
 
 /// Turns a joint into an overlap contact; normal and shear force are kept. Returns the energy lost from its springs.
-double follow_overlap(Model& model, Row contact, OverlapScratch& scratch);
+double follow_overlap(Model& model, const JointModel& joint, Row contact, OverlapScratch& scratch);
 
 /// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
 /// distributed in the same proportion. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`:

@@ -33,8 +33,31 @@ double pay_for_area(Model& model, Row c, double before) {
     return before - after;
 }
 
+namespace {
+
+constexpr double elastic = 1e-9; // of the forces
+
+/// A row whose joint model has changed its shear stiffness. A falling stiffness takes its part of the force, as the joint models that ship
+/// have it; a rising one adds none. The work (10g) is that of the force which acts, less the change of the energy (10a).
+void stiffen_changed(SubContacts& subs, Row s, double whole, const Vec3& old, double stiffness_before) {
+    const double area = subs.area[s], stiffness = subs.shear_stiffness[s],
+                 kept = std::min(1.0, stiffness / stiffness_before);
+    const Vec3 now = subs.shear_force[s], slip = subs.shear_displacement_increment[s], step = -stiffness * slip;
+    Vec3 force = kept * old + whole * step;
+    const bool limited = (kept * old + area * step - now).norm() > elastic * (old.norm() + now.norm());
+    if (const double size = now.norm(), trial = force.norm(); limited && trial >= size && trial > 0)
+        force *= size / trial;
+    const auto gain = [&](double squared, double on) {
+        return (squared / stiffness - old.squaredNorm() / stiffness_before) / (2 * on);
+    };
+    subs.frictional_work[s] +=
+        0.5 * (now - force).dot(slip) + gain(now.squaredNorm(), area) - gain(force.squaredNorm(), whole);
+    subs.shear_force.set(s, force);
+}
+
+} // namespace
+
 void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
-    constexpr double elastic = 1e-9; // of the forces
     auto& subs = model.sub_contacts;
     const Row first = model.contacts.sub_contacts[c].first;
     const double whole = shear_area(model.contacts, c) / carriers;
@@ -42,6 +65,10 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
         const double area = subs.area[s], stiffness = subs.shear_stiffness[s];
         if (!(area > 0 && stiffness > 0 && whole > area)) continue;
         const auto k = static_cast<std::size_t>(s - first);
+        if (before.shear_stiffness[k] != stiffness && before.shear_stiffness[k] > 0) {
+            stiffen_changed(subs, s, whole, before.shear[k], before.shear_stiffness[k]);
+            continue;
+        }
         const Vec3 &old = before.shear[k], now = subs.shear_force[s];
         const Vec3 step = -stiffness * Vec3(subs.shear_displacement_increment[s]), stiffer = old + whole * step;
         const bool limited = (old + area * step - now).norm() > elastic * (old.norm() + now.norm());

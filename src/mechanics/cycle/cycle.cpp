@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "mechanics/bodies/adjacency.hpp"
+#include "mechanics/contact/curved_closure.hpp"
 #include "mechanics/contact/advance_joints.hpp"
 #include "mechanics/supports/apply_histories.hpp"
 #include "mechanics/contact/batches.hpp"
@@ -140,6 +141,7 @@ void Cycle::make_lists() {
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
+    note_curved(model_, s.batches);
     s.boundary_histories = list_boundary_histories(model_);
     put_water(model_);
     joint_forces(model_, s.joints);

@@ -174,6 +174,16 @@ OverlapGradient energy_of(const CommonPart& common, double least_area, Gradient 
     return energy;
 }
 
+/// The mean closure 2U/V.
+OverlapGradient closure_gradient(const CommonPart& common, const OverlapGradient& volume) {
+    const double closure = 2 * common.depth.value / common.volume;
+    OverlapGradient slope;
+    slope.add(common.depth, 2 / common.volume);
+    slope.add(volume, -closure / common.volume);
+    slope.value = closure;
+    return slope;
+}
+
 } // namespace
 
 bool between_rigid(const Model& model, Row c) {
@@ -302,7 +312,7 @@ double overlap_area(const Model& model, const OverlapPair& pair, const Vec3& nor
 }
 
 OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
-                           OverlapScratch& work) {
+                           OverlapScratch& work, OverlapSlopes* slopes) {
     const Vec3 origin = origin_of(model, pair);
     const ClosureOffset moved = along_normal_or(offset, normal);
     OverlapPatch patch;
@@ -313,10 +323,11 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     if (flat == Flat::found) common = {work.flat.volume().value, work.flat.depth(), work.flat.moments(), 1};
     else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
     patch.lies = common.flatness > 0.5;
-    const OverlapGradient energy = energy_of(common, pair.least_area, [&] {
+    const auto volume_gradient_of = [&] {
         return flat == Flat::found ? work.flat.volume()
                                    : volume_gradient(work.clip, common.volume, second_is_subject(model.blocks, pair));
-    });
+    };
+    const OverlapGradient energy = energy_of(common, pair.least_area, volume_gradient_of);
     const double force = energy.force.norm();
     if (!(force > 0)) return patch;
 
@@ -355,6 +366,8 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.twist = twist;
     patch.second = common.moments.second;
     patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
+    if (slopes != nullptr)
+        *slopes = {energy, closure_gradient(common, volume_gradient_of()), origin, common.moments.centroid};
     return patch;
 }
 

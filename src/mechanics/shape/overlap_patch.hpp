@@ -1,6 +1,7 @@
 // The common volume of two rigid blocks and the force that follows from it. docs/theory/contacts.md, "Corners and edges".
 #pragma once
 
+#include "geometry/polyhedra/convex_overlap.hpp"
 #include "mechanics/lanes/eight.hpp"
 #include "model/tables/model.hpp"
 
@@ -30,6 +31,13 @@ struct OverlapPatch {
     Vec3 longest_edge = Vec3::Zero(); ///< direction of the longest edge of the common part in the plane of the contact
 };
 
+/// Integrals of an overlap for joint models that stiffen with closure: docs/theory/contacts.md, (10c). Places are relative to `origin`.
+struct OverlapSlopes {
+    OverlapGradient energy;  ///< over the stiffness: length^4
+    OverlapGradient closure; ///< the mean closure 2U/V: length
+    Vec3 origin = Vec3::Zero(), centroid = Vec3::Zero();
+};
+
 /// Closure in addition to that of the positions of the blocks: `closure` + tilt . (x - centroid of block 1), along a direction.
 struct ClosureOffset {
     double closure = 0;
@@ -46,9 +54,9 @@ struct OverlapPair {
 };
 
 /// The common volume of two rigid blocks, the second one shifted against `along` by the offset. Its force is the gradient of an energy, so
-/// no motion of the blocks creates energy. `normal` is also the normal of an empty patch.
+/// no motion of the blocks creates energy. `normal` is also the normal of an empty patch. `slopes` receives its integrals, unless it is empty.
 OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,
-                           OverlapScratch& scratch);
+                           OverlapScratch& scratch, OverlapSlopes* slopes = nullptr);
 
 /// The area of the common volume as seen along the normal, at less cost; 0 where there is none.
 double overlap_area(const Model& model, const OverlapPair& pair, const Vec3& normal, const ClosureOffset& offset,

@@ -3,9 +3,9 @@
 #include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/supports/held_directions.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
+#include "mechanics/contact/row_copy.hpp"
 #include "mechanics/shape/overlap_gap.hpp"
 #include "base/parallel.hpp"
-#include "laws/lone_row.hpp"
 #include "model/measure/held.hpp"
 #include "model/measure/roller.hpp"
 #include "model/measure/turn.hpp"
@@ -32,57 +32,15 @@ constexpr double harmless = 1.25;
 /// Stiffnesses that differ by less than this part are the same.
 constexpr double same = 1e-9;
 
-/// A copy of one sub-contact.
-struct Copy : LoneRow {
-    LoneColumns others;
-    Row row = no_row; ///< it is a copy of
-    const Model* of = nullptr;
-
-    void take(const Model& model, const JointModel& joint, Row s) {
-        const auto& subs = model.sub_contacts;
-        row = s;
-        of = &model;
-        area = subs.area[s];
-        normal_disp = subs.normal_displacement[s];
-        pore_pressure = subs.pore_pressure[s];
-        normal_force = subs.normal_force[s];
-        normal_stiffness = subs.normal_stiffness[s];
-        shear_stiffness = subs.shear_stiffness[s];
-        frictional_work = subs.frictional_work[s];
-        state = subs.state[s];
-        for (int k = 0; k < 3; ++k) {
-            shear_disp[k] = subs.shear_displacement.component[k][s];
-            shear_force[k] = subs.shear_force.component[k][s];
-        }
-        for (std::size_t k = 0; k < joint.history.size(); ++k) history[k] = subs.history[k][s];
-        if (joint.keeps_objects()) object = subs.object[s];
-    }
-    /// Fields and place of the row.
-    void place(const JointModel& joint) {
-        const auto& subs = of->sub_contacts;
-        for (std::size_t k = 0; k < joint.fields.size() && static_cast<std::int32_t>(k) < subs.field_columns; ++k)
-            if (subs.field_set[row] >> k & 1u) others.field[k] = subs.field[k][row];
-        const Row c = subs.contact[row];
-        const Vec3 x = subs.position[row];
-        for (int k = 0; k < 3; ++k) others.position[k] = x[k], others.normal[k] = of->contacts.normal[c][k];
-        others.block = {of->blocks.number[of->contacts.block1[c]], of->blocks.number[of->contacts.block2[c]]};
-    }
-    kaya_jbatch batch(const JointModel& joint, const std::vector<double>& values, double step) {
-        const kaya_jbatch b = LoneRow::batch(joint, values, step, others);
-        if (of != nullptr) place(joint);
-        return b;
-    }
-};
-
 /// Whether the stiffness of a joint that has carried nothing depends on how far it is closed.
 bool varies(const JointModel& joint, const std::vector<double>& values) {
     if (!joint.missing(values).empty()) return false;
-    Copy copy;
+    RowCopy copy;
     copy.normal_disp = 1; // one that is apart may report another
     auto batch = copy.batch(joint, values, 1);
     if (initialise_batch(joint, batch)) return true;
     const Springs apart{copy.normal_stiffness, copy.shear_stiffness};
-    copy = Copy{};
+    copy = RowCopy{};
     batch = copy.batch(joint, values, 1);
     if (initialise_batch(joint, batch)) return true;
     const auto differs = [](double a, double b) { return std::abs(a - b) > same * std::max(a, b); };
@@ -124,16 +82,17 @@ ClosureOffset offset_of_contact(const Contacts& contacts, Row c) {
 
 } // namespace
 
-void StiffnessForecast::take(const Model& model, const std::vector<Batch>& batches) {
+void StiffnessForecast::take(const Model& model, std::vector<Batch>& batches) {
     varying_.clear();
     in_varying_.assign(model.contacts.size(), 0);
-    for (const Batch& batch : batches) {
+    for (Batch& batch : batches) {
         auto found = varies_.find(batch.properties);
         if (found == varies_.end())
             found =
                 varies_.emplace(batch.properties, varies(*batch.model, model.joint_properties[batch.properties].values))
                     .first;
-        if (!found->second) continue;
+        batch.curved = found->second;
+        if (!batch.curved) continue;
         varying_.push_back(batch);
         for (const Row c : batch.contacts) in_varying_[c] = 1;
     }
@@ -209,7 +168,7 @@ Vec3 StiffnessForecast::velocity_of_side(const Model& model, Row block, const At
 }
 
 bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, double step) {
-    Copy copy;
+    RowCopy copy;
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const Span span = contacts.sub_contacts[c];

@@ -16,8 +16,8 @@ namespace kaya {
 /// Runs joint models on copies of sub-contacts, and moves rigid blocks ahead; nothing in the model changes.
 class StiffnessForecast {
 public:
-    /// Takes the batches. Of property sets it caches its results until they are discarded.
-    void take(const Model& model, const std::vector<Batch>& batches);
+    /// Takes the batches, and marks those whose joint model is curved. Of property sets it caches its results until they are discarded.
+    void take(const Model& model, std::vector<Batch>& batches);
     void forget() { varies_.clear(); }
 
     /// Whether any joint model in use has a stiffness that depends on its closure.

@@ -23,7 +23,7 @@ public:
 
     /// Whether the step may have to be shorter though no stiffness has changed yet.
     bool forecasts() const { return ahead_.needed(); }
-    void take(const Model& model, const std::vector<Batch>& batches) { ahead_.take(model, batches); }
+    void take(const Model& model, std::vector<Batch>& batches) { ahead_.take(model, batches); }
     void take(const std::vector<ElasticConstants>& of_blocks) { bounds_.of_zones = &of_blocks; }
     void forget() { ahead_.forget(); }
 

@@ -64,7 +64,11 @@ public:
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< energy taken and not yet returned
-    Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
+    Column<std::int32_t>
+        curved; ///< 1: its joint model is, and sees the mean closure: mechanics/contact/curved_closure.hpp
+    Column<double>
+        energy_density; ///< of a curved one: energy of its normal spring per area, which is the mean stress times the closure
+    Column<double> withheld; ///< part of its force that does not act, so that it returns no more than that
     // Of joints only.
     Column<double> slip_since_update; ///< relative tangential motion since the last geometry update
     Column<double> unforced_overlap;  ///< overlap beyond the one that its force explains
@@ -98,6 +102,8 @@ public:
         visit("axis", axis, Role::geometry);
         visit("energy_length", energy_length, Role::state);
         visit("energy_taken", energy_taken, Role::state);
+        visit("curved", curved, Role::state);
+        visit("energy_density", energy_density, Role::state);
         visit("withheld", withheld, Role::state);
         visit("slid", slip_since_update, Role::state);
         visit("given_up", withdrawn_energy, Role::state);
