@@ -15,6 +15,10 @@ CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model
         worn_by_row[k] = subs.frictional_work[s];
         shear_stiffness[k] = subs.shear_stiffness[s];
     }
+    for (Row k = 0; k < 2; ++k) {
+        normal[static_cast<std::size_t>(k)] = subs.normal_force[first + k];
+        normal_stiffness[static_cast<std::size_t>(k)] = subs.normal_stiffness[first + k];
+    }
 }
 
 } // namespace kaya

@@ -49,7 +49,7 @@ private:
     static Eight in_springs(const Eight& force_squared, const Eight& stiffness) {
         return stiffness > 0 ? 0.5 * force_squared / stiffness : Eight{};
     }
-    /// Energy of springs whose force is a power of the closure, which is at least that of a straight one: docs/theory/contacts.md, (10f).
+    /// Energy of springs whose force is a power of the closure, which is at least that of a straight one: docs/theory/contacts.md, (10g).
     static Eight in_power(const Eight& force, const Eight& stiffness, const Eight& displacement) {
         const Eight closure = larger_of(stiffness > 0 ? force / stiffness : Eight{}, displacement);
         return force > 0 ? force * force * closure / (force + stiffness * closure)

@@ -27,6 +27,7 @@ struct ContactPlane {
     Vec3 normal = Vec3::Zero(); ///< unit, from the first block to the second
     Vec3 position = Vec3::Zero();
     double area = 0;
+    double whole_area = 0; ///< of an overlap: the common area of its faces, 0 for corners and edges
     /// For two rigid blocks: a loaded contact is at least as stiff as a joint of this area, a hundredth of the mean face area of the block
     /// with the smaller faces.
     double least_area = 0;

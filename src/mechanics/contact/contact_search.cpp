@@ -336,6 +336,7 @@ DraftKind kind_of_rigid(const Model& model, const JointRegistry& joints, Row b1,
                               (in_place || is_parallel(geometry) || stands_on_corners(model, b1, b2) ||
                                (!moving && !are_apart(model, b1, b2, geometry)));
         if (as_joint) return DraftKind::new_geometry;
+        if (geometry.kind == ContactKind::joint) geometry.whole_area = geometry.area;
         geometry.kind = ContactKind::overlap;
         geometry.points.clear();
         add_overlap_points(model, b1, b2, geometry, scratch);

@@ -113,7 +113,9 @@ void write_contact(Model& model, Row c, const ContactPlane& g) {
     contacts.normal[c] = contacts.offset_normal[c] = g.normal;
     contacts.position[c] = g.position;
     contacts.area[c] = g.area;
-    contacts.energy_length[c] = contacts.energy_taken[c] = contacts.energy_density[c] = contacts.withheld[c] = 0;
+    contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
+    contacts.energy_deep[c] = contacts.energy_shallow[c] = 0;
+    contacts.whole_area[c] = g.whole_area;
     contacts.slip_since_update[c] = 0;
     contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
                             : g.face2 != no_row ? model.faces.joint_set[g.face2]

@@ -11,29 +11,30 @@ namespace kaya {
 
 namespace {
 
-/// The normal force of an overlap over the stress, as a vector with its line of action.
+/// The force of the halves of an overlap.
 struct Pressed {
-    double area;
+    double force;
     Vec3 normal, centre;
     double twist;
 
-    /// Equation (10d) over the stress.
-    Pressed(const OverlapSlopes& slopes, double part) {
-        const double closure = slopes.closure.value, whole = 2 * slopes.energy.value / (closure * closure);
-        OverlapGradient push;
-        push.add(slopes.energy, 2 * part / closure);
-        push.add(slopes.closure, whole * (1 - 2 * part));
-        area = push.force.norm();
-        normal = push.force / area;
-        const Vec3 arm = normal.cross(push.moment) / area, aside = arm - slopes.centroid;
+    Pressed(const OverlapSlopes& slopes, const ClosedHalves& halves, const ClosedHalves::Springs& springs) {
+        const OverlapGradient push = halves.push(springs);
+        force = push.force.norm();
+        normal = push.force / force;
+        const Vec3 arm = normal.cross(push.moment) / force, aside = arm - slopes.centroid;
         centre = slopes.origin + arm - aside.dot(normal) * normal;
-        twist = push.moment.dot(normal) / area;
+        twist = push.moment.dot(normal) / force;
     }
 };
 
-double part_of(double energy_density, double stress, double closure) {
-    const double greatest = stress * closure;
-    return greatest > 0 ? std::clamp(energy_density / greatest, 0.0, 1.0) : 0.5;
+/// Springs without a stress press as straight ones do.
+ClosedHalves::Springs straight_if_open(ClosedHalves::Springs springs, const ClosedHalves& halves) {
+    if (springs[0].stress + springs[1].stress > 0) return springs;
+    for (int i = 0; i < 2; ++i) {
+        const double w = halves.closure(i);
+        springs[i] = {w, 1, 0.5 * w * w};
+    }
+    return springs;
 }
 
 /// A normal spring of area 1 at a closure.
@@ -96,35 +97,44 @@ double closure_of(const SubContacts& subs, Row s) {
     return std::max(spring.stiffness > 0 ? spring.stress / spring.stiffness : 0, -subs.normal_displacement[s]);
 }
 
-/// Gives the rows of an overlap the force, area and places of a part; the stress stays.
-void put_part(Model& model, Row c, const OverlapSlopes& slopes, double part) {
+/// The springs of the halves as their rows are, with the energies of the contact.
+ClosedHalves::Springs springs_of_halves(const Model& model, Row c) {
+    const Row first = model.contacts.sub_contacts[c].first;
+    const Spring deep(model.sub_contacts, first), shallow(model.sub_contacts, first + 1);
+    return {HalfSpring{deep.stress, deep.stiffness, model.contacts.energy_deep[c]},
+            HalfSpring{shallow.stress, shallow.stiffness, model.contacts.energy_shallow[c]}};
+}
+
+/// Gives the rows of an overlap the force, area and places of its halves; stresses stay.
+void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHalves& halves) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-    const Pressed pressed(slopes, part);
+    const ClosedHalves::Springs springs = springs_of_halves(model, c), pressing = straight_if_open(springs, halves);
+    const Pressed pressed(slopes, halves, pressing);
+    const double area = 2 * pressed.force / (pressing[0].stress + pressing[1].stress);
     const Vec3 shift = pressed.centre - contacts.position[c];
     const Span span = contacts.sub_contacts[c];
-    double force = 0;
+    double whole = 0;
     for (Row s = span.first; s < span.end(); ++s) {
         subs.position.set(s, Vec3(subs.position[s]) + shift);
-        if (s >= span.first + carriers) continue;
-        const double area = pressed.area / carriers;
-        subs.normal_force[s] = subs.area[s] > 0 ? subs.normal_force[s] * (area / subs.area[s]) : 0;
-        subs.area[s] = area;
-        force += subs.normal_force[s];
+        whole += subs.area[s];
     }
-    contacts.area[c] = pressed.area;
+    const double open = span.count > carriers ? std::max(0.0, whole - area) / (span.count - carriers) : 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (s >= span.first + carriers) {
+            subs.area[s] = subs.area[s] > 0 ? open : 0;
+            continue;
+        }
+        const double stress = springs[static_cast<std::size_t>(s - span.first) % 2].stress;
+        subs.area[s] = area / carriers;
+        subs.normal_force[s] = stress * subs.area[s];
+    }
+    contacts.area[c] = area;
     contacts.normal[c] = pressed.normal;
     contacts.position[c] = pressed.centre;
     contacts.twist[c] = pressed.twist;
-    const double closure = slopes.closure.value,
-                 energy = 2 * slopes.energy.value / (closure * closure) * contacts.energy_density[c];
-    contacts.energy_length[c] = force > 0 ? energy / force : 0;
-}
-
-/// The part that the energy density of a contact is, at the stress of its first row.
-double present_part(const Model& model, Row c, double closure) {
-    const Spring spring(model.sub_contacts, model.contacts.sub_contacts[c].first);
-    return part_of(model.contacts.energy_density[c], spring.stress, closure);
+    const double force = 0.5 * area * (springs[0].stress + springs[1].stress);
+    contacts.energy_length[c] = force > 0 ? halves.energy(springs) / force : 0;
 }
 
 /// The carriers as a batch.
@@ -132,85 +142,149 @@ Batch carriers_of(const Model& model, const JointModel& joint, Row c) {
     return {&joint, model.contacts.properties[c], model.contacts.sub_contacts[c].first, carriers, {c}};
 }
 
+/// Runs or initialises the joint model of the carriers.
+template <class Call> void call_on_carriers(Model& model, const JointModel& joint, Row c, Call call) {
+    auto& subs = model.sub_contacts;
+    const Batch rows = carriers_of(model, joint, c);
+    for (Row s = rows.first; s < rows.first + rows.count; ++s) subs.shear_displacement_increment.set(s, Vec3::Zero());
+    BatchColumns made;
+    auto columns = columns_of(model, rows, model.clock.time_step, made);
+    if (const auto failure = call(columns, subs.number.data() + rows.first)) throw joint_failure(model, rows, *failure);
+    for (Row s = rows.first; s < rows.first + rows.count; ++s) {
+        subs.normal_displacement[s] += subs.normal_displacement_increment[s];
+        subs.normal_displacement_increment[s] = 0;
+    }
+}
+
 /// An overlap that carries a force under a joint model that has become a curved one.
 void begin_loaded(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     OverlapSlopes slopes;
-    OverlapPatch patch =
+    const OverlapPatch patch =
         overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset_of(contacts, c), scratch, &slopes);
     if (!(patch.carried > 0)) return;
-    press(patch, slopes, 0.5);
+    const ClosedHalves halves(slopes, contacts.whole_area[c]);
     const Row first = contacts.sub_contacts[c].first;
-    contacts.depth[c] = patch.depth;
+    double force = 0;
+    for (Row s = first; s < first + carriers; ++s) force += subs.normal_force[s];
+    contacts.depth[c] = slopes.closure.value;
+    const double stress = force / halves.area() * 2 / (halves.closure(0) + halves.closure(1)); // over the closure
     for (Row s = first; s < first + carriers; ++s) {
-        subs.area[s] = patch.carried / patch.depth / carriers;
-        subs.normal_displacement[s] = -patch.depth;
+        const double closure = halves.closure((s - first) % 2);
+        subs.normal_force[s] = stress * closure * subs.area[s];
+        subs.normal_displacement[s] = -closure;
         subs.normal_displacement_increment[s] = 0;
-        subs.shear_displacement_increment.set(s, Vec3::Zero());
     }
-    BatchColumns made;
-    const Batch rows = carriers_of(model, joint, c);
-    auto columns = columns_of(model, rows, model.clock.time_step, made);
-    if (const auto failure = initialise_batch(joint, columns, subs.number.data() + first))
-        throw joint_failure(model, rows, *failure);
-    contacts.energy_density[c] = 0.5 * Spring(subs, first).stress * patch.depth;
-    put_part(model, c, slopes, 0.5);
+    call_on_carriers(model, joint, c, [&](kaya_jbatch& rows, const std::int32_t* numbers) {
+        return initialise_batch(joint, rows, numbers);
+    });
+    contacts.energy_deep[c] = 0.5 * stress * halves.closure(0) * halves.closure(0);
+    contacts.energy_shallow[c] = 0.5 * stress * halves.closure(1) * halves.closure(1);
+    put_halves(model, c, slopes, halves);
+}
+
+/// Growth of a half beyond its closure, as take_dilation has it, in a step.
+double dilation_of(const Spring& start, const Spring& end, double more, double closure) {
+    constexpr double rounding = 1e-12;
+    const double stiffness = 0.5 * (start.stiffness + end.stiffness);
+    if (!(start.stress > 0 && end.stress > 0 && stiffness > 0)) return 0;
+    const double dilation = (end.stress - start.stress) / stiffness - more;
+    return std::abs(dilation) > rounding * closure ? dilation : 0;
 }
 
 } // namespace
 
-void press(OverlapPatch& patch, const OverlapSlopes& slopes, double part) {
-    const Pressed pressed(slopes, part);
+CarrierClosures press(const Model& model, Row c, OverlapPatch& patch, const OverlapSlopes& slopes) {
+    const auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    const ClosedHalves halves(slopes, model.contacts.whole_area[c]);
+    ClosedHalves::Springs springs = springs_of_halves(model, c);
+    for (int i = 0; i < 2; ++i) {
+        const double more = halves.closure(i) - std::max(0.0, -subs.normal_displacement[first + i]);
+        const Spring now(springs[i].stress, springs[i].stiffness),
+            then(std::max(0.0, now.stress + now.stiffness * more), now.stiffness);
+        const double energy = springs[i].energy + work_between(now, then, more);
+        springs[i] = {then.stress, then.stiffness, std::clamp(energy, 0.0, then.stress * halves.closure(i))};
+    }
+    springs = straight_if_open(springs, halves);
+    const Pressed pressed(slopes, halves, springs);
     patch.depth = slopes.closure.value;
-    patch.carried = pressed.area * patch.depth;
+    patch.carried = 2 * pressed.force / (springs[0].stress + springs[1].stress) * patch.depth;
     patch.normal = pressed.normal;
     patch.centre = pressed.centre;
     patch.twist = pressed.twist;
+    return halves.of_carriers();
 }
 
-double foreseen_part(const Model& model, Row c, double closure) {
+double power_at(const ClosedPlace& place, double stiffness) {
+    return place.stress > 0 ? std::clamp(stiffness * place.closure / place.stress, 0.0, 100.0) : 1;
+}
+
+bool has_slipped(const Model& model, Row c, const CarriedLoad& before) {
+    constexpr double rounding = 1e-9; // of the work of the shear forces
     const auto& subs = model.sub_contacts;
     const Row first = model.contacts.sub_contacts[c].first;
-    const double more = closure - std::max(0.0, -subs.normal_displacement[first]);
-    const Spring now(subs, first), then(std::max(0.0, now.stress + now.stiffness * more), now.stiffness);
-    return part_of(model.contacts.energy_density[c] + work_between(now, then, more), then.stress, closure);
+    double worn = 0, work = 0;
+    for (Row s = first; s < first + carriers; ++s) {
+        const auto k = static_cast<std::size_t>(s - first);
+        worn += std::abs(subs.frictional_work[s] - before.worn_by_row[k]);
+        work += (before.shear[k].norm() + Vec3(subs.shear_force[s]).norm()) *
+                Vec3(subs.shear_displacement_increment[s]).norm();
+    }
+    return worn > rounding * work;
 }
 
-void settle_curved(Model& model, Row c, const OverlapSlopes& slopes, const CarriedLoad& before, double dilation) {
+void settle_curved(Model& model, Row c, const OverlapSlopes& slopes, const CarriedLoad& before, bool slips) {
     auto& contacts = model.contacts;
-    const auto& subs = model.sub_contacts;
+    auto& subs = model.sub_contacts;
     const Row first = contacts.sub_contacts[c].first;
-    const double area = contacts.area[c], closure = slopes.closure.value,
-                 closed = std::max(0.0, -(subs.normal_displacement[first] + dilation));
-    const Spring start(before.force / area, before.stiffness / area), end(subs, first);
-    double& energy = contacts.energy_density[c];
-    energy += work_between(start, end, closure + dilation - closed);
-    energy = std::clamp(energy, 0.0, std::max(0.0, end.stress * closure));
-    put_part(model, c, slopes, present_part(model, c, closure));
+    const double area = contacts.area[c] / carriers;
+    const ClosedHalves halves(slopes, contacts.whole_area[c]);
+    const std::array<double*, 2> energies{&contacts.energy_deep[c], &contacts.energy_shallow[c]};
+    double grown = 0, stiffness = 0;
+    for (int i = 0; i < 2; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double closure = halves.closure(i), more = closure - std::max(0.0, -subs.normal_displacement[first + i]);
+        const Spring start(before.normal[k] / area, before.normal_stiffness[k]), end(subs, first + i);
+        // A joint that does not slip does not dilate, however well its model knows its stiffness.
+        const double dilation = slips ? dilation_of(start, end, more, closure) : 0;
+        *energies[k] = std::clamp(*energies[k] + work_between(start, end, more + dilation), 0.0,
+                                  std::max(0.0, end.stress * closure));
+        for (const Row s : {first + i, first + i + 2}) subs.normal_displacement[s] -= dilation;
+        grown += dilation * end.stiffness;
+        stiffness += end.stiffness;
+    }
+    put_halves(model, c, slopes, halves);
+    if (grown == 0) return;
+    contacts.offset[c] += grown / stiffness;
+    double force = 0;
+    for (Row s = first; s < first + carriers; ++s) force += subs.normal_force[s];
+    contacts.energy_taken[c] += force * grown / stiffness;
 }
 
 void begin_curved(Model& model, const JointModel& joint, Row c, const OverlapSlopes& slopes, const ClosedPlace& from) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-    const double closure = slopes.closure.value;
-    const Batch rows = carriers_of(model, joint, c);
-    for (Row s = rows.first; s < rows.first + rows.count; ++s) {
+    const ClosedHalves halves(slopes, contacts.whole_area[c]);
+    const Row first = contacts.sub_contacts[c].first;
+    // Shear is shared as the normal force will be: friction would take it from the shallower half.
+    const double power = power_at(from, subs.normal_stiffness[first]),
+                 less = std::pow(halves.closure(1) / halves.closure(0), power);
+    for (Row s = first; s < first + carriers; ++s) {
+        const double share = ((s - first) % 2 == 0 ? 1 : less) * 2 / (1 + less);
+        subs.shear_force.set(s, share * Vec3(subs.shear_force[s]));
         subs.normal_force[s] = from.stress * subs.area[s];
         subs.normal_displacement[s] = -from.closure;
-        subs.normal_displacement_increment[s] = from.closure - closure;
-        subs.shear_displacement_increment.set(s, Vec3::Zero());
+        subs.normal_displacement_increment[s] = from.closure - halves.closure((s - first) % 2);
     }
-    BatchColumns made;
-    auto columns = columns_of(model, rows, model.clock.time_step, made);
-    if (const auto failure = run_batch(joint, columns, subs.number.data() + rows.first, Guard::fenced))
-        throw joint_failure(model, rows, *failure);
-    for (Row s = rows.first; s < rows.first + rows.count; ++s) {
-        subs.normal_displacement[s] = -closure;
-        subs.normal_displacement_increment[s] = 0;
-    }
-    contacts.energy_density[c] = TriedSpring(model, joint, rows.first).returned(closure);
-    put_part(model, c, slopes, present_part(model, c, closure));
+    call_on_carriers(model, joint, c, [&](kaya_jbatch& rows, const std::int32_t* numbers) {
+        return run_batch(joint, rows, numbers, Guard::fenced);
+    });
+    contacts.depth[c] = slopes.closure.value;
+    contacts.energy_deep[c] = TriedSpring(model, joint, first).returned(halves.closure(0));
+    contacts.energy_shallow[c] = TriedSpring(model, joint, first + 1).returned(halves.closure(1));
+    put_halves(model, c, slopes, halves);
 }
 
 void note_curved(Model& model, const std::vector<Batch>& batches) {
@@ -228,30 +302,37 @@ void note_curved(Model& model, const std::vector<Batch>& batches) {
 }
 
 bool closes_alike(const Model& model, const JointModel& joint, Row c, std::span<const PlaceAhead> places) {
-    constexpr double same = 0.02, made = 2e-3; // a rocking block opens and closes its joint twice in a period
+    // A rocking block opens and closes its joint twice in a period. Where the area of the joint is not known, the halves are those of a strip,
+    // which has more energy than the joint.
+    constexpr double same = 0.02, made = 2e-3, of_strip = 0.4;
     const auto& contacts = model.contacts;
+    const auto& subs = model.sub_contacts;
     const Row first = contacts.sub_contacts[c].first;
-    const double mean = contacts.depth[c], withheld = std::min(0.5, contacts.withheld[c]),
-                 force = Spring(model.sub_contacts, first).stress * contacts.area[c] / (1 - withheld),
-                 energy = force * contacts.energy_length[c], density = contacts.energy_density[c];
-    if (!(density > 0)) return false;
-    const double area = energy / density;
+    const Spring deep(subs, first), shallow(subs, first + 1);
+    const double withheld = std::min(0.5, contacts.withheld[c]), mean = contacts.depth[c],
+                 base = -subs.normal_displacement[first],
+                 force = 0.5 * contacts.area[c] * (deep.stress + shallow.stress) / (1 - withheld),
+                 energy = force * contacts.energy_length[c],
+                 energies = contacts.energy_deep[c] + contacts.energy_shallow[c];
+    if (!(energies > 0 && mean > 0)) return false;
+    const double area = energy / energies * (base - subs.normal_displacement[first + 1]) / mean,
+                 less = contacts.whole_area[c] > 0 ? same : of_strip;
     double volume = 0, square = 0, joint_force = 0, joint_energy = 0;
     for (const PlaceAhead& p : places) volume += p.area * p.closure, square += p.area * p.closure * p.closure;
     if (std::abs(volume - area * mean) > same * volume || std::abs(square - area * mean * mean) > 2 * same * square)
         return false;
     for (const PlaceAhead& p : places) {
         TriedSpring spring(model, joint, first);
-        if (!spring.open(mean - p.closure)) return false;
+        if (!spring.open(base - p.closure)) return false;
         joint_force += p.area * spring.spring().stress;
     }
-    if (std::abs(joint_force - force) > same * force) return false;
+    if (joint_force - force > same * force || force - joint_force > less * force) return false;
     for (const PlaceAhead& p : places) {
         TriedSpring spring(model, joint, first);
-        spring.open(mean - p.closure);
+        spring.open(base - p.closure);
         joint_energy += p.area * spring.returned(p.closure);
     }
-    return joint_energy - energy <= made * energy && energy - joint_energy <= 2 * same * energy;
+    return joint_energy - energy <= made * energy && energy - joint_energy <= 2 * less * energy;
 }
 
 double energy_of_rows(const Model& model, const JointModel& joint, Row c) {

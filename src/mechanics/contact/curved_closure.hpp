@@ -3,35 +3,39 @@
 
 #include "mechanics/contact/batches.hpp"
 #include "mechanics/contact/carried_load.hpp"
+#include "mechanics/contact/closed_halves.hpp"
 #include "mechanics/shape/overlap_scratch.hpp"
 
 #include <span>
 
 namespace kaya {
 
-/// Changes a patch to what a curved joint model sees: the mean closure, and the area, place and direction of its force. `part`: the mean
-/// stress on the way to that closure over the present stress, a half for straight springs.
-void press(OverlapPatch& patch, const OverlapSlopes& slopes, double part);
+/// Changes the patch of a contact to what its joint model will see, as far as the present stiffnesses show: its force over its mean stress as an
+/// area, and the place and direction of that force. Returns the closures of the carriers.
+CarrierClosures press(const Model& model, Row contact, OverlapPatch& patch, const OverlapSlopes& slopes);
 
-/// That part at a closure, as far as the present stiffness shows.
-double foreseen_part(const Model& model, Row contact, double closure);
+/// After the joint model has run: adds the step to the energies of both halves, and the dilation of the joint model to the offset, and gives
+/// the carriers the force, area and places that follow. `before` is what they carried; `slips`: the joint model has done frictional work.
+void settle_curved(Model& model, Row contact, const OverlapSlopes& slopes, const CarriedLoad& before, bool slips);
 
-/// After the joint model has run: adds the step to the energy density and gives the carriers the force, area and places that follow from it.
-/// `dilation` is closure that the joint model has added.
-void settle_curved(Model& model, Row contact, const OverlapSlopes& slopes, const CarriedLoad& before, double dilation);
+/// Whether the joint model of an overlap has done frictional work in the step, beyond rounding.
+bool has_slipped(const Model& model, Row contact, const CarriedLoad& before);
 
 /// The state of a place of a joint, by closure and stress.
 struct ClosedPlace {
     double closure = 0, stress = 0;
 };
 
-/// The start of an overlap whose carriers have the state of a place of the former joint: the joint model is run to the mean closure. Throws
-/// Diagnostic when it fails.
+/// The exponent m of a stress ~ closure^m that has this stiffness there.
+double power_at(const ClosedPlace& place, double stiffness);
+
+/// The start of an overlap whose carriers have the state of a place of the former joint: the joint model is run to the closures of the
+/// halves. Throws Diagnostic when it fails.
 void begin_curved(Model& model, const JointModel& joint, Row contact, const OverlapSlopes& slopes,
                   const ClosedPlace& from);
 
 /// Marks the contacts of curved joint models. An overlap that carries a force keeps it when its joint model has become a curved one; one
-/// that is no more curved sees the mean closure until it opens.
+/// that is no more curved has two halves until it opens.
 void note_curved(Model& model, const std::vector<Batch>& batches);
 
 /// A place of the joint that an overlap may become.

@@ -258,13 +258,11 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
 
     OverlapSlopes slopes;
     const bool curved = contacts.curved[c] != 0;
-    OverlapPatch patch =
+    const OverlapPatch patch =
         overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch, curved ? &slopes : nullptr);
-    if (curved && patch.carried > 0) press(patch, slopes, 0.5);
     const bool closed = patch.carried > 0 && closures.force > 0;
-    const ClosedPlace most = {closure_of(subs, closures.most),
-                              subs.normal_force[closures.most] / subs.area[closures.most]};
     const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
+    if (contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
@@ -295,6 +293,9 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
     const Row source_open = closures.open == no_row ? closures.most : closures.open;
     const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
+    const double of_area = subs.area[closures.most];
+    const ClosedPlace most{closure_of(subs, closures.most),
+                           of_area > 0 ? subs.normal_force[closures.most] / of_area : 0};
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         const bool carries = k < carriers;
@@ -322,16 +323,21 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
     const auto closure = [&](const ContactPoint& p) {
         return offset.closure + offset.tilt.dot(p.position - origin) - p.gap;
     };
-    double whole = 0;
-    for (const auto& point : draft.points) whole += point.area * std::max(0.0, closure(point));
-    // A curved joint model is run from the mean closure to that of each place.
+    // A curved joint model is run from the closure of the deeper half to that of each place.
     const bool curved = model.contacts.curved[c] != 0;
-    const double mean = -subs.normal_displacement[first],
-                 stress = subs.area[first] > 0 ? subs.normal_force[first] / subs.area[first] : 0;
+    const double deep = -subs.normal_displacement[first],
+                 stress = subs.area[first] > 0 ? subs.normal_force[first] / subs.area[first] : 0,
+                 power = curved ? power_at({deep, stress}, subs.normal_stiffness[first]) : 1;
+    const auto share = [&](const ContactPoint& p) {
+        const double closed = std::max(0.0, closure(p));
+        return p.area * (curved ? std::pow(closed, power) : closed);
+    };
+    double whole = 0;
+    for (const auto& point : draft.points) whole += share(point);
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
         const ContactPoint& point = draft.points[i];
         const Row s = first + static_cast<Row>(i);
-        const double closed = closure(point), part = closed > 0 ? point.area * closed / whole : 0;
+        const double closed = closure(point), part = closed > 0 ? share(point) / whole : 0;
         subs.contact[s] = c;
         subs.type[s] = point.type;
         subs.side1[s] = point.side1;
@@ -347,8 +353,8 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         if (curved) {
             moved[static_cast<std::size_t>(s)] = 1;
             subs.normal_force[s] = stress * point.area;
-            subs.normal_displacement[s] = -mean;
-            subs.normal_displacement_increment[s] = mean - closed;
+            subs.normal_displacement[s] = -deep;
+            subs.normal_displacement_increment[s] = deep - closed;
         }
         if (s == first) continue;
         for (std::size_t h = 0; h < static_cast<std::size_t>(subs.history_columns); ++h)

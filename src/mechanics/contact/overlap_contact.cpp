@@ -130,7 +130,8 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
 }
 
 /// Writes places, areas and increments for the present common volume.
-void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMotion& motion) {
+void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClosures& closures,
+                const RelativeMotion& motion) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -157,7 +158,9 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const RelativeMo
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
         Eight3 shift = motion.at(place);
         if (was_closed) shift = (shift + start.at(group.load(subs.position, first))) * eights(0.5);
-        const Eight opening = eights(-contacts.depth[c]) - group.load(subs.normal_displacement.data() + first);
+        Eight closed{};
+        for (Row k = 0; k < loaded.rows(); ++k) closed[k] = closures[static_cast<std::size_t>(k)];
+        const Eight opening = -closed - group.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
         group.store(subs.normal_displacement_increment.data() + first, Eight{});
         loaded.store(subs.normal_displacement_increment.data() + first, opening);
@@ -274,21 +277,20 @@ double keep_passive(Model& model, Row c, bool lies, double worn) {
 
 /// Surfaces that climb on each other are farther apart at the same closure: the growth of the force beyond the closure of the step is moved
 /// to the offset, so that the overlap keeps representing the force of the joint model. Over a closed path this adds up to zero for any law
-/// whose force depends on its closure only. Returns the growth.
-double take_dilation(Model& model, Row c, const CarriedLoad& before) {
+/// whose force depends on its closure only.
+void take_dilation(Model& model, Row c, const CarriedLoad& before) {
     constexpr double rounding = 1e-12; // of the depth
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const CarriedLoad after(model, c);
     const double stiffness = 0.5 * (before.stiffness + after.stiffness);
-    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return 0;
+    if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
     const Row first = contacts.sub_contacts[c].first;
     const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
-    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return 0;
+    if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
     contacts.offset[c] += dilation;
     contacts.energy_taken[c] += after.force * dilation;
     for (Row s = first; s < first + carriers; ++s) subs.normal_displacement[s] -= dilation;
-    return dilation;
 }
 
 /// The joint model sees the force of the overlap. Returns the energy lost from the shear springs.
@@ -389,11 +391,13 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
             area = std::max(area, overlap_area(model, pair_of(contacts, c), patch.normal, offset, scratch));
         }
     }
-    if (slopes != nullptr && patch.carried > 0) press(patch, *slopes, foreseen_part(model, c, slopes->closure.value));
+    CarrierClosures closures;
+    closures.fill(patch.depth);
+    if (slopes != nullptr && patch.carried > 0) closures = press(model, c, patch, *slopes);
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
     const double in_springs = idle ? 0 : shear_energy(model, c);
-    write_rows(model, c, patch, motion);
+    write_rows(model, c, patch, closures, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
     // It decreases only while the contact carries nothing, as it is the area of the shear springs too: on a smaller one they would hold more
@@ -412,6 +416,7 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
     OverlapEnd end;
     const bool apart = contacts.depth[c] == 0;
     const bool had_force = !apart || !stays_without_force(model, c, carried);
+    const bool slips = slopes != nullptr && !apart && has_slipped(model, c, carried);
     if (had_force) stiffen_shear(model, c, carried);
     if (apart) {
         if (had_force) end.lost += shear_energy(model, c);
@@ -425,10 +430,11 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
         contacts.offset[c] += contacts.offset_tilt[c].dot(arm);
         contacts.offset_tilt[c].setZero();
         end.lost += contacts.energy_taken[c];
-        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = contacts.energy_density[c] = 0;
+        contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
+        contacts.energy_deep[c] = contacts.energy_shallow[c] = 0;
     } else {
-        const double dilation = take_dilation(model, c, carried);
-        if (slopes != nullptr) settle_curved(model, c, *slopes, carried, dilation);
+        if (slopes != nullptr) settle_curved(model, c, *slopes, carried, slips);
+        else take_dilation(model, c, carried);
         end.lost += keep_passive(model, c, carried.lies, frictional_work(model, c) - carried.worn);
     }
     end.idle = is_idle(model, c);

@@ -37,16 +37,24 @@ namespace {
 
 constexpr double elastic = 1e-9; // of the forces
 
-/// A row whose joint model has changed its shear stiffness. A falling stiffness takes its part of the force, as the joint models that ship
-/// have it; a rising one adds none. The work (10g) is that of the force which acts, less the change of the energy (10a).
+/// The shear force of a row whose joint model has changed its shear stiffness, on the shear area. A falling stiffness takes its part of the
+/// force, as in the joint models that ship; a rising one adds none. What the joint model adds along the displacement is that of its area, of
+/// softer springs than it reports as well. Otherwise it has limited the force, which keeps its size and turns as the stiffer springs turn it.
+Vec3 stiffened(const Vec3& kept, const Vec3& step, const Vec3& now, double area, double whole, double size) {
+    const Vec3 added = now - kept, most = area * step;
+    const double square = most.squaredNorm(), part = square > 0 ? std::clamp(added.dot(most) / square, 0.0, 1.0) : 0;
+    if ((added - part * most).norm() <= elastic * size) return kept + part * whole * step;
+    const Vec3 stiffer = kept + whole * step;
+    const double trial = stiffer.norm();
+    return trial >= now.norm() && trial > 0 ? Vec3(now.norm() / trial * stiffer) : stiffer;
+}
+
+/// The work (10f) is that of the force which acts, less the change of the energy (10a).
 void stiffen_changed(SubContacts& subs, Row s, double whole, const Vec3& old, double stiffness_before) {
-    const double area = subs.area[s], stiffness = subs.shear_stiffness[s],
-                 kept = std::min(1.0, stiffness / stiffness_before);
-    const Vec3 now = subs.shear_force[s], slip = subs.shear_displacement_increment[s], step = -stiffness * slip;
-    Vec3 force = kept * old + whole * step;
-    const bool limited = (kept * old + area * step - now).norm() > elastic * (old.norm() + now.norm());
-    if (const double size = now.norm(), trial = force.norm(); limited && trial >= size && trial > 0)
-        force *= size / trial;
+    const double area = subs.area[s], stiffness = subs.shear_stiffness[s];
+    const Vec3 now = subs.shear_force[s], slip = subs.shear_displacement_increment[s];
+    const Vec3 force = stiffened(std::min(1.0, stiffness / stiffness_before) * old, -stiffness * slip, now, area, whole,
+                                 old.norm() + now.norm());
     const auto gain = [&](double squared, double on) {
         return (squared / stiffness - old.squaredNorm() / stiffness_before) / (2 * on);
     };

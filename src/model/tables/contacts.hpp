@@ -64,11 +64,11 @@ public:
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< energy taken and not yet returned
-    Column<std::int32_t>
-        curved; ///< 1: its joint model is, and sees the mean closure: mechanics/contact/curved_closure.hpp
-    Column<double>
-        energy_density; ///< of a curved one: energy of its normal spring per area, which is the mean stress times the closure
-    Column<double> withheld; ///< part of its force that does not act, so that it returns no more than that
+    Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
+    // Of overlap contacts with a curved joint model: mechanics/contact/closed_halves.hpp.
+    Column<std::int32_t> curved;                ///< 1: it has two halves
+    Column<double> whole_area;                  ///< common area of its faces; 0 when it is not known
+    Column<double> energy_deep, energy_shallow; ///< of the normal spring of each half, over its area
     // Of joints only.
     Column<double> slip_since_update; ///< relative tangential motion since the last geometry update
     Column<double> unforced_overlap;  ///< overlap beyond the one that its force explains
@@ -103,7 +103,9 @@ public:
         visit("energy_length", energy_length, Role::state);
         visit("energy_taken", energy_taken, Role::state);
         visit("curved", curved, Role::state);
-        visit("energy_density", energy_density, Role::state);
+        visit("whole_area", whole_area, Role::geometry);
+        visit("energy_deep", energy_deep, Role::state);
+        visit("energy_shallow", energy_shallow, Role::state);
         visit("withheld", withheld, Role::state);
         visit("slid", slip_since_update, Role::state);
         visit("given_up", withdrawn_energy, Role::state);
