@@ -262,7 +262,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch, curved ? &slopes : nullptr);
     const bool closed = patch.carried > 0 && closures.force > 0;
     const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
-    if (contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
+    if (curved && contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;

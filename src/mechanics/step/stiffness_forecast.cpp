@@ -175,6 +175,10 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
     const NormalAreaFactor factor(model, c);
     const bool overlap = follows_overlap(model, c);
     const double gap = overlap ? gap_of_overlap(model, c) : 0;
+    // The place of an overlap is not that where the blocks will meet, and other corners may come first.
+    const double approach = !overlap                             ? 0
+                            : gap == 0 && contacts.depth[c] == 0 ? farthest_motion(model, c, steps_ahead * step)
+                                                                 : closing_within(model, c, steps_ahead * step);
     bool grows = false;
     for (Row s = span.first; s < span.end(); ++s) {
         Springs& springs = springs_[s];
@@ -184,7 +188,7 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
         const double opening =
             contacts.normal[c].dot(velocity_of_side(model, contacts.block2[c], subs.side2[s], place, step) -
                                    velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
-        const double closure = -opening * step * steps_ahead - gap, force = subs.normal_force[s];
+        const double closure = std::max(approach, -opening * step * steps_ahead) - gap, force = subs.normal_force[s];
         if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
         if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
         copy.take(model, *batch.model, s);
@@ -226,12 +230,29 @@ double StiffnessForecast::closing_of(const Model& model, Row c, double time) con
     return then < offset ? std::max(0.0, now - then) : 0;
 }
 
+double StiffnessForecast::farthest_motion(const Model& model, Row c, double time) const {
+    const auto& contacts = model.contacts;
+    const auto turning = [&](Row b) {
+        const Motion& motion = motions_[b];
+        if (motion.spin.isZero(0)) return 0.0;
+        double square = 0;
+        for (Row g = model.blocks.gridpoints[b].first; g < model.blocks.gridpoints[b].end(); ++g)
+            square = std::max(square, (model.gridpoints.position[g] - motion.centre).squaredNorm());
+        return motion.spin.norm() * std::sqrt(square);
+    };
+    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
+    return time * ((motions_[b2].velocity - motions_[b1].velocity).norm() + turning(b1) + turning(b2));
+}
+
+double StiffnessForecast::closing_within(const Model& model, Row c, double time) const {
+    return std::max(closing_of(model, c, 0.5 * time), closing_of(model, c, time));
+}
+
 /// The factor by which an overlap may stiffen within the steps ahead: that of its area at the greatest depth which its blocks can reach. Where
 /// a step would carry them through each other, that is where the thinner one is inside.
 double StiffnessForecast::growth_of_overlap(const Model& model, Row c, double step, OverlapScratch& scratch) const {
     const auto& contacts = model.contacts;
-    const double reached =
-        std::max(closing_of(model, c, 0.5 * steps_ahead * step), closing_of(model, c, steps_ahead * step));
+    const double reached = closing_within(model, c, steps_ahead * step);
     const double area = std::max(contacts.stiffness_area[c], contacts.area[c]);
     if (!(reached > 0 && area > 0)) return 1;
     const Vec3& n = contacts.normal[c];

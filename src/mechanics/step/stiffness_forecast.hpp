@@ -44,6 +44,10 @@ private:
     Vec3 velocity_of_side(const Model& model, Row block, const Attachment& side, const Vec3& place, double step) const;
     bool check(const Model& model, const Batch& batch, Row contact, double step);
     double closing_of(const Model& model, Row contact, double time) const;
+    /// The most that a point of one block may move towards the other: blocks that are apart may have a normal that no longer separates them.
+    double farthest_motion(const Model& model, Row contact, double time) const;
+    double closing_within(const Model& model, Row contact,
+                          double time) const; ///< the most, in the middle or at the end
     double growth_of_overlap(const Model& model, Row contact, double step, OverlapScratch& scratch) const;
 
     std::map<Row, bool> varies_; ///< by row of Model::joint_properties
