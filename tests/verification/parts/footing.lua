@@ -1,10 +1,10 @@
 -- A strip footing on weightless ground: half of it, one cell wide. `footing(name, cells, friction, dilation, mesh, steps, low, high)` loads
--- it and compares N_c, which must be at most `low` below Davis's estimate, itself below the exact value for associated flow, and at most
+-- it and compares N_c (with `surcharge`, a pressure beside the footing on ground without cohesion, N_q), which must be at most `low` below Davis's estimate, itself below the exact value for associated flow, and at most
 -- `high` above the exact value, and must be constant. With `far` the far side is inclined ("cells"), or
 -- has two parts, so that the ground is filled with unstructured tetrahedra ("tetrahedra"); it is loaded faster then.
 local verify = require "verify"
 local half, width, height, cohesion = 3, 15, 7.5, 1e5
-return function(name, n, phi, psi, mesh, steps, low, high, far)
+return function(name, n, phi, psi, mesh, steps, low, high, far, surcharge)
     if count("block") > 0 then command "delete\nreset time" end
     local size = half / n
     if far then
@@ -20,7 +20,12 @@ return function(name, n, phi, psi, mesh, steps, low, high, far)
         command(mesh:format(math.floor(width / size + 0.5), math.floor(height / size + 0.5)))
     end
     command "set small on\nchange cons 2\ndamp local"
-    command(("prop mat 1 dens 2000 k 2e8 g 1e8 bcoh %g bfric %g bdil %g bten 1e10"):format(cohesion, phi, psi))
+    local unit, symbol = surcharge or cohesion, surcharge and "N_q" or "N_c"
+    command(("prop mat 1 dens 2000 k 2e8 g 1e8 bcoh %g bfric %g bdil %g bten 1e10"):format(surcharge and 0 or cohesion, phi, psi))
+    if surcharge then
+        command(("insitu stress %g %g %g 0 0 0 nodis"):format(-surcharge, -surcharge, -surcharge))
+        command(("bound stress 0 0 %g 0 0 0 range z %g x %g %g"):format(-surcharge, height, half - 0.01 * size, width + 2))
+    end
     command(("bound xvel 0 range x 0\nbound xvel 0 range x %g %g\nbound yvel 0\nbound zvel 0 xvel 0 range z 0"):format(width - 1e-6, width + 2))
     local top = ("range z %g x 0 %g"):format(height, half + 0.01 * size)
     command("bound xvel 0 zvel 0 " .. top)
@@ -39,7 +44,8 @@ return function(name, n, phi, psi, mesh, steps, low, high, far)
     local function pressure()
         local force = 0
         for _, g in ipairs(pressed) do force = force - g.z_reaction end
-        return force / (size * 0.5 * (last + next)) / cohesion
+        local beside = (surcharge or 0) * size * 0.5 * (next - last) -- what the surcharge puts on the last gridpoint
+        return (force + beside) / (size * 0.5 * (last + next)) / unit
     end
     local speed = (far and 8 or 1) * 1e-2 * size
     command(("bound zvel %g %s"):format(-speed, top))
@@ -50,14 +56,16 @@ return function(name, n, phi, psi, mesh, steps, low, high, far)
     command(("cycle %d"):format(steps / 4))
     local after = pressure()
     local function prandtl(t) -- of the tangent of friction
+        local with_surcharge = math.exp(math.pi * t) * math.tan(math.pi / 4 + math.atan(t) / 2) ^ 2
+        if surcharge then return with_surcharge end
         if t == 0 then return 2 + math.pi end
-        return (math.exp(math.pi * t) * math.tan(math.pi / 4 + math.atan(t) / 2) ^ 2 - 1) / t
+        return (with_surcharge - 1) / t
     end
     -- Davis (1968): ground with another dilation carries at least as much as with the strength along its velocity characteristics.
     local f, d = math.rad(phi), math.rad(psi)
     local part = math.cos(d) / (1 - math.sin(d) * math.sin(f))
-    local exact, davis = prandtl(math.tan(f)), part * math.cos(f) * prandtl(part * math.sin(f))
-    verify.relative("D6, " .. name, "N_c, against that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
-    verify.absolute("D6, " .. name, "N_c short of Davis's estimate, parts", math.min(0, after / davis - 1), 0, low)
-    verify.absolute("D6, " .. name, "growth of N_c in the last quarter, parts", after / before - 1, 0, 0.01)
+    local exact, davis = prandtl(math.tan(f)), (surcharge and 1 or part * math.cos(f)) * prandtl(part * math.sin(f))
+    verify.relative("D6, " .. name, symbol .. ", against that of associated flow", after, exact, math.max(high, 1 - (1 - low) * davis / exact))
+    verify.absolute("D6, " .. name, symbol .. " short of Davis's estimate, parts", math.min(0, after / davis - 1), 0, low)
+    verify.absolute("D6, " .. name, "growth of " .. symbol .. " in the last quarter, parts", after / before - 1, 0, 0.01)
 end
