@@ -20,6 +20,10 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
+/// Cells with no angle below this, in degrees, are better than tetrahedra of any shape: they bend, and their bands of slip are less rough
+/// (docs/theory/slopes.md, "Mesh refinement").
+constexpr double good_cell_angle = 7;
+
 /// Edges longer than 1.25 of the requested length are divided, since triangles with long and short edges are sharp.
 constexpr double long_edge = 0.25;
 
@@ -306,7 +310,7 @@ bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
         places_of_grid[axis] = parts.division(whole_parts(parts.mean()));
     }
     const double angle = worst_angle(grid_mesh(p, *corner, places_of_grid));
-    if (angle >= good_angle) return true;
+    if (angle >= good_cell_angle) return true;
     try {
         return worst_angle(fill_surface(p, surface(block), field)) <= angle;
     } catch (const Diagnostic&) { return true; }
@@ -315,7 +319,7 @@ bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
 /// Whether cells continued from other blocks are as good for the block as its own would be.
 bool MeshPlan::Parts::stays_good(std::size_t block) const {
     const double angle = worst_angle(grid_mesh(blocks[block], cells[block]->corner, cells[block]->places));
-    if (angle >= good_angle) return true;
+    if (angle >= good_cell_angle) return true;
     try {
         return worst_angle(fill_surface(blocks[block], surface(block), field)) <= angle;
     } catch (const Diagnostic&) { return true; }

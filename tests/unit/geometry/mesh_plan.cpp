@@ -79,6 +79,23 @@ TEST(MeshPlan, CellsGoOnFromBlockToBlock) {
     EXPECT_TRUE(std::ranges::all_of(meshes, [](const TetMesh& m) { return m.per_cell == 6; }));
 }
 
+TEST(MeshPlan, SlopesAreCutInCells) {
+    // Blocks whose front is a slope of two to one and steeper, from the toe to different distances behind the crest.
+    const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    const Mat3 mirrored = Vec3(-1, 1, 1).asDiagonal();
+    for (const double run : {2.0, 1.7, 1.2, 1.0, 0.6})
+        for (const double behind : {1.2, 2.0, 4.0})
+            for (const Mat3& turn : {Mat3(Mat3::Identity()), turned, mirrored}) {
+                const double far = run + behind;
+                std::vector<Polyhedron> blocks = make_prism({{0, 0, 0}, {far, 0, 0}, {far, 0, 1}, {run, 0, 1}},
+                                                            {{0, 0.1, 0}, {far, 0.1, 0}, {far, 0.1, 1}, {run, 0.1, 1}})
+                                                     .parts;
+                ASSERT_EQ(blocks.size(), 1u);
+                move(blocks, turn, Vec3::Zero());
+                EXPECT_EQ(MeshPlan(blocks, 0.1).mesh(0).per_cell, 6) << run << " " << behind;
+            }
+}
+
 TEST(MeshPlan, OtherBlocksTakeTheFacesOfCells) {
     const std::vector<Polyhedron> blocks{wedge_on_cube(), make_brick({0, 0, 0}, {1, 1, 1})};
     const MeshPlan plan(blocks, 0.25);
