@@ -5,6 +5,7 @@
 #include "base/stop_point.hpp"
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/shape/corner_joints.hpp"
+#include "mechanics/contact/open_corner.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
 #include "mechanics/shape/overlap_gap.hpp"
 #include "model/edit/bounded.hpp"
@@ -209,58 +210,6 @@ bool any_row_pulls(const Model& model, Row contact) {
     const Span span = model.contacts.sub_contacts[contact];
     const double* const force = model.sub_contacts.normal_force.data();
     return std::any_of(force + span.first, force + span.end(), [](double f) { return f < 0; });
-}
-
-/// Every point of a joint that an overlap becomes is closed by this part of the depth: hysteresis for a joint that is about to open.
-constexpr double least_closure = 0.03;
-
-/// The corners of a face of a rigid block: its triangles are a fan.
-template <class Visit> bool any_corner(const Model& model, Row face, const Visit& visit) {
-    const Span span = model.faces.triangles[face];
-    const auto& x = model.gridpoints.position;
-    if (span.count == 0) return false;
-    const auto& first = model.triangles.gridpoints[span.first];
-    if (visit(x[first[0]]) || visit(x[first[1]])) return true;
-    for (Row t = span.first; t < span.end(); ++t)
-        if (visit(x[model.triangles.gridpoints[t][2]])) return true;
-    return false;
-}
-
-/// Whether a place is over a face as seen along its normal, away from its edges.
-bool is_over(const Model& model, Row face, const Vec3& normal, const Vec3& place) {
-    constexpr double clear = 1e-6; // of the edge
-    const Span span = model.faces.triangles[face];
-    const auto& last = model.triangles.gridpoints[span.end() - 1];
-    const auto& x = model.gridpoints.position;
-    Vec3 from = x[last[2]];
-    return !any_corner(model, face, [&](const Vec3& to) {
-        const Vec3 edge = to - from;
-        const bool outside = edge.cross(place - from).dot(normal) < clear * edge.squaredNorm();
-        from = to;
-        return outside;
-    });
-}
-
-/// Whether a corner of one face of an overlap lies over the other face and is not closed: the faces cannot form a joint.
-bool has_open_corner(const Model& model, Row contact) {
-    const auto& contacts = model.contacts;
-    const Row faces[2] = {contacts.face1[contact], contacts.face2[contact]};
-    if (faces[0] == no_row || faces[1] == no_row) return false;
-    const Vec3 &n = contacts.normal[contact], &origin = model.blocks.centroid[contacts.block1[contact]];
-    const double least = least_closure * contacts.depth[contact];
-    for (const int of : {0, 1}) {
-        const Row other = faces[1 - of];
-        const Vec3 normal = current_normal(model, other);
-        const Vec3& base = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[other].first][0]];
-        const double along = std::abs(normal.dot(n));
-        const bool open = any_corner(model, faces[of], [&](const Vec3& x) {
-            const double gap = normal.dot(x - base) / along; // the other face looks toward this one
-            const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(x - origin) - gap;
-            return closure <= least && is_over(model, other, normal, x);
-        });
-        if (open) return true;
-    }
-    return false;
 }
 
 /// An overlap that is closed over most of its area may become a joint, unless it rolls: a joint follows small rotations only.
