@@ -1,5 +1,6 @@
 #include "mechanics/contact/open_corner.hpp"
 
+#include "mechanics/shape/face_corners.hpp"
 #include "mechanics/shape/surfaces.hpp"
 
 #include <Eigen/Geometry>
@@ -9,18 +10,6 @@ namespace kaya {
 
 namespace {
 
-/// The corners of a face of a rigid block: its triangles are a fan.
-template <class Visit> bool any_corner(const Model& model, Row face, const Visit& visit) {
-    const Span span = model.faces.triangles[face];
-    const auto& x = model.gridpoints.position;
-    if (span.count == 0) return false;
-    const auto& first = model.triangles.gridpoints[span.first];
-    if (visit(x[first[0]]) || visit(x[first[1]])) return true;
-    for (Row t = span.first; t < span.end(); ++t)
-        if (visit(x[model.triangles.gridpoints[t][2]])) return true;
-    return false;
-}
-
 /// Whether a place is over a face as seen along its normal, away from its edges.
 bool is_over(const Model& model, Row face, const Vec3& normal, const Vec3& place) {
     constexpr double clear = 1e-6; // of the edge
@@ -28,7 +17,8 @@ bool is_over(const Model& model, Row face, const Vec3& normal, const Vec3& place
     const auto& last = model.triangles.gridpoints[span.end() - 1];
     const auto& x = model.gridpoints.position;
     Vec3 from = x[last[2]];
-    return !any_corner(model, face, [&](const Vec3& to) {
+    return !any_corner(model, face, [&](Row g) {
+        const Vec3& to = x[g];
         const Vec3 edge = to - from;
         const bool outside = edge.cross(place - from).dot(normal) < clear * edge.squaredNorm();
         from = to;
@@ -49,7 +39,8 @@ bool has_open_corner(const Model& model, Row contact) {
         const Vec3 normal = current_normal(model, other);
         const Vec3& base = model.gridpoints.position[model.triangles.gridpoints[model.faces.triangles[other].first][0]];
         const double along = std::abs(normal.dot(n));
-        const bool open = any_corner(model, faces[of], [&](const Vec3& x) {
+        const bool open = any_corner(model, faces[of], [&](Row g) {
+            const Vec3& x = model.gridpoints.position[g];
             const double gap = normal.dot(x - base) / along; // the other face looks toward this one
             const double closure = contacts.offset[contact] + contacts.offset_tilt[contact].dot(x - origin) - gap;
             return closure <= least && is_over(model, other, normal, x);

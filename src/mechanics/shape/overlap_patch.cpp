@@ -1,5 +1,6 @@
 #include "mechanics/shape/overlap_patch.hpp"
 
+#include "mechanics/shape/face_corners.hpp"
 #include "mechanics/shape/overlap_scratch.hpp"
 #include "mechanics/shape/surfaces.hpp"
 
@@ -12,16 +13,6 @@
 namespace kaya {
 
 namespace {
-
-/// Calls `visit` with the corners of a rigid block's face, in order: its triangles are a fan.
-template <class Visit> void for_corners(const Model& model, Row face, const Visit& visit) {
-    const Span span = model.faces.triangles[face];
-    if (span.count == 0) return;
-    const auto& first = model.triangles.gridpoints[span.first];
-    visit(first[0]);
-    visit(first[1]);
-    for (Row t = span.first; t < span.end(); ++t) visit(model.triangles.gridpoints[t][2]);
-}
 
 /// The contribution of one block to a clip.
 struct Side {
