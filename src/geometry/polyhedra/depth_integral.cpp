@@ -22,7 +22,7 @@ struct Push {
 /// not be divided. docs/theory/contacts.md, equation (9a).
 struct Apex {
     Vec3 point;
-    std::size_t end;           ///< place of the face in the list; that of no face if all meet in the point
+    std::size_t end;           ///< place of the face among all; their count if all near ones meet in the point
     Vec3 shift = Vec3::Zero(); ///< from the point to that of the end
 };
 
@@ -66,9 +66,11 @@ struct Extent {
 /// nearby, the region is divided by the plane between two of its faces. docs/theory/contacts.md, equation (9a).
 class DepthIntegral {
 public:
-    DepthIntegral(const std::vector<HalfSpace>& faces, FaceOrigin own, double sense, DepthScratch& scratch)
+    /// No place of the part is deeper than `deepest`.
+    DepthIntegral(const std::vector<HalfSpace>& faces, FaceOrigin own, double sense, double deepest,
+                  DepthScratch& scratch)
         : faces_(faces), own_(own), pushed_(own == FaceOrigin::subject ? FaceOrigin::clipper : FaceOrigin::subject),
-          sense_(sense), work_(scratch) {
+          sense_(sense), deepest_(deepest), work_(scratch) {
         // A division leaves one face less.
         const std::size_t levels = scratch.near.size();
         if (work_.halves.size() < levels) work_.halves.resize(levels);
@@ -101,7 +103,7 @@ private:
         std::swap(work_.near[first + two], work_.near.back());
         const std::span<const std::size_t> list = near(first), rest = list.first(list.size() - 1);
         const std::size_t end = list.back();
-        if (closest(region, faces_[rest[one]], faces_[end]) <= deepest(region, list)) return std::nullopt;
+        if (closest(region, faces_[rest[one]], faces_[end]) <= deepest_) return std::nullopt;
         const auto point = common_point(region, rest, extent);
         if (!point) return std::nullopt;
         std::array<std::size_t, 2> other{};
@@ -126,17 +128,6 @@ private:
         double least = std::numeric_limits<double>::infinity();
         region.each_vertex([&](const Vec3& x) { least = std::min(least, one.depth(x) + two.depth(x)); });
         return 0.5 * least;
-    }
-
-    /// No place of the region is deeper.
-    double deepest(const ConvexClip& region, std::span<const std::size_t> list) const {
-        double least = std::numeric_limits<double>::infinity();
-        for (const std::size_t i : list) {
-            double high = 0;
-            region.each_vertex([&](const Vec3& x) { high = std::max(high, faces_[i].depth(x)); });
-            least = std::min(least, high);
-        }
-        return least;
     }
 
     /// A point in which the depths below all faces of a list vanish, not far from the region.
@@ -298,7 +289,7 @@ private:
 
     const std::vector<HalfSpace>& faces_;
     FaceOrigin own_, pushed_;
-    double sense_;
+    double sense_, deepest_;
     DepthScratch& work_;
     OverlapGradient sum_;
 };
@@ -333,7 +324,7 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
         if (least[i] <= deepest && !holds_plane_of(faces, scratch.near, i)) scratch.near.push_back(i);
     // The surface of the second body is pushed, or that of the first pushes it.
     DepthIntegral integral(faces, of_subject ? FaceOrigin::subject : FaceOrigin::clipper, of_subject == second ? -1 : 1,
-                           scratch);
+                           deepest, scratch);
     integral.add(part, 0, 0);
     return integral.sum();
 }
