@@ -353,16 +353,21 @@ std::vector<Row> blocks_due(const Model& model, const std::vector<Pair>& pairs) 
     return blocks;
 }
 
-/// Merges the contacts that have not slid with those that have, which are in `drafts` or have separated.
-template <class Slipped>
-std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts, Slipped has_slipped) {
+/// Merges the contacts that have not slid with those that have, the pairs, which are in `drafts` or have separated.
+std::vector<ContactDraft> with_the_others(const Model& model, std::vector<ContactDraft> drafts,
+                                          const std::vector<Pair>& slipped) {
     const auto& contacts = model.contacts;
     std::vector<ContactDraft> all;
     auto next = drafts.begin();
+    auto pair = slipped.begin();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Row row = static_cast<Row>(c);
-        if (!has_slipped(c)) all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}, {}});
-        else if (next != drafts.end() && next->old == row) all.push_back(std::move(*next++));
+        if (pair == slipped.end() || pair->old != row) {
+            all.push_back({contacts.block1[c], contacts.block2[c], row, DraftKind::as_it_was, {}, {}});
+            continue;
+        }
+        ++pair;
+        if (next != drafts.end() && next->old == row) all.push_back(std::move(*next++));
     }
     return all;
 }
@@ -444,7 +449,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     OverlapScratch& scratch = scratch_.local().overlap;
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts, scratch))
         return ContactChange::refreshed;
-    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), has_slipped), true, scratch);
+    return replace_contacts(model, joints, with_the_others(model, std::move(drafts), pairs), true, scratch);
 }
 
 } // namespace kaya

@@ -72,7 +72,7 @@ public:
         copy_.normal_disp += by;
         return well;
     }
-    /// What it returns per area when it opens by a closure.
+    /// The energy per area that it releases while it opens by a closure.
     double returned(double closure) {
         constexpr int steps = 16;
         double energy = 0;
@@ -166,10 +166,9 @@ void begin_loaded(Model& model, const JointModel& joint, Row c, OverlapScratch& 
     if (!(patch.carried > 0)) return;
     const ClosedHalves halves(slopes, contacts.whole_area[c]);
     const Row first = contacts.sub_contacts[c].first;
-    double force = 0;
-    for (Row s = first; s < first + carriers; ++s) force += subs.normal_force[s];
     contacts.depth[c] = slopes.closure.value;
-    const double stress = force / halves.area() * 2 / (halves.closure(0) + halves.closure(1)); // over the closure
+    const double stress =
+        CarriedLoad(model, c).force / halves.area() * 2 / (halves.closure(0) + halves.closure(1)); // over the closure
     for (Row s = first; s < first + carriers; ++s) {
         const double closure = halves.closure((s - first) % 2);
         subs.normal_force[s] = stress * closure * subs.area[s];
@@ -258,9 +257,7 @@ void settle_curved(Model& model, Row c, const OverlapSlopes& slopes, const Carri
     put_halves(model, c, slopes, halves);
     if (grown == 0) return;
     contacts.offset[c] += grown / stiffness;
-    double force = 0;
-    for (Row s = first; s < first + carriers; ++s) force += subs.normal_force[s];
-    contacts.energy_taken[c] += force * grown / stiffness;
+    contacts.energy_taken[c] += CarriedLoad(model, c).force * grown / stiffness;
 }
 
 void begin_curved(Model& model, const JointModel& joint, Row c, const OverlapSlopes& slopes, const ClosedPlace& from) {

@@ -46,7 +46,7 @@ struct PlaceAhead {
 /// Whether that joint would have the volume, the force and the energy of the overlap.
 bool closes_alike(const Model& model, const JointModel& joint, Row contact, std::span<const PlaceAhead> places);
 
-/// What the normal springs of a joint return when each of its rows opens.
+/// The energy that the normal springs of a joint release while each of its rows opens.
 double energy_of_rows(const Model& model, const JointModel& joint, Row contact);
 
 } // namespace kaya
