@@ -197,12 +197,16 @@ inline bool all_zero(const Eight& e) {
     return all;
 #endif
 }
-/// Whether eight rows of integers are all 0.
-template <class Whole> bool all_zero_rows(const Whole* rows) {
-    std::array<std::uint64_t, sizeof(Whole)> words;
-    std::memcpy(words.data(), rows, sizeof words);
+/// Whether all bits of some rows are 0: eight, or another count whose size is a multiple of eight bytes.
+template <class Number>
+[[gnu::always_inline]] inline bool all_zero_rows(const Number* rows, std::ptrdiff_t count = eight) {
+    const std::size_t words = static_cast<std::size_t>(count) * sizeof(Number) / sizeof(std::uint64_t);
     std::uint64_t any = 0;
-    for (const std::uint64_t word : words) any |= word;
+    for (std::size_t w = 0; w < words; ++w) {
+        std::uint64_t word;
+        std::memcpy(&word, reinterpret_cast<const char*>(rows) + sizeof word * w, sizeof word);
+        any |= word;
+    }
     return any == 0;
 }
 inline bool all_zero(const Eight3& e) { return all_zero(e.x) && all_zero(e.y) && all_zero(e.z); }

@@ -122,8 +122,7 @@ struct MadeStress {
 };
 
 /// Of cells with these stresses of their zones; that of fibres is 0.
-[[gnu::always_inline]] [[gnu::always_inline]] inline MadeStress made_stress(const LayerPlanes& planes,
-                                                                            const SixZones& stress) {
+[[gnu::always_inline]] inline MadeStress made_stress(const LayerPlanes& planes, const SixZones& stress) {
     MadeStress made{mean_of(stress), {}};
     for (std::size_t a = 0; a < 3; ++a) {
         const std::array<Eight, 3> layer = planes[a].components(layer_stress(stress, a));

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstring>
 #include <memory>
 
 namespace kaya {
@@ -31,19 +29,6 @@ Eight square_of_deviator(const SixEights& stress) {
     if (all(inside)) return number;
     const Eight limit = square_root(square);
     return inside ? number : number < 0 ? -limit : limit;
-}
-
-/// Whether all bits of an even count of numbers are 0.
-template <class Number> [[gnu::always_inline]] inline bool are_blank(const Number* numbers, Row count) {
-    const Row words = count * static_cast<Row>(sizeof(Number)) / static_cast<Row>(sizeof(std::uint64_t));
-    std::uint64_t any = 0;
-    for (Row w = 0; w < words; ++w) {
-        std::uint64_t word;
-        std::memcpy(&word, reinterpret_cast<const char*>(numbers) + sizeof word * static_cast<std::size_t>(w),
-                    sizeof word);
-        any |= word;
-    }
-    return any == 0;
 }
 
 /// Numbers of the zones of a group in the order of its rows: the same zone of each cell, then the next one; from 1.
@@ -211,8 +196,8 @@ private:
         for (Row z = 0; z < zones_of_cell; ++z)
             for (Row l = 0; l < at.cells; ++l) batch_.number[at.row(z) + l] = at.zone + number_in_group[z * eight + l];
         const Row count = zones_of_cell * at.cells;
-        g.blank = are_blank(&zones.state[at.zone], count);
-        for (std::size_t k = 0; k < columns; ++k) g.blank &= are_blank(&zones.history[k][at.zone], count);
+        g.blank = all_zero_rows(&zones.state[at.zone], count);
+        for (std::size_t k = 0; k < columns; ++k) g.blank &= all_zero_rows(&zones.history[k][at.zone], count);
         if (g.blank) {
             std::fill_n(batch_.state + at.first_row, count, 0u);
             for (std::size_t k = 0; k < columns; ++k) std::fill_n(batch_.history[k] + at.first_row, count, 0.0);
@@ -230,8 +215,9 @@ private:
         Zones& zones = model_.zones;
         const std::size_t columns = law_.model->history.size();
         const Row count = zones_of_cell * at.cells;
-        bool blank = g.blank && are_blank(batch_.state + at.first_row, count);
-        for (std::size_t k = 0; k < columns && blank; ++k) blank = are_blank(batch_.history[k] + at.first_row, count);
+        bool blank = g.blank && all_zero_rows(batch_.state + at.first_row, count);
+        for (std::size_t k = 0; k < columns && blank; ++k)
+            blank = all_zero_rows(batch_.history[k] + at.first_row, count);
         if (blank) return;
         for (Row z = 0; z < zones_of_cell; ++z)
             for (Row l = 0; l < at.cells; ++l)
