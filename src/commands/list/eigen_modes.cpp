@@ -105,15 +105,18 @@ Sparse stiffness_of(const Model& model, const FreeBodies& free) {
         for (Row s = span.first; s < span.end(); ++s) {
             const Springs springs = springs_of(model.sub_contacts, s, factor);
             if (!(springs.stiffer() > 0)) continue;
-            const Mat3 k = springs.shear * Mat3::Identity() + (springs.normal - springs.shear) * n * n.transpose();
-            std::array<ToPlace, 2> motion;
-            for (std::size_t i = 0; i < 2; ++i)
-                motion[i] = sides[i] < 0 ? ToPlace(ToPlace::Zero())
-                                         : motion_of(free.bodies[static_cast<std::size_t>(sides[i])].frame,
-                                                     model.sub_contacts.position[s]);
-            for (std::size_t i = 0; i < 2; ++i)
-                for (std::size_t j = 0; j < 2; ++j)
-                    sums[i][j] += (i == j ? 1 : -1) * motion[i].transpose() * k * motion[j];
+            const Mat3 across = n * n.transpose();
+            const auto add_springs = [&](const Mat3& k, const Vec3& place) {
+                std::array<ToPlace, 2> motion;
+                for (std::size_t i = 0; i < 2; ++i)
+                    motion[i] = sides[i] < 0 ? ToPlace(ToPlace::Zero())
+                                             : motion_of(free.bodies[static_cast<std::size_t>(sides[i])].frame, place);
+                for (std::size_t i = 0; i < 2; ++i)
+                    for (std::size_t j = 0; j < 2; ++j)
+                        sums[i][j] += (i == j ? 1 : -1) * motion[i].transpose() * k * motion[j];
+            };
+            add_springs(springs.normal * across, model.sub_contacts.position[s]);
+            add_springs(springs.shear * (Mat3::Identity() - across), model.sub_contacts.shear_place(s));
         }
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t j = 0; j < 2; ++j)

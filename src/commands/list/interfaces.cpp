@@ -41,10 +41,10 @@ Wrench wrench_of(const Model& model, Row contact) {
     for (Row s = span.first; s < span.end(); ++s) {
         by_law += points.normal_force[s];
         const double pressure = points.pore_pressure[s] * points.area[s];
-        const Vec3 shear = points.shear_force[s], viscous = points.dashpot_shear[s], place = points.position[s];
-        const Vec3 force = (points.normal_force[s] + pressure + points.dashpot_normal[s]) * normal + shear + viscous;
-        wrench.force += force;
-        wrench.moment += (place - origin).cross(force);
+        const Vec3 along = Vec3(points.shear_force[s]) + Vec3(points.dashpot_shear[s]),
+                   across = (points.normal_force[s] + pressure + points.dashpot_normal[s]) * normal;
+        wrench.force += across + along;
+        wrench.moment += (points.position[s] - origin).cross(across) + (points.shear_place(s) - origin).cross(along);
     }
     wrench.moment += contacts.twist[contact] * by_law * normal;
     return wrench;

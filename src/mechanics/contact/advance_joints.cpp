@@ -73,7 +73,7 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
     const Eight3 n = eights(contacts.normal[c]), origin = eights(contacts.position[c]);
     const Span span = contacts.sub_contacts[c];
     const bool deformable = model.blocks.deformable[contacts.block1[c]] || model.blocks.deformable[contacts.block2[c]];
-    const bool damped = joints_are_damped(model.settings);
+    const bool damped = joints_are_damped(model.settings), overlap = follows_overlap(model, c);
     Eight3 force = eights(Vec3::Zero()), moment = force;
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i);
@@ -91,6 +91,7 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
             for (Row k = 0; k < group.rows(); ++k) forces.of_sub_contact[first + k] = {f.x[k], f.y[k], f.z[k]};
         force = force + f;
         moment = moment + (group.load(subs.position, first) - origin).cross(f);
+        if (overlap) moment = moment + group.load(subs.shear_arm, first).cross(shear);
     }
     const Eight whole = sums_of({force.x, force.y, force.z, moment.x, moment.y, moment.z, Eight{}, Eight{}});
     forces.of_contact[c] = Vec3(whole[0], whole[1], whole[2]);

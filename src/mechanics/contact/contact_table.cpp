@@ -171,6 +171,7 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
     subs.side1[s] = point.side1;
     subs.side2[s] = point.side2;
     subs.position.set(s, point.position);
+    subs.shear_arm.set(s, Vec3::Zero());
     subs.area[s] = area;
 }
 

@@ -22,12 +22,13 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
         const Eight3 shift = apart + apart_turn.cross(group.load(subs.position, i, origin) - origin);
         const Eight force = group.load(subs.normal_force.data() + i);
         normal += force;
-        own.joint += (n * force + group.load(subs.shear_force, i)).dot(shift);
+        const Eight3 aside = shift + apart_turn.cross(group.load(subs.shear_arm, i));
+        own.joint += force * n.dot(shift) + group.load(subs.shear_force, i).dot(aside);
         own.friction += group.load(subs.frictional_work.data() + i);
         own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * n.dot(shift);
         if (damped)
-            of_dashpots +=
-                (n * group.load(subs.dashpot_normal.data() + i) + group.load(subs.dashpot_shear, i)).dot(shift);
+            of_dashpots += group.load(subs.dashpot_normal.data() + i) * n.dot(shift) +
+                           group.load(subs.dashpot_shear, i).dot(aside);
     }
     if (contacts.twist[c] != 0) own.joint[0] += sum(normal) * contacts.twist[c] * contacts.normal[c].dot(turn);
     own.dashpots = damped ? sum(of_dashpots) : 0;

@@ -116,7 +116,8 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
     const Span span = contacts.sub_contacts[c];
     double whole = 0;
     for (Row s = span.first; s < span.end(); ++s) {
-        subs.position.set(s, Vec3(subs.position[s]) + shift);
+        subs.position.set(s, subs.position[s] + shift);
+        subs.shear_arm.set(s, subs.shear_arm[s] - shift); // shear places stay
         whole += subs.area[s];
     }
     const double open = span.count > carriers ? std::max(0.0, whole - area) / (span.count - carriers) : 0;
@@ -218,20 +219,6 @@ CarrierClosures press(const Model& model, Row c, OverlapPatch& patch, const Over
 
 double power_at(const ClosedPlace& place, double stiffness) {
     return place.stress > 0 ? std::clamp(stiffness * place.closure / place.stress, 0.0, 100.0) : 1;
-}
-
-bool has_slipped(const Model& model, Row c, const CarriedLoad& before) {
-    constexpr double rounding = 1e-9; // of the work of the shear forces
-    const auto& subs = model.sub_contacts;
-    const Row first = model.contacts.sub_contacts[c].first;
-    double worn = 0, work = 0;
-    for (Row s = first; s < first + carriers; ++s) {
-        const auto k = static_cast<std::size_t>(s - first);
-        worn += std::abs(subs.frictional_work[s] - before.worn_by_row[k]);
-        work += (before.shear[k].norm() + Vec3(subs.shear_force[s]).norm()) *
-                Vec3(subs.shear_displacement_increment[s]).norm();
-    }
-    return worn > rounding * work;
 }
 
 void settle_curved(Model& model, Row c, const OverlapSlopes& slopes, const CarriedLoad& before, bool slips) {

@@ -18,9 +18,6 @@ CarrierClosures press(const Model& model, Row contact, OverlapPatch& patch, cons
 /// the carriers the force, area and places that follow. `before` is what they carried; `slips`: the joint model has done frictional work.
 void settle_curved(Model& model, Row contact, const OverlapSlopes& slopes, const CarriedLoad& before, bool slips);
 
-/// Whether the joint model of an overlap has done frictional work in the step, beyond rounding.
-bool has_slipped(const Model& model, Row contact, const CarriedLoad& before);
-
 /// The state of a place of a joint, by closure and stress.
 struct ClosedPlace {
     double closure = 0, stress = 0;

@@ -305,6 +305,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? Vec3(places.x[k], places.y[k], places.z[k]) : contacts.position[c]);
+        subs.shear_arm.set(s, Vec3::Zero());
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
@@ -343,6 +344,7 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.side1[s] = point.side1;
         subs.side2[s] = point.side2;
         subs.position.set(s, point.position);
+        subs.shear_arm.set(s, Vec3::Zero());
         subs.area[s] = point.area;
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);

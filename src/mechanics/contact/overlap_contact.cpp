@@ -72,7 +72,7 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
         const Eight size = square_root(force.dot(force)), left = square_root(projected.dot(projected));
         const Eight3 flat = projected * (left > none ? size / left : same); // rotation keeps its size
         const Eight3 turned = flat + normal.cross(flat) * twist;
-        const Eight work = (turned - force).dot(start.at(group.load(subs.position, s)));
+        const Eight work = (turned - force).dot(start.at(shear_places(subs, s, group)));
         lost += 0.5 * sum(work);
         group.store(subs.shear_force, s, turned);
     }
@@ -88,6 +88,13 @@ void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
         subs.area[s] = area;
         if (ratio < 1 && !lies) subs.shear_force.set(s, ratio * Vec3(subs.shear_force[s]));
     }
+}
+
+/// From the places of the pressure to those of the shear forces, at most as far as the centre of the pressure.
+Eight3 arms_of(const Eight3& held, const Eight3& place, const Eight3& centre, const Eight3& normal) {
+    const Eight3 arm = in_plane(held - place, normal), out = place - centre;
+    const Eight length = square_root(arm.dot(arm)), most = square_root(out.dot(out));
+    return arm * (length > most ? most / length : eights(1));
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -123,6 +130,7 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
         const Row first = span.first + i;
         const Eight closed = loaded.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
+        group.store(subs.shear_arm, first, none);
         group.store(subs.normal_displacement_increment.data() + first, larger_of(-closed, Eight{}));
         group.store(subs.shear_displacement_increment, first, none);
         loaded.store(subs.shear_displacement_increment, first, eights(flat));
@@ -156,12 +164,17 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
         const Row first = span.first + i;
         const Eight3& place = i == 0 ? places : centre;
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
-        Eight3 shift = motion.at(place);
-        if (was_closed) shift = (shift + start.at(group.load(subs.position, first))) * eights(0.5);
+        Eight3 arm = none, shift = motion.at(place);
+        if (was_closed && i == 0) {
+            const Eight3 held = shear_places(subs, first, group);
+            arm = arms_of(held + (start.one.at(held) + start.two.at(held)) * eights(0.5), place, centre, normal);
+            shift = (motion.at(place + arm) + start.at(held)) * eights(0.5);
+        }
         Eight closed{};
         for (Row k = 0; k < loaded.rows(); ++k) closed[k] = closures[static_cast<std::size_t>(k)];
         const Eight opening = -closed - group.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
+        group.store(subs.shear_arm, first, arm);
         group.store(subs.normal_displacement_increment.data() + first, Eight{});
         loaded.store(subs.normal_displacement_increment.data() + first, opening);
         group.store(subs.shear_displacement_increment, first, none);
@@ -219,8 +232,7 @@ double withheld_shear_work(const Model& model, Row c, double scale, const Relati
     double work = 0;
     for (Row s = span.first; s < span.end(); s += eight) {
         const RowsOfEight group(span.end() - s);
-        const Eight3 shift = motion.at(group.load(subs.position, s));
-        work += sum(group.load(subs.shear_force, s).dot(shift));
+        work += sum(group.load(subs.shear_force, s).dot(motion.at(shear_places(subs, s, group))));
     }
     return -0.5 * (1 / scale - 1) * work;
 }
@@ -416,8 +428,10 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
     OverlapEnd end;
     const bool apart = contacts.depth[c] == 0;
     const bool had_force = !apart || !stays_without_force(model, c, carried);
-    const bool slips = slopes != nullptr && !apart && has_slipped(model, c, carried);
+    const SlippedCarriers slipped = apart ? SlippedCarriers{} : slipped_carriers(model, c, carried);
+    const bool slips = std::ranges::find(slipped, true) != slipped.end();
     if (had_force) stiffen_shear(model, c, carried);
+    if (slips) end.lost += release_places(model, c, slipped);
     if (apart) {
         if (had_force) end.lost += shear_energy(model, c);
         for (Row s = span.first; s < span.end(); s += eight) {

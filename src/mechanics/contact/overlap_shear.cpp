@@ -94,4 +94,33 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
     }
 }
 
+SlippedCarriers slipped_carriers(const Model& model, Row c, const CarriedLoad& before) {
+    constexpr double rounding = 1e-9; // of the work of the shear force
+    const auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    SlippedCarriers slipped{};
+    for (std::size_t k = 0; k < slipped.size(); ++k) {
+        const Row s = first + static_cast<Row>(k);
+        const double worn = std::abs(subs.frictional_work[s] - before.worn_by_row[k]);
+        slipped[k] = worn > 0 && worn > rounding * (before.shear[k].norm() + Vec3(subs.shear_force[s]).norm()) *
+                                            Vec3(subs.shear_displacement_increment[s]).norm();
+    }
+    return slipped;
+}
+
+double release_places(Model& model, Row c, const SlippedCarriers& slipped) {
+    auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
+    const RelativeMotion motion(model, c);
+    const Vec3 turn = motion.two.turn - motion.one.turn;
+    double lost = 0;
+    for (std::size_t k = 0; k < slipped.size(); ++k) {
+        if (!slipped[k]) continue;
+        const Row s = first + static_cast<Row>(k);
+        lost -= 0.5 * Vec3(subs.shear_force[s]).dot(turn.cross(Vec3(subs.shear_arm[s])));
+        subs.shear_arm.set(s, Vec3::Zero());
+    }
+    return lost;
+}
+
 } // namespace kaya

@@ -2,8 +2,14 @@
 #pragma once
 
 #include "mechanics/contact/carried_load.hpp"
+#include "mechanics/contact/contact_work.hpp"
 
 namespace kaya {
+
+/// Where the shear forces of an overlap act.
+inline Eight3 shear_places(const SubContacts& subs, Row row, const RowsOfEight& group) {
+    return group.load(subs.position, row) + group.load(subs.shear_arm, row);
+}
 
 /// Energy in the shear springs of the carriers (10a).
 double shear_energy(const Model& model, Row contact);
@@ -18,5 +24,12 @@ double pay_for_area(Model& model, Row contact, double before);
 /// increments are those of the shear area. Where the joint model limits the force, stiffer springs take less of the displacement and leave
 /// more to slip (10b).
 void stiffen_shear(Model& model, Row contact, const CarriedLoad& before);
+
+/// Which carriers the joint model has let slip in this step.
+using SlippedCarriers = std::array<bool, carriers>;
+SlippedCarriers slipped_carriers(const Model& model, Row contact, const CarriedLoad& before);
+
+/// Shear forces act at fixed places until they slip; then they go to those of the pressure. Returns the energy lost, see turn_shear.
+double release_places(Model& model, Row contact, const SlippedCarriers& slipped);
 
 } // namespace kaya

@@ -118,7 +118,7 @@ SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
         }
         const Eight3 place = group.load(model.sub_contacts.position, first, origin) - origin;
         normal.add(across, place);
-        shear.add(along, place);
+        shear.add(along, place + group.load(model.sub_contacts.shear_arm, first));
     }
     return {normal.sum(), shear.sum()};
 }

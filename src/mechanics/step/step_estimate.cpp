@@ -103,13 +103,17 @@ public:
             const Vec3& n = contacts.normal[c];
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
                 const Springs k = bounds_.springs(model_, s, factor);
-                const Vec3 shift = motion(x, contacts.block2[c], subs.side2[s], subs.position[s]) -
-                                   motion(x, contacts.block1[c], subs.side1[s], subs.position[s]);
-                const double across = shift.dot(n);
-                const Vec3 force = k.normal * (1 + 2 * beta.normal / step_) * across * n +
-                                   k.shear * (1 + 2 * beta.shear / step_) * (shift - across * n);
-                push(y, contacts.block2[c], subs.side2[s], subs.position[s], force);
-                push(y, contacts.block1[c], subs.side1[s], subs.position[s], -force);
+                const auto shift = [&](const Vec3& place) -> Vec3 {
+                    return motion(x, contacts.block2[c], subs.side2[s], place) -
+                           motion(x, contacts.block1[c], subs.side1[s], place);
+                };
+                const auto push_apart = [&](const Vec3& place, const Vec3& force) {
+                    push(y, contacts.block2[c], subs.side2[s], place, force);
+                    push(y, contacts.block1[c], subs.side1[s], place, -force);
+                };
+                const Vec3 place = subs.position[s], of_shear = subs.shear_place(s), slip = shift(of_shear);
+                push_apart(place, k.normal * (1 + 2 * beta.normal / step_) * shift(place).dot(n) * n);
+                push_apart(of_shear, k.shear * (1 + 2 * beta.shear / step_) * (slip - slip.dot(n) * n));
             }
         }
         add_zones(x, y);

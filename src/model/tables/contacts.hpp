@@ -145,6 +145,7 @@ public:
     Column<double> pore_pressure;
     Column<double> normal_force;
     VectorColumn shear_force;      ///< on block2 is plus this, on block1 minus: see method
+    VectorColumn shear_arm;        ///< of overlap contacts: the place of the shear force, relative to `position`
     Column<double> dashpot_normal; ///< viscous force in addition to the law's, with damping
     VectorColumn dashpot_shear;
     Column<double> normal_stiffness;
@@ -161,6 +162,9 @@ public:
 
     Column<JointObject> object; ///< history of a joint model that plain numbers cannot hold
     bool keeps_objects = false; ///< whether a joint model does; otherwise the column is empty
+
+    /// Where the shear force acts.
+    Vec3 shear_place(Row row) const { return Vec3(position[row]) + Vec3(shear_arm[row]); }
 
     /// Allocates objects for a joint model; they are never released.
     void keep_objects() {
@@ -208,6 +212,7 @@ public:
         visit("pore_pressure", pore_pressure, Role::condition);
         visit("normal_force", normal_force, Role::state);
         visit_vector(visit, "shear_force", shear_force, Role::state);
+        visit_vector(visit, "shear_arm", shear_arm, Role::state);
         visit("dashpot_normal", dashpot_normal, Role::state);
         visit_vector(visit, "dashpot_shear", dashpot_shear, Role::state);
         visit("normal_stiffness", normal_stiffness, Role::state);
