@@ -279,7 +279,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     if (patch.carried > 0) {
         contacts.normal[c] = patch.normal;
         contacts.axis[c] = axis_in_plane(Vec3::Zero(), patch.longest_edge, patch.normal);
-        places = places_of(patch, contacts.axis[c]);
+        places = PressureSpread(patch, contacts.axis[c]).places();
         contacts.position[c] = patch.centre;
     }
     const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;

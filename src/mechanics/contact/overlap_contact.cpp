@@ -90,11 +90,12 @@ void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
     }
 }
 
-/// From the places of the pressure to those of the shear forces, at most as far as the centre of the pressure.
-Eight3 arms_of(const Eight3& held, const Eight3& place, const Eight3& centre, const Eight3& normal) {
-    const Eight3 arm = in_plane(held - place, normal), out = place - centre;
-    const Eight length = square_root(arm.dot(arm)), most = square_root(out.dot(out));
-    return arm * (length > most ? most / length : eights(1));
+/// From the places of the pressure to those of the shear forces, at most as far as the ellipse of its second moments reaches.
+Eight3 shear_arms(const Eight3& held, const Eight3& place, const PressureSpread& spread, const Eight3& normal) {
+    if (!(spread.square > 0)) return eights(Vec3(Vec3::Zero()));
+    const Eight3 arm = in_plane(held - place, normal);
+    const Eight square = spread.squares_of(arm), one = eights(1);
+    return arm * (square > one ? one / square_root(square) : one);
 }
 
 double normal_force_of(const Model& model, Row c) {
@@ -150,7 +151,8 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     double whole = 0; // area of the joint; its open part belongs to the unloaded rows
     for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
     contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
-    const Eight3 places = places_of(patch, contacts.axis[c]);
+    const PressureSpread spread(patch, contacts.axis[c]);
+    const Eight3 places = spread.places();
     contacts.position[c] = patch.centre;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.depth[c] = patch.depth;
@@ -167,7 +169,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
         Eight3 arm = none, shift = motion.at(place);
         if (was_closed && i == 0) {
             const Eight3 held = shear_places(subs, first, group);
-            arm = arms_of(held + (start.one.at(held) + start.two.at(held)) * eights(0.5), place, centre, normal);
+            arm = shear_arms(held + (start.one.at(held) + start.two.at(held)) * eights(0.5), place, spread, normal);
             shift = (motion.at(place + arm) + start.at(held)) * eights(0.5);
         }
         Eight closed{};

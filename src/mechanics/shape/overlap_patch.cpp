@@ -386,16 +386,25 @@ Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
     return normal.cross(Vec3::Unit(least)).normalized();
 }
 
-Eight3 places_of(const OverlapPatch& patch, const Vec3& u) {
-    const Vec3 v = patch.normal.cross(u), of_u = patch.second * u;
-    const double uu = std::max(0.0, u.dot(of_u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = v.dot(of_u);
+PressureSpread::PressureSpread(const OverlapPatch& patch, const Vec3& along)
+    : centre(patch.centre), u(along), v(patch.normal.cross(along)) {
+    const Vec3 of_u = patch.second * u;
+    uu = std::max(0.0, u.dot(of_u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = v.dot(of_u);
+    square = std::max(0.0, uu * vv - uv * uv);
+}
+
+Eight3 PressureSpread::places() const {
     // The root of the 2 x 2 matrix: (M + s I)/t with s^2 = det M, t^2 = trace M + 2 s.
-    const double s = std::sqrt(std::max(0.0, uu * vv - uv * uv)), t = std::sqrt(uu + vv + 2 * s);
-    const double over = t > 0 ? 1 / t : 0;
+    const double s = std::sqrt(square), t = std::sqrt(uu + vv + 2 * s), over = t > 0 ? 1 / t : 0;
     const Vec3 along = over * ((uu + s) * u + uv * v), across = over * (uv * u + (vv + s) * v);
     static_assert(carriers == 4);
     constexpr Eight of_along{1, -1, -1, 1}, of_across{1, 1, -1, -1}; // the other rows are in the centre
-    return eights(patch.centre) + eights(along) * of_along + eights(across) * of_across;
+    return eights(centre) + eights(along) * of_along + eights(across) * of_across;
+}
+
+Eight PressureSpread::squares_of(const Eight3& arms) const {
+    const Eight along = arms.dot(eights(u)), across = arms.dot(eights(v));
+    return (along * along * vv - along * across * (2 * uv) + across * across * uu) * (1 / square);
 }
 
 } // namespace kaya

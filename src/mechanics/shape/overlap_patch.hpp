@@ -87,8 +87,18 @@ inline double shear_area(const Contacts& contacts, Row contact) {
 /// A unit vector in the plane of a normal: along `axis`, or along `wanted` where that has no direction.
 Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal);
 
-/// Four places around the centre that share the force equally and have the second moments of its pressure, in the first rows; the others
-/// are in the centre. `u` is a unit vector in the plane; the places lie between it and the direction across.
-Eight3 places_of(const OverlapPatch& patch, const Vec3& u);
+/// How the pressure spreads over the plane of a contact: the second moments M of the common volume there. `u` is a unit vector in the plane.
+struct PressureSpread {
+    PressureSpread(const OverlapPatch& patch, const Vec3& u);
+
+    /// Four places around the centre that share the force equally and have the second moments M, in the first rows; the others are in the
+    /// centre. They lie between `u` and the direction across.
+    Eight3 places() const;
+    /// a M^-1 a of vectors in the plane: 1 on the ellipse of the second moments, which has an area.
+    Eight squares_of(const Eight3& arms) const;
+
+    Vec3 centre, u, v;         ///< v is across u, in the plane
+    double uu, vv, uv, square; ///< M, and its determinant
+};
 
 } // namespace kaya
