@@ -233,6 +233,20 @@ bool all_keep_places(const Model& model, const std::vector<ContactDraft>& drafts
     return std::all_of(drafts.begin(), drafts.end(), [&](const auto& d) { return keeps_places(model, d); });
 }
 
+/// Overlaps whose blocks have come to lie on other faces have these from now on.
+void take_faces(Contacts& contacts, const std::vector<ContactDraft>& drafts) {
+    constexpr double lying = 1 - 6.1e-4; // cosine of 2 degrees: the pressure is across these faces
+    for (const auto& draft : drafts) {
+        const ContactPlane& g = draft.plane;
+        const bool on_faces = g.kind == ContactKind::joint && g.face1 != no_row && g.face2 != no_row;
+        if (draft.kind != DraftKind::as_it_was || !on_faces) continue;
+        if (contacts.kind[draft.old] != ContactKind::overlap || contacts.normal[draft.old].dot(g.normal) < lying)
+            continue;
+        contacts.face1[draft.old] = g.face1;
+        contacts.face2[draft.old] = g.face2;
+    }
+}
+
 /// Whether the tables keep their rows.
 bool same_rows(const Model& model, const std::vector<ContactDraft>& drafts) {
     if (drafts.size() != model.contacts.size()) return false;
@@ -382,6 +396,7 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
 
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                       OverlapScratch& scratch) {
+    take_faces(model.contacts, drafts);
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
     Changes changes(model.sub_contacts.size());
@@ -399,6 +414,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                                bool moving, OverlapScratch& scratch) {
     if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts, scratch))
         return ContactChange::refreshed;
+    take_faces(model.contacts, drafts);
     const auto loads = loads_of(model, drafts);
     const std::vector<char> contact_kept = kept_contacts(model, drafts);
     double lost = stored_in_parted(model, contact_kept);
