@@ -91,7 +91,7 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
             for (Row k = 0; k < group.rows(); ++k) forces.of_sub_contact[first + k] = {f.x[k], f.y[k], f.z[k]};
         force = force + f;
         moment = moment + (group.load(subs.position, first) - origin).cross(f);
-        if (overlap) moment = moment + group.load(subs.shear_arm, first).cross(shear);
+        if (overlap && i == 0) moment = moment + group.load(subs.shear_arm, first).cross(shear);
     }
     const Eight whole = sums_of({force.x, force.y, force.z, moment.x, moment.y, moment.z, Eight{}, Eight{}});
     forces.of_contact[c] = Vec3(whole[0], whole[1], whole[2]);

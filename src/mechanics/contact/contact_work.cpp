@@ -22,7 +22,8 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
         const Eight3 shift = apart + apart_turn.cross(group.load(subs.position, i, origin) - origin);
         const Eight force = group.load(subs.normal_force.data() + i);
         normal += force;
-        const Eight3 aside = shift + apart_turn.cross(group.load(subs.shear_arm, i));
+        Eight3 aside = shift;
+        if (i == span.first) aside = shift + apart_turn.cross(group.load(subs.shear_arm, i)); // only carriers have one
         own.joint += force * n.dot(shift) + group.load(subs.shear_force, i).dot(aside);
         own.friction += group.load(subs.frictional_work.data() + i);
         own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * n.dot(shift);

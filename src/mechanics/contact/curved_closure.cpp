@@ -117,7 +117,6 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
     double whole = 0;
     for (Row s = span.first; s < span.end(); ++s) {
         subs.position.set(s, subs.position[s] + shift);
-        subs.shear_arm.set(s, subs.shear_arm[s] - shift); // shear places stay
         whole += subs.area[s];
     }
     const double open = span.count > carriers ? std::max(0.0, whole - area) / (span.count - carriers) : 0;
@@ -127,6 +126,7 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
             continue;
         }
         const double stress = springs[static_cast<std::size_t>(s - span.first) % 2].stress;
+        subs.shear_arm.set(s, subs.shear_arm[s] - shift); // its place stays
         subs.area[s] = area / carriers;
         subs.normal_force[s] = stress * subs.area[s];
     }

@@ -123,6 +123,7 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
+    const bool parts = contacts.depth[c] > 0;
     contacts.depth[c] = contacts.twist[c] = 0;
     const Vec3 shift = motion.at(contacts.position[c]), flat = shift - shift.dot(n) * n;
     const Eight3 place = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
@@ -131,7 +132,7 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
         const Row first = span.first + i;
         const Eight closed = loaded.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
-        group.store(subs.shear_arm, first, none);
+        if (parts) group.store(subs.shear_arm, first, none);
         group.store(subs.normal_displacement_increment.data() + first, larger_of(-closed, Eight{}));
         group.store(subs.shear_displacement_increment, first, none);
         loaded.store(subs.shear_displacement_increment, first, eights(flat));
@@ -168,15 +169,15 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
         Eight3 arm = none, shift = motion.at(place);
         if (was_closed && i == 0) {
-            const Eight3 held = shear_places(subs, first, group);
-            arm = shear_arms(held + (start.one.at(held) + start.two.at(held)) * eights(0.5), place, spread, normal);
-            shift = (motion.at(place + arm) + start.at(held)) * eights(0.5);
+            const Eight3 held = shear_places(subs, first, group), one = start.one.at(held), two = start.two.at(held);
+            arm = shear_arms(held + (one + two) * eights(0.5), place, spread, normal);
+            shift = (motion.at(place + arm) + (two - one)) * eights(0.5);
         }
         Eight closed{};
         for (Row k = 0; k < loaded.rows(); ++k) closed[k] = closures[static_cast<std::size_t>(k)];
         const Eight opening = -closed - group.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
-        group.store(subs.shear_arm, first, arm);
+        if (i == 0) group.store(subs.shear_arm, first, arm);
         group.store(subs.normal_displacement_increment.data() + first, Eight{});
         loaded.store(subs.normal_displacement_increment.data() + first, opening);
         group.store(subs.shear_displacement_increment, first, none);
