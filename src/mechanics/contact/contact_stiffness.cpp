@@ -3,67 +3,64 @@
 #include "mechanics/lanes/triple.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace kaya {
 
 namespace {
 
-using Triples = TripleOf<Eight>;
-
-Triples in_all_lanes(const Triple& t) { return {eights(t.x), eights(t.y), eights(t.z)}; }
-
-/// Springs of up to eight sub-contacts at places.
-struct SpringsAtPlaces {
-    Eight normal{}, shear{};
-    Eight3 place{};
-};
-
-/// An unloaded contact acts at one place, and so do all contacts of separated blocks: its springs there are in a separate lane, after those
-/// of the first `spread` rows.
-SpringsAtPlaces springs_at_places(const Model& model, Row c) {
-    const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const Span span = contacts.sub_contacts[c];
-    const Row spread = contacts.depth[c] > 0 ? std::min(carriers, span.count) : 0;
-    const NormalAreaFactor factor(model, c);
-    const RowsOfEight group(std::min<std::ptrdiff_t>(spread + 1, span.count));
-    SpringsAtPlaces at{{}, {}, group.load(subs.position, span.first)};
-    Springs others;
-    for (Row k = 0; k < span.count; ++k) {
-        const Springs springs = springs_of(subs, span.first + k, factor);
-        if (k < spread) {
-            at.normal[k] = springs.normal;
-            at.shear[k] = springs.shear;
-        } else {
-            others.normal += springs.normal;
-            others.shear += springs.shear;
-        }
-    }
-    at.normal[spread] = others.normal;
-    at.shear[spread] = others.shear;
-    return at;
+template <class T> T everywhere(double value) {
+    if constexpr (std::is_same_v<T, double>) return value;
+    else return eights(value);
+}
+template <class T> TripleOf<T> everywhere(const Triple& t) {
+    return {everywhere<T>(t.x), everywhere<T>(t.y), everywhere<T>(t.z)};
 }
 
-/// The trace of the stiffness over the mass as one block has it.
-double over_mass_of(const Model& model, Row c, Row block, const SpringsAtPlaces& at) {
+/// Springs at one place, or at eight.
+template <class T> struct SpringsAt {
+    T normal, shear;
+    TripleOf<T> place;
+};
+
+/// The springs of the rows from one on, which act at one place.
+Springs springs_from(const Model& model, Row first, Row end, const NormalAreaFactor& factor) {
+    Springs sum;
+    for (Row s = first; s < end; ++s) {
+        const Springs springs = springs_of(model.sub_contacts, s, factor);
+        sum.normal += springs.normal;
+        sum.shear += springs.shear;
+    }
+    return sum;
+}
+
+/// The trace of the stiffness over the mass as one block has it, for each place.
+template <class T> T over_mass_of(const Model& model, Row c, Row block, const SpringsAt<T>& at) {
     const auto& blocks = model.blocks;
     const double mass = blocks.mass[block];
-    if (blocks.fixed[block] == fix_all || blocks.deformable[block] || !(mass > 0)) return 0;
+    if (blocks.fixed[block] == fix_all || blocks.deformable[block] || !(mass > 0)) return T{};
     const auto& q = blocks.orientation[block];
     const Rotor to_own = Rotor{q[0], {q[1], q[2], q[3]}}.conjugate();
-    const RotorOf<Eight> turn{eights(to_own.w), in_all_lanes(to_own.v)};
-    const Mat3& m = blocks.inertia[block];
-    const SymmetricInverseOf<Eight> inverse(eights(m(0, 0)), eights(m(1, 1)), eights(m(2, 2)), eights(m(1, 2)),
-                                            eights(m(0, 2)), eights(m(0, 1)), eights(mass / blocks.volume[block]));
-    const Triples n = in_all_lanes(to_own.turned(Triple(model.contacts.normal[c])));
-    const Triples arm =
-        turn.turned(Triples(at.place.x, at.place.y, at.place.z) - in_all_lanes(Triple(blocks.centroid[block])));
-    const Triples across = arm.cross(n);
-    const Eight along = across.dot(inverse * across);
-    const Eight parts = at.normal * (1 / mass + along) + at.shear * (2 / mass + inverse.of_arm(arm) - along);
+    const RotorOf<T> turn{everywhere<T>(to_own.w), everywhere<T>(to_own.v)};
+    const SymmetricInverse inverse(blocks.inertia[block], mass / blocks.volume[block]);
+    const TripleOf<T> n = everywhere<T>(to_own.turned(Triple(model.contacts.normal[c])));
+    const TripleOf<T> arm = turn.turned(at.place - everywhere<T>(Triple(blocks.centroid[block])));
+    const TripleOf<T> across = arm.cross(n);
+    const T along = across.dot(inverse * across);
+    return at.normal * (1 / mass + along) + at.shear * (2 / mass + inverse.of_arm(arm) - along);
+}
+
+double sum_of_places(double part) { return part; }
+
+double sum_of_places(const Eight& parts) {
     double sum = 0;
     for (Row k = 0; k <= carriers; ++k) sum += parts[k];
     return sum;
+}
+
+template <class T> StiffnessOfSides over_masses_of(const Model& model, Row c, const SpringsAt<T>& at) {
+    return {sum_of_places(over_mass_of(model, c, model.contacts.block1[c], at)),
+            sum_of_places(over_mass_of(model, c, model.contacts.block2[c], at))};
 }
 
 } // namespace
@@ -76,10 +73,27 @@ double sum_of_stiffness(const Model& model, Row contact) {
     return sum;
 }
 
-StiffnessOfSides stiffness_over_mass(const Model& model, Row contact) {
-    const SpringsAtPlaces at = springs_at_places(model, contact);
-    return {over_mass_of(model, contact, model.contacts.block1[contact], at),
-            over_mass_of(model, contact, model.contacts.block2[contact], at)};
+// An unloaded contact acts at one place, and so do all contacts of separated blocks: its springs there are in a separate lane, after those
+// of the carriers.
+StiffnessOfSides stiffness_over_mass(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    const NormalAreaFactor factor(model, c);
+    if (!(model.contacts.depth[c] > 0)) {
+        const Springs all = springs_from(model, span.first, span.end(), factor);
+        const Vec3 place = span.count > 0 ? Vec3(subs.position[span.first]) : Vec3(Vec3::Zero());
+        return over_masses_of<double>(model, c, {all.normal, all.shear, Triple(place)});
+    }
+    const Row spread = std::min(carriers, span.count);
+    const Springs others = springs_from(model, span.first + spread, span.end(), factor);
+    const SpringsOfEight loaded = springs_of(subs, span.first, RowsOfEight(spread), factor);
+    constexpr Eight lanes{0, 1, 2, 3, 4, 5, 6, 7};
+    const auto of_others = lanes == static_cast<double>(spread);
+    const Eight3 place = RowsOfEight(std::min(spread + 1, span.count)).load(subs.position, span.first);
+    return over_masses_of<Eight>(model, c,
+                                 {of_others ? eights(others.normal) : loaded.normal,
+                                  of_others ? eights(others.shear) : loaded.shear,
+                                  {place.x, place.y, place.z}});
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // The springs of a contact as the time step sees them: the only place that defines the stiffness of a sub-contact.
 #pragma once
 
+#include "mechanics/lanes/eight.hpp"
 #include "mechanics/shape/overlap_patch.hpp"
 #include "model/tables/model.hpp"
 
@@ -31,12 +32,29 @@ struct NormalAreaFactor {
             others = model.contacts.sub_contacts[contact].first + carriers;
     }
     double of(Row s) const { return s < others ? of_carriers : 1; }
+    /// Of the eight rows from `first` on.
+    Eight of_eight(Row first) const {
+        constexpr Eight places{0, 1, 2, 3, 4, 5, 6, 7};
+        return places < static_cast<double>(others) - first ? eights(of_carriers) : eights(1);
+    }
 };
 
 /// `factor`: that of its contact.
 inline Springs springs_of(const SubContacts& subs, Row s, const NormalAreaFactor& factor) {
     const double area = subs.area[s] * factor.of(s);
     return {subs.normal_stiffness[s] * area, subs.shear_stiffness[s] * area};
+}
+
+struct SpringsOfEight {
+    Eight normal, shear;
+};
+
+/// The same of up to eight sub-contacts from `first` on; missing ones have none.
+inline SpringsOfEight springs_of(const SubContacts& subs, Row first, const RowsOfEight& group,
+                                 const NormalAreaFactor& factor) {
+    const Eight area = group.load(subs.area.data() + first) * factor.of_eight(first);
+    return {group.load(subs.normal_stiffness.data() + first) * area,
+            group.load(subs.shear_stiffness.data() + first) * area};
 }
 
 /// Sum over the contact's sub-contacts of the larger stiffness, force/length.

@@ -18,9 +18,9 @@ template <class T> struct TripleOf {
     TripleOf(const T& a, const T& b, const T& c) : x(a), y(b), z(c) {}
     friend TripleOf operator+(const TripleOf& a, const TripleOf& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend TripleOf operator-(const TripleOf& a, const TripleOf& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    template <class Scalar> friend TripleOf operator*(const Scalar& s, const TripleOf& a) {
-        return {s * a.x, s * a.y, s * a.z};
-    }
+    template <class Scalar>
+    requires std::is_same_v<Scalar, T> || std::is_arithmetic_v<Scalar>
+    friend TripleOf operator*(const Scalar& s, const TripleOf& a) { return {s * a.x, s * a.y, s * a.z}; }
     T dot(const TripleOf& o) const { return x * o.x + y * o.y + z * o.z; }
     TripleOf cross(const TripleOf& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
     Eight3 eights() const requires std::is_same_v<T, double> {
@@ -83,14 +83,14 @@ public:
     }
     SymmetricInverseOf(const Mat3& m, double scale) requires std::is_same_v<T, double>
         : SymmetricInverseOf(m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(0, 2), m(0, 1), scale) {}
-    TripleOf<T> operator*(const TripleOf<T>& v) const {
+    template <class V> TripleOf<V> operator*(const TripleOf<V>& v) const {
         return {xx_ * v.x + xy_ * v.y + xz_ * v.z, xy_ * v.x + yy_ * v.y + yz_ * v.z,
                 xz_ * v.x + yz_ * v.y + zz_ * v.z};
     }
     /// Trace of the product of the inverse with the inertia of a unit mass at the arm v, in any direction: the
     /// compliance to three forces of 1 there.
-    T of_arm(const TripleOf<T>& v) const {
-        const T x2 = v.x * v.x, y2 = v.y * v.y, z2 = v.z * v.z;
+    template <class V> V of_arm(const TripleOf<V>& v) const {
+        const V x2 = v.x * v.x, y2 = v.y * v.y, z2 = v.z * v.z;
         return xx_ * (y2 + z2) + yy_ * (x2 + z2) + zz_ * (x2 + y2) -
                2 * (xy_ * v.x * v.y + yz_ * v.y * v.z + xz_ * v.x * v.z);
     }

@@ -103,6 +103,18 @@ Springs StepBounds::springs(const Model& model, Row sub_contact, const NormalAre
     return springs_of(model.sub_contacts, sub_contact, factor);
 }
 
+SpringsOfEight StepBounds::springs(const Model& model, Row first, const RowsOfEight& group,
+                                   const NormalAreaFactor& factor) const {
+    if (!foreseen) return springs_of(model.sub_contacts, first, group, factor);
+    SpringsOfEight eight{};
+    for (Row l = 0; l < group.rows(); ++l) {
+        const Springs& one = (*foreseen)[static_cast<std::size_t>(first + l)];
+        eight.normal[l] = one.normal;
+        eight.shear[l] = one.shear;
+    }
+    return eight;
+}
+
 SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
     MomentsOfEights normal, shear;
     const Span span = model.contacts.sub_contacts[contact];
@@ -110,15 +122,10 @@ SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
     const NormalAreaFactor factor(model, contact);
     for (Row first = span.first; first < span.end(); first += eight) {
         const RowsOfEight group(span.end() - first);
-        Eight across{}, along{};
-        for (Row l = 0; l < group.rows(); ++l) {
-            const Springs k = springs(model, first + l, factor);
-            across[l] = std::max(0.0, k.normal);
-            along[l] = std::max(0.0, k.shear);
-        }
+        const SpringsOfEight k = springs(model, first, group, factor);
         const Eight3 place = group.load(model.sub_contacts.position, first, origin) - origin;
-        normal.add(across, place);
-        shear.add(along, place + group.load(model.sub_contacts.shear_arm, first));
+        normal.add(larger_of(k.normal, Eight{}), place);
+        shear.add(larger_of(k.shear, Eight{}), place + group.load(model.sub_contacts.shear_arm, first));
     }
     return {normal.sum(), shear.sum()};
 }
@@ -236,7 +243,8 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     };
     if (between_rigid(model, c)) {
         const Share times = share(model, c, no_row, entry.side, shares);
-        matrices.elastic.add(times.elastic, matrices_[c][static_cast<std::size_t>(entry.side)]);
+        if (alone_) matrices.elastic.add(times.elastic, {sums_[c], normal, arm});
+        else matrices.elastic.add(times.elastic, matrices_[c][static_cast<std::size_t>(entry.side)]);
         if (damped_) add_dashpots(sums_[c], times.viscous);
         return;
     }
@@ -305,15 +313,16 @@ Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacen
     return sum;
 }
 
-/// Matrices of contacts between rigid blocks on each of the two: bodies sum them twice, with different shares.
+/// Matrices of contacts between rigid blocks on each of the two: bodies sum them twice, with different shares. Alone they sum once.
 void StepBounds::find_matrices(const Model& model) {
     const auto& contacts = model.contacts;
-    matrices_.resize(contacts.size());
-    if (damped_) sums_.resize(contacts.size());
+    if (!alone_) matrices_.resize(contacts.size());
+    if (alone_ || damped_) sums_.resize(contacts.size());
     for_rows(contacts.size(), [&](Row c) {
         if (!(near_[contacts.block1[c]] || near_[contacts.block2[c]]) || !between_rigid(model, c)) return;
         const SpringSums sums = sums_of(model, c);
-        if (damped_) sums_[c] = sums;
+        if (alone_ || damped_) sums_[c] = sums;
+        if (alone_) return;
         for (int side = 0; side < 2; ++side) {
             const Vec3& centre = frames_[lead_[block_of(model, c, side)]].centre;
             matrices_[c][static_cast<std::size_t>(side)] = {sums, contacts.normal[c], contacts.position[c] - centre};

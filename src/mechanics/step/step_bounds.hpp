@@ -96,6 +96,8 @@ private:
     void find_matrices(const Model& model);
     void find_resistances(const Model& model, const Adjacency& adjacency, Masses masses);
     Springs springs(const Model& model, Row sub_contact, const NormalAreaFactor& factor) const;
+    SpringsOfEight springs(const Model& model, Row first, const RowsOfEight& group,
+                           const NormalAreaFactor& factor) const;
     SpringSums sums_of(const Model& model, Row contact) const;
     /// Multiples of its own part of a spring, and of the parallel dashpot, that a body bears: (a - b)^2 <= p a^2 + q b^2 with 1/p + 1/q =
     /// 1.
@@ -123,8 +125,8 @@ private:
     std::vector<Row> lead_;           ///< by block: itself or the first of those that it is joined to
     std::vector<std::uint8_t> fixed_; ///< by block; of joined ones at the first, for all
     std::vector<std::array<SpringMatrix, 2>> matrices_; ///< by contact between rigid blocks, on each of the two
-    std::vector<SpringSums> sums_;                      ///< the same contacts' springs, where dashpots ask for them
-    std::vector<Beta> beta_;                            ///< by contact
+    std::vector<SpringSums> sums_; ///< the same contacts' springs, where bounds are alone or dashpots ask for them
+    std::vector<Beta> beta_;       ///< by contact
     std::vector<Resistance> resistance_;       ///< by block: about its largest eigenvalue without its neighbours
     std::vector<double> root_of_gridpoint_;    ///< 1 over the root of the mass, 0 for what cannot move
     std::vector<double> zone_part_;            ///< by gridpoint
