@@ -1,20 +1,23 @@
 #include "geometry/polyhedra/convex_clip.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace kaya {
 
 void ConvexClip::clear() {
     vertices_.clear();
     kept_.clear();
-    corners_.clear();
+    corner_count_ = 0;
     faces_.clear();
 }
 
 void ConvexClip::copy(const ConvexClip& other) {
     vertices_ = other.vertices_;
     kept_ = other.kept_;
-    corners_ = other.corners_;
+    corner_count_ = 0;
+    std::copy_n(other.corners_.data(), other.corner_count_, room_for(other.corner_count_));
+    corner_count_ = other.corner_count_;
     faces_ = other.faces_;
 }
 
@@ -24,7 +27,8 @@ void ConvexClip::add_vertex(const Vec3& place) {
 }
 
 void ConvexClip::add_corner(int vertex) {
-    corners_.push_back(vertex);
+    *room_for(1) = vertex;
+    ++corner_count_;
     ++faces_.back().count;
     faces_.back().vertices |= bit_of(vertex);
 }
@@ -66,17 +70,19 @@ void ConvexClip::clip(const HalfSpace& plane, FaceOrigin origin) {
 
 /// The part of a face below the plane, without corners where nothing is left.
 ConvexClip::Face ConvexClip::cut_face(const Face& face) {
-    Face rest{static_cast<int>(corners_.size()), 0, 0, face.origin};
+    Face rest{static_cast<int>(corner_count_), 0, 0, face.origin};
+    int* const first = room_for(2 * static_cast<std::size_t>(face.count)); // each corner and each cut
+    int* to = first;
     int left = -1, entered_first = -1; // cuts where the loop crosses the plane upward and back
     const auto add = [&](int vertex) {
-        corners_.push_back(vertex);
+        *to++ = vertex;
         rest.vertices |= bit_of(vertex);
     };
-    const auto corner_at = [&](int i) { return corners_[static_cast<std::size_t>(face.first + i)]; };
-    int a = corner_at(0);
+    const int* const corners = corners_.data() + face.first;
+    int a = corners[0];
     bool a_above = is_above(a);
     for (int i = 0; i < face.count; ++i) {
-        const int b = corner_at(i + 1 < face.count ? i + 1 : 0);
+        const int b = corners[i + 1 < face.count ? i + 1 : 0];
         const bool b_above = is_above(b);
         if (!a_above) add(a);
         if (a_above != b_above) {
@@ -96,11 +102,9 @@ ConvexClip::Face ConvexClip::cut_face(const Face& face) {
         a_above = b_above;
     }
     if (left >= 0 && entered_first >= 0) cuts_[static_cast<std::size_t>(entered_first)].next = left;
-    rest.count = static_cast<int>(corners_.size()) - rest.first;
-    if (rest.count < 3) {
-        corners_.resize(static_cast<std::size_t>(rest.first));
-        rest.count = 0;
-    }
+    if (to - first < 3) return rest;
+    rest.count = static_cast<int>(to - first);
+    corner_count_ += static_cast<std::size_t>(rest.count);
     return rest;
 }
 
@@ -116,17 +120,18 @@ void ConvexClip::drop_above() {
 void ConvexClip::close(FaceOrigin origin) {
     for (std::size_t start = 0; start < cuts_.size(); ++start) {
         if (cuts_[start].vertex < 0) continue;
-        Face cap{static_cast<int>(corners_.size()), 0, 0, origin};
+        Face cap{static_cast<int>(corner_count_), 0, 0, origin};
+        int* const corners = room_for(cuts_.size());
         for (int at = static_cast<int>(start); at >= 0 && cuts_[static_cast<std::size_t>(at)].vertex >= 0;) {
             Cut& cut = cuts_[static_cast<std::size_t>(at)];
-            corners_.push_back(cut.vertex);
+            corners[cap.count++] = cut.vertex;
             cap.vertices |= bit_of(cut.vertex);
-            ++cap.count;
             cut.vertex = -1;
             at = cut.next;
         }
-        if (cap.count >= 3) faces_.push_back(cap);
-        else corners_.resize(static_cast<std::size_t>(cap.first));
+        if (cap.count < 3) continue;
+        faces_.push_back(cap);
+        corner_count_ += static_cast<std::size_t>(cap.count);
     }
 }
 

@@ -33,7 +33,7 @@ public:
     void copy(const ConvexClip& other);
     /// Vertices first, then the faces with their corners anticlockwise from outside.
     void add_vertex(const Vec3& place);
-    void begin_face() { faces_.push_back({static_cast<int>(corners_.size()), 0, 0, FaceOrigin::subject}); }
+    void begin_face() { faces_.push_back({static_cast<int>(corner_count_), 0, 0, FaceOrigin::subject}); }
     void add_corner(int vertex);
 
     /// Keeps the part below a plane, whose normal may have any length.
@@ -71,14 +71,20 @@ private:
     /// Vertices may share a bit: a bit that is missing is certain.
     static std::uint64_t bit_of(int vertex) { return std::uint64_t{1} << (static_cast<unsigned>(vertex) % 64); }
     bool is_above(int vertex) const { return height_[static_cast<std::size_t>(vertex)] > 0; }
+    /// The end of the list of corners, with room for more of them.
+    int* room_for(std::size_t more) {
+        if (corners_.size() < corner_count_ + more) corners_.resize(2 * (corner_count_ + more));
+        return corners_.data() + corner_count_;
+    }
     int cut_at(int inside, int outside);
     Face cut_face(const Face& face);
     void close(FaceOrigin origin);
     void drop_above();
 
     std::vector<Vec3> vertices_;
-    std::vector<int> kept_; ///< vertices that are not cut off
-    std::vector<int> corners_;
+    std::vector<int> kept_;    ///< vertices that are not cut off
+    std::vector<int> corners_; ///< and room for more
+    std::size_t corner_count_ = 0;
     std::vector<Face> faces_;
     std::vector<double> height_; ///< of the vertices above the last plane
     std::vector<Cut> cuts_;

@@ -31,17 +31,20 @@ OverlapMoments moments_of(const ConvexClip& part) {
     if (part.empty() || part.vertex_count() == 0) return m;
     const Vec3 origin = middle_of(part);
     Vec3 first = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
+    Mat3 second = Mat3::Zero(); // its lower triangle
     each_tetrahedron(part, origin, [&](double volume, const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 sum = a + b + c;
         m.volume += volume;
         first += 0.25 * volume * sum;
-        second += 0.05 * volume * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j <= i; ++j)
+                second(i, j) += 0.05 * volume * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j]);
     });
     if (!(m.volume > 0)) return {};
     const Vec3 centre = first / m.volume;
     m.centroid = origin + centre;
-    m.second = second / m.volume - centre * centre.transpose();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) m.second(i, j) = m.second(j, i) = second(i, j) / m.volume - centre[i] * centre[j];
     return m;
 }
 

@@ -234,11 +234,12 @@ private:
     std::size_t nearest(const Vec3& x, std::size_t first) const {
         std::size_t best = first;
         double least = faces_[work_.near[first]].depth(x);
-        for (std::size_t i = first + 1; i < work_.near.size(); ++i)
-            if (const double depth = faces_[work_.near[i]].depth(x); depth < least) {
-                least = depth;
-                best = i;
-            }
+        for (std::size_t i = first + 1; i < work_.near.size();
+             ++i) { // without branches: the processor would guess wrong
+            const double depth = faces_[work_.near[i]].depth(x);
+            best = depth < least ? i : best;
+            least = depth < least ? depth : least;
+        }
         return best;
     }
 

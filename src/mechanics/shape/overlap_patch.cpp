@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace kaya {
@@ -45,7 +46,6 @@ void add_subject(const Model& model, const Side& side, const Vec3& origin, const
         work.clip.begin_face();
         for_corners(model, f, [&](Row g) { work.clip.add_corner(static_cast<int>(g - points.first)); });
     }
-    for (std::size_t f = 0; f < work.clip.face_count(); ++f) work.of_subject.push_back(half_space_of(work.clip, f));
 }
 
 void clip_by(const Model& model, const Side& side, const Vec3& origin, const Vec3& normal, OverlapScratch& work) {
@@ -228,15 +228,17 @@ Flat find_flat(const Model& model, const OverlapPair& pair, const Vec3& origin, 
     return found ? Flat::found : Flat::apart;
 }
 
-/// Clips one block with the faces of the other. False where nothing remains.
+/// Clips one block with the faces of the other. `faces_of_subject`: also takes those of the block that is clipped. False where nothing remains.
 bool clip_pair(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
-               const ClosureOffset& offset, OverlapScratch& work) {
+               const ClosureOffset& offset, bool faces_of_subject, OverlapScratch& work) {
     work.clip.clear();
     work.of_subject.clear();
     work.of_other.clear();
     const bool second = second_is_subject(model.blocks, pair);
     const Side one{pair.block1, 1}, two{pair.block2, -1};
     add_subject(model, second ? two : one, origin, offset, model.blocks.centroid[pair.block1], work);
+    if (faces_of_subject)
+        for (std::size_t f = 0; f < work.clip.face_count(); ++f) work.of_subject.push_back(half_space_of(work.clip, f));
     clip_by(model, second ? one : two, origin, normal, work);
     return !work.clip.empty();
 }
@@ -244,14 +246,14 @@ bool clip_pair(const Model& model, const OverlapPair& pair, const Vec3& normal, 
 /// The common part of two blocks. False where nothing remains, or nothing carries.
 bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
                   const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
-    if (!clip_pair(model, pair, normal, origin, offset, work)) return false;
     const bool second = second_is_subject(model.blocks, pair);
+    const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
+    if (!clip_pair(model, pair, normal, origin, offset, of_subject > 0, work)) return false;
     common.moments = moments_of(work.clip);
     if (!(common.moments.volume > 0)) return false;
     const Flatness flatness(model, pair);
     common.flatness = flatness.value;
     common.volume = common.moments.volume;
-    const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
     const auto depth_below = [&](const std::vector<HalfSpace>& faces_of_subject,
                                  const std::vector<HalfSpace>& faces_of_other) {
         OverlapGradient depth;
@@ -264,7 +266,7 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
     if (flatness.value < 1) common.depth.add(depth_below(work.of_subject, work.of_other), 1 - flatness.value);
     if (flatness.value > 0) {
         const double of_all = flatness.value < 1 ? common.depth.value / (1 - flatness.value) : 0;
-        take_face(model, second ? pair.face2 : pair.face1, work.of_subject, work.face_of_subject);
+        if (of_subject > 0) take_face(model, second ? pair.face2 : pair.face1, work.of_subject, work.face_of_subject);
         take_face(model, second ? pair.face1 : pair.face2, work.of_other, work.face_of_other);
         const OverlapGradient of_faces = depth_below(work.face_of_subject, work.face_of_other);
         common.depth.add(of_faces, flatness.value);
@@ -284,6 +286,12 @@ Vec3 origin_of(const Model& model, const OverlapPair& pair) {
     return model.blocks.centroid[second_is_subject(model.blocks, pair) ? pair.block2 : pair.block1];
 }
 
+/// The part of a vector in a plane; none of one that has no direction there.
+std::optional<Vec3> in_plane(const Vec3& vector, const Vec3& normal) {
+    const Vec3 flat = vector - vector.dot(normal) * normal;
+    return flat.squaredNorm() > 1e-24 + 1e-6 * vector.squaredNorm() ? std::optional(flat) : std::nullopt;
+}
+
 ClosureOffset along_normal_or(const ClosureOffset& offset, const Vec3& normal) {
     ClosureOffset moved = offset;
     if (moved.along.isZero(0)) moved.along = normal;
@@ -298,7 +306,7 @@ double overlap_area(const Model& model, const OverlapPair& pair, const Vec3& nor
     const ClosureOffset moved = along_normal_or(offset, normal);
     const Flat flat = find_flat(model, pair, origin, moved, work);
     if (flat == Flat::found) return work.flat.area();
-    if (flat == Flat::apart || !clip_pair(model, pair, normal, origin, moved, work)) return 0;
+    if (flat == Flat::apart || !clip_pair(model, pair, normal, origin, moved, false, work)) return 0;
     return area_along(work.clip, normal);
 }
 
@@ -356,14 +364,16 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
     patch.second = common.moments.second;
-    patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
+    if (!in_plane(pair.axis, n))
+        patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
     if (slopes != nullptr)
         *slopes = {energy, closure_gradient(common, volume_gradient_of()), origin, common.moments.centroid};
     return patch;
 }
 
 OverlapPair pair_of(const Contacts& contacts, Row c) {
-    return {contacts.block1[c], contacts.block2[c], contacts.face1[c], contacts.face2[c], contacts.least_area[c]};
+    return {contacts.block1[c], contacts.block2[c],     contacts.face1[c],
+            contacts.face2[c],  contacts.least_area[c], contacts.axis[c]};
 }
 
 ClosureOffset offset_of(const Contacts& contacts, Row c) {
@@ -377,10 +387,8 @@ double rung_above(double area, double least) {
 }
 
 Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
-    for (const Vec3& candidate : {axis, wanted}) {
-        const Vec3 flat = candidate - candidate.dot(normal) * normal;
-        if (flat.squaredNorm() > 1e-24 + 1e-6 * candidate.squaredNorm()) return flat.normalized();
-    }
+    for (const Vec3& candidate : {axis, wanted})
+        if (const auto flat = in_plane(candidate, normal)) return flat->normalized();
     int least = 0;
     normal.cwiseAbs().minCoeff(&least);
     return normal.cross(Vec3::Unit(least)).normalized();

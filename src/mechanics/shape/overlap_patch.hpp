@@ -28,7 +28,8 @@ struct OverlapPatch {
 
     /// A joint of this area, closed by the depth, carries the same force.
     double carrying_area(double least) const { return carried > 0 ? carried / depth : least; }
-    Vec3 longest_edge = Vec3::Zero(); ///< direction of the longest edge of the common part in the plane of the contact
+    /// Direction of the longest edge of the common part in the plane of the contact; none where the axis of the pair has a direction there.
+    Vec3 longest_edge = Vec3::Zero();
 };
 
 /// Integrals of an overlap for joint models that stiffen with closure: docs/theory/contacts.md, (10c). Places are relative to `origin`.
@@ -49,8 +50,9 @@ struct ClosureOffset {
 struct OverlapPair {
     Row block1, block2;
     Row face1 = no_row,
-        face2 = no_row; ///< nearly parallel faces; none for corners or edges
-    double least_area;  ///< see ContactPlane
+        face2 = no_row;       ///< nearly parallel faces; none for corners or edges
+    double least_area;        ///< see ContactPlane
+    Vec3 axis = Vec3::Zero(); ///< see OverlapPatch::longest_edge
 };
 
 /// The common volume of two rigid blocks, the second one shifted against `along` by the offset. Its force is the gradient of an energy, so
