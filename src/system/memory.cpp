@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -59,13 +60,21 @@ void limit_memory_to_available() {
 #endif
 }
 
-void use_large_pages([[maybe_unused]] const void* first, [[maybe_unused]] std::size_t bytes) {
+void use_large_pages([[maybe_unused]] std::vector<Bytes> arrays) {
 #ifdef __linux__
     constexpr int collapse = 25; // MADV_COLLAPSE, which the headers of an older C library lack
     constexpr std::uintptr_t page = 2u << 20;
-    const auto address = reinterpret_cast<std::uintptr_t>(first);
-    const std::uintptr_t begin = (address + page - 1) / page * page, end = (address + bytes) / page * page;
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, collapse);
+    const auto begin_of = [](const Bytes& array) { return reinterpret_cast<std::uintptr_t>(array.first); };
+    std::ranges::sort(arrays, std::less<>(), begin_of);
+    for (std::size_t i = 0; i < arrays.size();) {
+        const std::uintptr_t first = begin_of(arrays[i]);
+        std::uintptr_t last = first;
+        for (; i < arrays.size() && begin_of(arrays[i]) <= last + page; ++i)
+            last = std::max(last, begin_of(arrays[i]) + arrays[i].count);
+        const std::uintptr_t begin = (first + page - 1) / page * page, end = last / page * page;
+        // Page by page: one that cannot be made large must not keep the others from it.
+        for (auto at = begin; at < end; at += page) madvise(reinterpret_cast<void*>(at), page, collapse);
+    }
 #endif
 }
 

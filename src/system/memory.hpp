@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace kaya {
 
@@ -18,8 +19,16 @@ std::size_t memory_available();
 /// as in a joint model, fails before the system ends some program silently. A lower limit is kept.
 void limit_memory_to_available();
 
-/// Puts a long array, such as a column of a large table, on large pages where the system has them: a cycle reads all columns, and with
-/// pages of 4 kB spends a tenth of its time on address translation. Does nothing where that is impossible.
-void use_large_pages(const void* first, std::size_t bytes);
+/// An array, such as a column of a table.
+struct Bytes {
+    const void* first;
+    std::size_t count;
+
+    bool operator==(const Bytes&) const = default;
+};
+
+/// Puts arrays on large pages where the system has them: a cycle reads all columns, and with pages of 4 kB spends a tenth of its time on
+/// address translation. Arrays that lie next to each other share large pages. Does nothing where that is impossible.
+void use_large_pages(std::vector<Bytes> arrays);
 
 } // namespace kaya

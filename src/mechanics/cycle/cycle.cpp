@@ -67,7 +67,8 @@ struct Cycle::Lists {
     std::vector<PointRow> zone_forces;
     PointForces point_forces{adjacency, ties, joints, laws.tiles, zone_forces};
     GridPass pass;
-    bool passed = false; ///< zones have been advanced together with their gridpoints
+    std::vector<Bytes> columns; ///< that have been put on large pages
+    bool passed = false;        ///< zones have been advanced together with their gridpoints
 };
 
 Cycle::Cycle(Model& model, JointRegistry& joints) : model_(model), joints_(joints), lists_(std::make_unique<Lists>()) {}
@@ -107,11 +108,7 @@ void Cycle::prepare() {
         s.quiet = quiet_points(model_, s.elastic);
         s.search = ContactSearch{}; // blocks may have changed
         model_.stale.lists_made();
-        model_.tables([](const char*, auto& table) {
-            table.columns([](std::string_view, const auto& column, Role) {
-                use_large_pages(column.data(), column.size() * sizeof(column[0]));
-            });
-        });
+        use_large_pages();
     }
     if (model_.stale.properties()) {
         apply_load_histories(model_, s.boundary_histories, hooks);
@@ -123,6 +120,19 @@ void Cycle::prepare() {
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
         model_.stale.properties_computed();
     }
+}
+
+/// Tables that grow move to other memory.
+void Cycle::use_large_pages() {
+    std::vector<Bytes> columns;
+    model_.tables([&](const char*, auto& table) {
+        table.columns([&](std::string_view, const auto& column, Role) {
+            columns.push_back({column.data(), column.capacity() * sizeof(column[0])});
+        });
+    });
+    if (columns == lists_->columns) return;
+    kaya::use_large_pages(columns);
+    lists_->columns = std::move(columns);
 }
 
 void Cycle::take_zone_laws() {
@@ -226,8 +236,12 @@ ContactChange Cycle::refresh_contacts() {
         if (change == ContactChange::none) return change;
         // A new contact may have its own joint material.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
-        if (model_.stale.lists()) make_lists();
-        else joint_forces_of_new(model_, s.joints);
+        if (model_.stale.lists()) {
+            make_lists();
+            use_large_pages();
+        } else {
+            joint_forces_of_new(model_, s.joints);
+        }
         s.pass.forget_gathered();
         model_.stale.lists_made();
         return change;

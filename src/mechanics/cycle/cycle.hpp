@@ -59,6 +59,7 @@ private:
     struct Lists;
 
     void make_lists();
+    void use_large_pages();
     void take_zone_laws();
 
     void begin();
