@@ -364,7 +364,7 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
     patch.second = common.moments.second;
-    if (!in_plane(pair.axis, n))
+    if (slopes != nullptr || !in_plane(pair.axis, n)) // pressure that is not straight turns the normal yet
         patch.longest_edge = flat == Flat::found ? work.flat.longest_edge() : longest_edge_across(work.clip, n);
     if (slopes != nullptr)
         *slopes = {energy, closure_gradient(common, volume_gradient_of()), origin, common.moments.centroid};
