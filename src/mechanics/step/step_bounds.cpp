@@ -74,10 +74,10 @@ double Resistance::stable_step() const {
     return root + viscous > 0 ? 4 / (root + viscous) : std::numeric_limits<double>::infinity();
 }
 
-void StepBounds::update(const Model& model, const Adjacency& adjacency) {
+void StepBounds::update(const Model& model, const Adjacency& adjacency, Of of) {
     asked_.assign(model.blocks.size(), 1);
     near_ = asked_;
-    alone_ = false;
+    alone_ = of == Of::bodies;
     compute(model, adjacency);
 }
 

@@ -56,13 +56,13 @@ struct BodyStiffness {
 /// Stiffness of the joints on the bodies. Derived from the model; kept to reuse its memory.
 class StepBounds {
 public:
-    /// Reads positions, tangent stiffnesses and areas of the sub-contacts from the model, and which bodies are held. Bounds then cover all
-    /// bodies.
-    void update(const Model& model, const Adjacency& adjacency);
-
     /// Bounds that a change of the marked contacts may have reduced: by equation (9) those of the bodies on them, by equation (4) those of
     /// their neighbours too.
     enum class Of { bodies, bodies_and_neighbours };
+
+    /// Reads positions, tangent stiffnesses and areas of the sub-contacts from the model, and which bodies are held. Bounds then cover all
+    /// bodies.
+    void update(const Model& model, const Adjacency& adjacency, Of of = Of::bodies_and_neighbours);
 
     /// The same for these bodies; the bounds of others are unchanged. For single bodies limit() uses equation (9).
     void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts, Of of);

@@ -159,7 +159,11 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
     const bool all = bodies != Bodies::marked || clock.time_step == 0 || (scaled && joints_are_damped(settings));
     double stable = std::numeric_limits<double>::infinity();
     if (all || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
-        if (all) bounds_.update(model, adjacency);
+        // Masses that only rise follow each body's own bound.
+        const bool rise = settings.mass_scaling == MassScaling::full && !may_grow && clock.time_step > 0 &&
+                          !joints_are_damped(settings);
+        if (all)
+            bounds_.update(model, adjacency, rise ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
         else
             bounds_.update_at(model, adjacency, changed,
                               scaled ? StepBounds::Of::bodies : StepBounds::Of::bodies_and_neighbours);
