@@ -47,6 +47,7 @@ int kaya::work(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     kaya::report_crashes();
     kaya::limit_memory_to_available();
+    kaya::keep_freed_memory();
     std::string words = "kaya";
     for (int k = 1; k < argc; ++k) words += std::string(" ") + argv[k];
     const kaya::AtCommand at_command(words);

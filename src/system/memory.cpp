@@ -25,6 +25,13 @@ void give_back_memory() {
 #endif
 }
 
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most that it takes
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 namespace {
 
 /// An entry of the system's memory table, in bytes; the largest number where the system has none.
