@@ -10,7 +10,7 @@ namespace kaya {
 void give_back_memory();
 
 /// Keeps memory that is freed for the next use, up to 256 MB: a search for contacts frees lists of some 10 MB, and the system would clear their
-/// pages each time anew. give_back_memory() gives it back all the same.
+/// pages each time again. give_back_memory() gives it back all the same.
 void keep_freed_memory();
 
 /// Bytes; 0 where the system does not tell.
