@@ -23,8 +23,9 @@ public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
             std::vector<PointRow>& forces)
         : model_(model), tile_(tile), law_(laws.laws[tile.law]), scratch_(scratch),
-          averages_(law_.together == Together::at_points), damped_(stiffness_damping(model.settings) > 0),
-          rows_(model, laws.tiles, tile, scratch.pressure), forces_(tile, forces) {}
+          averages_(law_.together == Together::at_points), shares_(law_.together == Together::strains_at_points),
+          damped_(stiffness_damping(model.settings) > 0), rows_(model, laws.tiles, tile, scratch.pressure),
+          forces_(tile, forces) {}
 
     ZoneSums run() {
         ZoneSums sums;
@@ -44,7 +45,7 @@ private:
         sums.work = finish(columns, first, count);
         if (damped_) {
             sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
-            if (!averages_) add_damped_forces(columns, first, count);
+            if (!averages_ && !shares_) add_damped_forces(columns, first, count);
         }
         return sums;
     }
@@ -62,18 +63,20 @@ private:
             store(columns.volume + i, d.volume);
             const Eight pressure = wet ? rows_.pressure(zones) : Eight{};
             store(columns.pressure + i, pressure);
-            Eight more{};
+            SixEights strain = d.strain;
             if (averages_) {
-                more = (load_rows(scratch_.mean_strain.data() + first + i, count - i) - d.volume_strain) / 3.0;
-                store(columns.volume_strain + i, d.volume_strain);
-            }
+                const Eight more =
+                    (load_rows(scratch_.mean_strain.data() + first + i, count - i) - d.volume_strain) / 3.0;
+                for (std::size_t k = 0; k < 3; ++k) strain[k] += more;
+            } else if (shares_) strain = load_six(scratch_.shared.strain[first + i].data(), 6, count - i);
+            if (averages_ || shares_) store(columns.volume_strain + i, d.volume_strain);
             SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
             if (large) {
                 stress = turned(stress, d.half_spin);
                 store_spin(columns, i, d.half_spin);
             }
             for (std::size_t k = 0; k < 6; ++k) {
-                store(columns.strain[k] + i, k < 3 ? d.strain[k] + more : d.strain[k]);
+                store(columns.strain[k] + i, strain[k]);
                 store(columns.before[k] + i, stress[k]);
                 store(columns.stress[k] + i, k < 3 ? stress[k] + pressure : stress[k]);
             }
@@ -83,7 +86,7 @@ private:
     /// Writes total stresses to the zones, updates their state, and computes their forces, unless the stresses change again.
     double finish(ZoneColumns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
-        const bool are_final = !averages_ && !damped_;
+        const bool are_final = !averages_ && !shares_ && !damped_;
         Lanes whole = Lanes::Zero();
         for (Row i = 0; i < count; i += eight) {
             const Eight pressure = ZoneColumns::at(columns.pressure + i);
@@ -107,6 +110,10 @@ private:
                 work +=
                     both / 3.0 *
                     (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on the zone's own deformation
+            } else if (shares_) { // the pore pressure acts on the zone's own deformation
+                const Eight mean = ZoneColumns::at(columns.strain[0] + i) + ZoneColumns::at(columns.strain[1] + i) +
+                                   ZoneColumns::at(columns.strain[2] + i);
+                work += 2.0 * pressure * (mean - ZoneColumns::at(columns.volume_strain + i));
             }
             Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
             for (Row l = count - i; l < eight; ++l) energy[l] = 0;
@@ -149,7 +156,8 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     ZoneScratch& scratch_;
-    const bool averages_; ///< over gridpoints
+    const bool averages_; ///< volume strains and flow over gridpoints
+    const bool shares_;   ///< strains and stresses with the zones at its gridpoints
     const bool damped_;   ///< by viscous stresses
     TileRows rows_;
     TileForces forces_;
@@ -167,53 +175,19 @@ void find_pressure(const Model& model, std::vector<double>& pressure) {
     });
 }
 
-/// Calls each(tile) for all tiles whose law averages.
-template <class Each> void for_averaging(const ZoneLaws& laws, Each each) {
-    const auto& tiles = laws.tiles.tiles;
-    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) {
-        if (laws.laws[tiles[first].law].together == Together::at_points) each(tiles[first]);
-    });
-}
-
-/// Means of a quantity over neighbours, by volume: over the zones at each gridpoint and back. Zones of other blocks and materials do not
-/// count.
+/// Means of one quantity of averaging zones.
 template <class Put>
-void average(const ZoneLaws& laws, ZoneScratch& scratch, std::vector<double>& values, const Put& put) {
-    const auto& volume = scratch.volume;
-    const ZoneTiles& tiles = laws.tiles;
-    scratch.at_point.resize(tiles.gridpoints.size());
-    for_averaging(laws, [&](const ZoneTile& tile) {
-        auto* const sums = scratch.at_point.data() + tile.points.first;
-        std::fill_n(sums, tile.points.count, ZoneScratch::Mean{});
-        for (Row z = tile.first; z < tile.last; ++z)
-            for (const Row p : tiles.corners[z]) {
-                sums[p].sum += volume[z] * values[z];
-                sums[p].volume += volume[z];
-            }
-    });
-    for_averaging(laws, [&](const ZoneTile& tile) {
-        std::array<double, most_points_in_tile> mean;
-        for (Row p = 0; p < tile.points.count; ++p) {
-            const Row g = tiles.gridpoints[tile.points.first + p];
-            ZoneScratch::Mean whole;
-            for (auto part = tiles.points_of.begin(g); part != tiles.points_of.end(g); ++part) {
-                whole.sum += scratch.at_point[*part].sum;
-                whole.volume += scratch.at_point[*part].volume;
-            }
-            mean[p] = whole.sum / whole.volume;
-        }
-        for (Row z = tile.first; z < tile.last; ++z) {
-            const auto& c = tiles.corners[z];
-            put(z, 0.25 * (mean[c[0]] + mean[c[1]] + mean[c[2]] + mean[c[3]]));
-        }
-    });
+void average(const ZoneLaws& laws, ZoneScratch& scratch, const std::vector<double>& values, const Put& put) {
+    average_at_points(
+        laws, Together::at_points, scratch.volume, scratch.at_point, [&](Row z) { return std::array{values[z]}; },
+        [&](Row z, const std::array<double, 1>& mean) { put(z, mean[0]); });
 }
 
 /// Volume strains of averaging zones, and their means.
 void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
-    for_averaging(laws, [&](const ZoneTile& tile) {
+    for_tiles(laws, Together::at_points, [&](const ZoneTile& tile) {
         const TileRows rows(model, laws.tiles, tile);
         for (Row z = tile.first; z < tile.last; z += eight) {
             const ZoneGroup group = rows.group_at(z);
@@ -225,15 +199,17 @@ void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scrat
     average(laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
 }
 
-/// Forces of all zones of a tile from their present stresses.
-void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, std::vector<PointRow>& forces) {
+/// Forces of all zones of a tile from their present stresses, or from those that they share.
+void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, const SharedStrains& shared,
+             std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
     if (by_cells(law.together)) return cell_forces(model, laws.tiles, tile, law, forces);
     const TileRows rows(model, laws.tiles, tile);
     TileForces sums(tile, forces);
-    const bool damped = zones_are_damped(model);
+    const bool shares = law.together == Together::strains_at_points, damped = !shares && zones_are_damped(model);
     for (Row z = tile.first; z < tile.last; z += eight) {
-        SixEights stress = load_stresses(model.zones.stress, z, tile.last - z);
+        SixEights stress = shares ? load_six(shared.stress[z].data(), 6, tile.last - z)
+                                  : load_stresses(model.zones.stress, z, tile.last - z);
         if (damped) {
             const SixEights viscous = load_stresses(model.zones.dashpot, z, tile.last - z);
             for (std::size_t k = 0; k < 6; ++k) stress[k] += viscous[k];
@@ -257,10 +233,17 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
                 for (int k = 0; k < 3; ++k) model.zones.stress[z][k] += scratch.flow[z];
                 sums.work += 0.5 * scratch.volume[z] * scratch.flow[z] * scratch.strain[z];
             }
-            add_all(model, laws, tile, forces);
+            add_all(model, laws, tile, scratch.shared, forces);
             return sums;
         },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
+}
+
+/// Forces of the stresses that zones share, after their laws.
+void add_shared(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
+    share_stresses(model, laws, scratch.pressure, scratch.shared);
+    for_tiles(laws, Together::strains_at_points,
+              [&](const ZoneTile& tile) { add_all(model, laws, tile, scratch.shared, forces); });
 }
 
 } // namespace
@@ -274,10 +257,12 @@ void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     }
     find_pressure(model, scratch.pressure);
     if (laws.any(Together::at_points)) average_strain(model, laws, scratch);
+    if (laws.any(Together::strains_at_points)) share_strains(model, laws, scratch.shared);
 }
 
 bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
-    return model.settings.water == Water::none && !laws.any(Together::at_points);
+    return model.settings.water == Water::none && !laws.any(Together::at_points) &&
+           !laws.any(Together::strains_at_points);
 }
 
 ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
@@ -297,13 +282,22 @@ ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratc
         [&](std::size_t first, std::size_t) { return run_tile(model, laws, tiles[first], scratch, forces); },
         [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
     if (laws.any(Together::at_points)) sums.add(average_flow(model, laws, scratch, forces));
+    if (laws.any(Together::strains_at_points)) add_shared(model, laws, scratch, forces);
     return sums;
 }
 
 void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>& forces) {
     const auto& tiles = laws.tiles.tiles;
     forces.resize(laws.tiles.gridpoints.size());
-    for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) { add_all(model, laws, tiles[first], forces); });
+    SharedStrains shared;
+    if (laws.any(Together::strains_at_points)) {
+        std::vector<double> pressure;
+        find_pressure(model, pressure);
+        share_strains(model, laws, shared);
+        share_stresses(model, laws, pressure, shared);
+    }
+    for_chunks(tiles.size(), 1,
+               [&](std::size_t first, std::size_t) { add_all(model, laws, tiles[first], shared, forces); });
 }
 
 } // namespace kaya

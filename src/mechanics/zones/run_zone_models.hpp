@@ -3,8 +3,9 @@
 // writes: zones.stress, zones.state, zones.history, zones.dashpot
 #pragma once
 
-#include "mechanics/zones/cell_stresses.hpp"
 #include "mechanics/common/phase_sums.hpp"
+#include "mechanics/zones/cell_stresses.hpp"
+#include "mechanics/zones/shared_strains.hpp"
 #include "mechanics/zones/zone_tiles.hpp"
 #include "model/tables/model.hpp"
 
@@ -16,12 +17,10 @@ class ZoneLaws;
 
 /// Scratch memory of zones within a step, and of cells between steps; it is reused.
 struct ZoneScratch {
-    struct Mean {
-        double sum = 0, volume = 0; ///< of a quantity times volume
-    };
     std::vector<double> volume, strain, mean_strain,
-        flow;                     ///< by zone: volume strain, its mean, plastic change of the mean stress
-    std::vector<Mean> at_point;   ///< by point of the tiles
+        flow;                           ///< by zone: volume strain, its mean, plastic change of the mean stress
+    std::vector<PointMean<1>> at_point; ///< by point of the tiles
+    SharedStrains shared;
     std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water
     CellStresses cells;
 };

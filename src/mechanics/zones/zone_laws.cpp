@@ -116,9 +116,11 @@ double reduced(const LawTable::Property& property, double value, double factor) 
     return value;
 }
 
-Together together_of(const Settings& settings, const ZoneModel& zone_model, bool has_cells) {
-    if (has_cells) return zone_model.flows() ? Together::flow_in_cells : Together::cells;
-    return zone_model.flows() && settings.mixed_discretisation ? Together::at_points : Together::nothing;
+Together together_of(const Model& model, const ZoneModel& zone_model, bool has_cells) {
+    if (!zone_model.flows()) return has_cells ? Together::cells : Together::nothing;
+    if ((model.unreduced & strains_are_shared) != 0) return Together::strains_at_points;
+    if (has_cells) return Together::flow_in_cells;
+    return model.settings.mixed_discretisation ? Together::at_points : Together::nothing;
 }
 
 } // namespace
@@ -174,7 +176,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
-            const Together together = together_of(model.settings, zone_model, has_cells);
+            const Together together = together_of(model, zone_model, has_cells);
             laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, together});
             model.zones.keep_history(zone_model.history.size());
         }

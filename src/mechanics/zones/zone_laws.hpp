@@ -15,6 +15,7 @@ namespace kaya {
 enum class Together {
     nothing, ///< each is on its own
     at_points, ///< yielding zones average volume strain and the plastic change of the mean stress over the zones at each gridpoint
+    strains_at_points, ///< flowing zones have the mean strain of the zones at their gridpoints: trials of `solve fos extrapolate`
     flow_in_cells, ///< the six zones of a cell are its layers: their model runs at six points
     cells          ///< elastic zones strain cell by cell: their model runs once for six
 };
@@ -29,6 +30,10 @@ struct ZoneLaw {
     ElasticConstants elastic;
     Together together;
 };
+
+/// A bit of Model::unreduced after those of KeptStrength, so that only trials of `solve fos` set it: all flowing zones are coupled by
+/// Together::strains_at_points.
+constexpr std::uint8_t strains_are_shared = keep_tension << 1;
 
 class ZoneLaws {
 public:
