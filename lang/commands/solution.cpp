@@ -148,6 +148,9 @@ CommandSpec solve() {
         .action(
             {"keep"}, [](Solve& s) { s.keep = true; },
             "with fos: the model keeps the state at the end of the last failed trial")
+        .action(
+            {"extrapolate"}, [](Solve& s) { s.extrapolate = true; },
+            "with fos: estimates the factor on fine zones, with a band, by a second search whose zones share their strains with their neighbours")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
             const std::string& last = reader.previous().folded;
@@ -155,13 +158,14 @@ CommandSpec solve() {
                 incomplete_line(reader, fmt::format("a limit is missing after '{}'", last),
                                 "write for example: solve ratio 1e-5 and cycles 1000");
             if (!s.factor_of_safety &&
-                (s.bracket || !s.file.empty() || s.keep || !s.included.empty() || !s.excluded.empty()))
-                incomplete_line(reader, "bracket, file, include, exclude and keep belong to fos",
+                (s.bracket || !s.file.empty() || s.keep || s.extrapolate || !s.included.empty() || !s.excluded.empty()))
+                incomplete_line(reader, "bracket, file, include, exclude, keep and extrapolate belong to fos",
                                 "write for example: solve fos bracket 1 2");
             if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio ||
                                        s.total_cycles || s.total_time || s.all))
                 incomplete_line(
-                    reader, "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only",
+                    reader,
+                    "fos goes with ratio, cycles, bracket, resolution, file, include, exclude, keep and extrapolate only",
                     "give other limits to a separate `solve` before");
             if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
                 incomplete_line(reader, "the stable factor must be below the failing one",
@@ -179,11 +183,12 @@ CommandSpec solve() {
         .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")
         .right("solve fos exclude zones keep")
         .right("solve fos include joints include friction")
-        .wrong("solve bracket 1 2", "bracket, file, include, exclude and keep belong to fos")
+        .right("solve fos extrapolate")
+        .wrong("solve bracket 1 2", "bracket, file, include, exclude, keep and extrapolate belong to fos")
         .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
         .wrong("solve fos bracket 2 1", "the stable factor must be below the failing one")
         .wrong("solve fos force 1",
-               "fos goes with ratio, cycles, bracket, resolution, file, include, exclude and keep only")
+               "fos goes with ratio, cycles, bracket, resolution, file, include, exclude, keep and extrapolate only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve cycles 10 adn time 1", "'adn' is not a keyword of solve")
         .wrong("solve ratio 1e-5 and", "a limit is missing after 'and'")

@@ -1,7 +1,9 @@
 #include "commands/stability/factor_of_safety.hpp"
 
 #include "commands/list/stability.hpp"
+#include "commands/stability/fine_zones.hpp"
 #include "commands/stability/strength_search.hpp"
+#include "mechanics/zones/zone_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,8 @@ constexpr double first_width = 0.03, widening = 4;
 struct Bracket {
     double stands, fails;
 };
+bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
+double middle(const Bracket& bracket) { return 0.5 * (bracket.stands + bracket.fails); }
 
 Bracket given_bracket(StrengthSearch& search, const lang::Solve& command) {
     const Bracket bracket{(*command.bracket)[0], (*command.bracket)[1]};
@@ -83,13 +87,11 @@ Bracket narrowed(StrengthSearch& search, Bracket bracket, double resolution) {
     constexpr double rounding = 1e-9;
     while (bracket.fails - bracket.stands > (1 + rounding) * resolution * bracket.stands) {
         search.expect(1 + static_cast<int>(std::ceil(std::log2((bracket.fails / bracket.stands - 1) / resolution))));
-        const double middle = 0.5 * (bracket.stands + bracket.fails);
-        (search.stands(middle) ? bracket.stands : bracket.fails) = middle;
+        const double factor = middle(bracket);
+        (search.stands(factor) ? bracket.stands : bracket.fails) = factor;
     }
     return bracket;
 }
-
-bool closed(const Bracket& bracket) { return bracket.stands > 0 && std::isfinite(bracket.fails); }
 
 /// The model is stable where an early-ended trial failed: the search continues upward.
 Bracket bracket_above(StrengthSearch& search, double stands, double resolution) {
@@ -131,17 +133,51 @@ Bracket confirmed(StrengthSearch& search, Bracket bracket, double resolution) {
     return bracket_below(search, bracket, resolution, 1 / largest);
 }
 
+/// The middle of the bracket when flowing zones share their strains with their neighbours, searched from below the factor of the mesh.
+/// None where it has none.
+std::optional<double> shared_factor(const TrialBench& bench, ModelOnTrial& model, const lang::Solve& command,
+                                    double factor) {
+    constexpr double guess = 0.9;
+    ReducedModel initial = bench.initial;
+    initial.model.unreduced |= strains_are_shared;
+    const TrialBench sharing{bench.session, bench.asked, initial, bench.ratio, bench.span, bench.progress};
+    lang::Solve quiet = command;
+    quiet.keep = false;
+    quiet.file.clear();
+    StrengthSearch search(sharing, model, quiet);
+    Bracket bracket = bracket_around(search, guess * factor);
+    if (closed(bracket)) bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
+    return closed(bracket) ? std::optional(middle(bracket)) : std::nullopt;
+}
+
+/// Prints the factor on fine zones and returns it; that of the mesh where there is none.
+double say_fine_factor(Output& output, double own, std::optional<double> shared,
+                       const std::optional<FailureMode::Shares>& mode, double resolution) {
+    const auto fine = shared && mode ? fine_factor(own, *shared, *mode, resolution) : std::nullopt;
+    if (!fine) {
+        output.say("no factor of safety on fine zones: too few zones moved, or sharing their strains does not make "
+                   "them weaker; try a finer mesh");
+        return own;
+    }
+    output.say(
+        fmt::format("factor of safety on fine zones: {:.4g}, between {:.4g} and {:.4g}; {:.4g} with shared strains",
+                    fine->factor, fine->factor - fine->error, fine->factor + fine->error, *shared));
+    return fine->factor;
+}
+
 } // namespace
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
     Bracket bracket;
     std::optional<FailureMode::Shares> mode;
+    std::optional<double> shared;
     const double guess = command.bracket ? 0 : guessed_factor(session);
     if (guess > 0) session.program.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     {
         session.engine.cycle->prepare(); // contacts must have their properties
         const Asked asked(command);
         check_for_trials(session, asked, command.place);
+        if (command.extrapolate) check_for_fine_zones(session, asked, command.place);
         Progress progress(session.program.output, session.engine.model, {});
         const double ratio = limits.ratio.value_or(default_ratio);
         ModelOnTrial model(session, asked);
@@ -158,6 +194,10 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
             if (const std::string moving = search.mechanism(); !moving.empty()) session.program.output.say(moving);
             mode = failed->mode;
         }
+        if (command.extrapolate && closed(bracket)) {
+            session.program.output.say("the search is repeated with strains that zones share with their neighbours");
+            shared = shared_factor(bench, model, command, middle(bracket));
+        }
     }
     if (mode) {
         session.program.output.say(mode_text(*mode));
@@ -171,10 +211,12 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         factor = bracket.stands;
         session.program.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
     } else {
-        factor = 0.5 * (bracket.stands + bracket.fails);
+        factor = middle(bracket);
         session.program.output.say(
             fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
                         factor, bracket.stands, bracket.fails));
+        if (command.extrapolate)
+            factor = say_fine_factor(session.program.output, factor, shared, mode, command.resolution);
     }
 }
 

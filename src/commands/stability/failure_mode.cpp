@@ -159,12 +159,12 @@ std::string mesh_text(const FailureMode::Shares& shares) {
         double low, high;
     };
     constexpr double least = 2; // fewer say nothing about a slope
-    const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.7, 1.5};
+    const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.6, 1.8};
     if (shares.zones_high < least) return {};
     return fmt::format(
-        "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high: try a finer mesh too",
+        "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high: try a finer mesh too{}",
         shares.zones_high, shares.in_cells ? "cells" : "tetrahedra", 100 * errors.low / shares.zones_high,
-        100 * errors.high / shares.zones_high);
+        100 * errors.high / shares.zones_high, shares.joints_move ? "" : ", or solve fos extrapolate");
 }
 
 std::string farthest_text(const Model& start, const Model& model, double factor) {

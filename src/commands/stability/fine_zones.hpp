@@ -1,0 +1,26 @@
+// The factor of safety on fine zones, from two factors of one mesh: docs/theory/slopes.md, "Shared strains".
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "commands/session/session.hpp"
+#include "commands/stability/failure_mode.hpp"
+#include "commands/stability/strength_reduction.hpp"
+
+#include <optional>
+
+namespace kaya {
+
+/// A factor of safety and how far that of fine zones may lie from it.
+struct FineFactor {
+    double factor, error;
+};
+
+/// Throws Diagnostic for a model whose factor does not depend on the size of its zones alone: without zones that flow, with joints, or with
+/// structures.
+void check_for_fine_zones(Session& session, const Asked& asked, const Place& place);
+
+/// From the factors of the zones as they are, and of those that share their strains. Both are known within half of `resolution`, a part of
+/// them. None where too few zones failed to say, or where sharing makes the zones stronger.
+std::optional<FineFactor> fine_factor(double own, double shared, const FailureMode::Shares& mode, double resolution);
+
+} // namespace kaya
