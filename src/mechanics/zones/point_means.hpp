@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parallel.hpp"
+#include "mechanics/zones/tile_rows.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
 #include <algorithm>
@@ -21,6 +22,19 @@ template <class Each> void for_tiles(const ZoneLaws& laws, Together together, co
     const auto& tiles = laws.tiles.tiles;
     for_chunks(tiles.size(), 1, [&](std::size_t first, std::size_t) {
         if (laws.laws[tiles[first].law].together == together) each(tiles[first]);
+    });
+}
+
+/// Calls each(zone, count, deformation) for groups of eight zones of these tiles: the first zone, how many there are from it on in its tile, and
+/// their deformation in the step.
+template <class Each>
+void for_deformations(const Model& model, const ZoneLaws& laws, Together together, const Each& each) {
+    for_tiles(laws, together, [&](const ZoneTile& tile) {
+        const TileRows rows(model, laws.tiles, tile);
+        for (Row z = tile.first; z < tile.last; z += eight) {
+            const ZoneGroup group = rows.group_at(z);
+            each(z, tile.last - z, rows.deformation(group, rows.edges(group), model.settings.large_strain));
+        }
     });
 }
 

@@ -187,14 +187,9 @@ void average(const ZoneLaws& laws, ZoneScratch& scratch, const std::vector<doubl
 void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
-    for_tiles(laws, Together::at_points, [&](const ZoneTile& tile) {
-        const TileRows rows(model, laws.tiles, tile);
-        for (Row z = tile.first; z < tile.last; z += eight) {
-            const ZoneGroup group = rows.group_at(z);
-            const Deformation d = rows.deformation(group, rows.edges(group), model.settings.large_strain);
-            store_rows(scratch.volume.data() + z, tile.last - z, d.volume);
-            store_rows(scratch.strain.data() + z, tile.last - z, d.volume_strain);
-        }
+    for_deformations(model, laws, Together::at_points, [&](Row z, Row count, const Deformation& d) {
+        store_rows(scratch.volume.data() + z, count, d.volume);
+        store_rows(scratch.strain.data() + z, count, d.volume_strain);
     });
     average(laws, scratch, scratch.strain, [&](Row z, double mean) { scratch.mean_strain[z] = mean; });
 }

@@ -1,7 +1,6 @@
 #include "mechanics/zones/shared_strains.hpp"
 
 #include "mechanics/contact/dashpots.hpp"
-#include "mechanics/zones/tile_rows.hpp"
 
 namespace kaya {
 
@@ -9,14 +8,9 @@ void share_strains(const Model& model, const ZoneLaws& laws, SharedStrains& shar
     const std::size_t zones = model.zones.size();
     shared.volume.resize(zones);
     for (auto* column : {&shared.own, &shared.strain, &shared.stress}) column->resize(zones);
-    for_tiles(laws, Together::strains_at_points, [&](const ZoneTile& tile) {
-        const TileRows rows(model, laws.tiles, tile);
-        for (Row z = tile.first; z < tile.last; z += eight) {
-            const ZoneGroup group = rows.group_at(z);
-            const Deformation d = rows.deformation(group, rows.edges(group), model.settings.large_strain);
-            store_rows(shared.volume.data() + z, tile.last - z, d.volume);
-            store_six(shared.own[z].data(), 6, tile.last - z, d.strain);
-        }
+    for_deformations(model, laws, Together::strains_at_points, [&](Row z, Row count, const Deformation& d) {
+        store_rows(shared.volume.data() + z, count, d.volume);
+        store_six(shared.own[z].data(), 6, count, d.strain);
     });
     average_at_points(
         laws, Together::strains_at_points, shared.volume, shared.at_point, [&](Row z) { return shared.own[z]; },
