@@ -235,7 +235,7 @@ bool all_keep_places(const Model& model, const std::vector<ContactDraft>& drafts
 
 /// Overlaps whose blocks have come to lie on other faces have these from now on.
 void take_faces(Contacts& contacts, const std::vector<ContactDraft>& drafts) {
-    constexpr double lying = 1 - 6.1e-4; // cosine of 2 degrees: the pressure is across these faces
+    constexpr double lying = 1 - nearly_parallel; // the pressure is across these faces
     for (const auto& draft : drafts) {
         const ContactPlane& g = draft.plane;
         const bool on_faces = g.kind == ContactKind::joint && g.face1 != no_row && g.face2 != no_row;

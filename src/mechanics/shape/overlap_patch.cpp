@@ -95,7 +95,7 @@ struct Flatness {
     Vec3 turned = Vec3::Zero(); ///< minus its derivative to a turn of block 2
 
     Flatness(const Model& model, const OverlapPair& pair) {
-        constexpr double low = 6.1e-4, high = 7.6e-3; // 1 - cosine of 2 and 7 degrees
+        constexpr double low = nearly_parallel, high = 7.6e-3; // the latter of 7 degrees
         if (pair.face1 == no_row || pair.face2 == no_row) return;
         const Vec3 n1 = current_normal(model, pair.face1), n2 = current_normal(model, pair.face2);
         const double t = (1 + n1.dot(n2) - low) / (high - low);

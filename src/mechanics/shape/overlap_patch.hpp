@@ -14,6 +14,9 @@ struct OverlapScratch;
 /// Sub-contacts that carry the force of an overlap; the others are unloaded.
 constexpr Row carriers = 4;
 
+/// 1 - cosine of 2 degrees: the closure of faces within it is the depth below them alone.
+constexpr double nearly_parallel = 6.1e-4;
+
 /// The common volume of two rigid blocks as a contact sees it.
 struct OverlapPatch {
     double carried = 0; ///< normal force over normal stiffness, length^3; 0 when they do not overlap
