@@ -201,7 +201,8 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     }
     if (mode) {
         session.program.output.say(mode_text(*mode));
-        if (const std::string mesh = mesh_text(*mode); !mesh.empty()) session.program.output.say(mesh);
+        if (const std::string mesh = mesh_text(*mode, command.extrapolate); !mesh.empty())
+            session.program.output.say(mesh);
     }
     double& factor = session.engine.model.clock.factor_of_safety;
     if (bracket.stands == 0) {

@@ -153,7 +153,7 @@ std::string mode_text(const FailureMode::Shares& shares) {
         name_of(shares), 100 * shares.turning, 100 * shares.zones);
 }
 
-std::string mesh_text(const FailureMode::Shares& shares) {
+std::string mesh_text(const FailureMode::Shares& shares, bool extrapolated) {
     // Errors of slopes times the number of zones over their height: docs/theory/slopes.md, "Mesh refinement".
     struct Errors {
         double low, high;
@@ -161,10 +161,13 @@ std::string mesh_text(const FailureMode::Shares& shares) {
     constexpr double least = 2; // fewer say nothing about a slope
     const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.6, 1.8};
     if (shares.zones_high < least) return {};
+    const char* const advice = extrapolated         ? ""
+                               : shares.joints_move ? ": try a finer mesh too"
+                                                    : ": try a finer mesh too, or solve fos extrapolate";
     return fmt::format(
-        "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high: try a finer mesh too{}",
+        "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high{}",
         shares.zones_high, shares.in_cells ? "cells" : "tetrahedra", 100 * errors.low / shares.zones_high,
-        100 * errors.high / shares.zones_high, shares.joints_move ? "" : ", or solve fos extrapolate");
+        100 * errors.high / shares.zones_high, advice);
 }
 
 std::string farthest_text(const Model& start, const Model& model, double factor) {

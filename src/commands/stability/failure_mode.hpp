@@ -50,8 +50,8 @@ private:
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
 
-/// How coarse the mesh is where zones yield; "" where they do not.
-std::string mesh_text(const FailureMode::Shares& shares);
+/// How coarse the mesh is where zones yield, and what to do about it unless the factor on fine zones follows; "" where they do not.
+std::string mesh_text(const FailureMode::Shares& shares, bool extrapolated);
 
 /// The block that has moved most since `start`, and the number of blocks that moved far; "" without motion.
 std::string farthest_text(const Model& start, const Model& model, double factor);
