@@ -30,6 +30,7 @@ constexpr double recovery = 5e-3;
 struct Recovered {
     double of_friction = 0; ///< paid by the frictional work of the step
     double of_account = 0;  ///< paid by earlier changes of geometry
+    double over_step = 0;   ///< force added times the displacement of the step
 };
 
 /// A contact whose overlap exceeds what its force explains pushes the blocks apart, slowly enough to excite no vibration. The energy comes
@@ -60,9 +61,14 @@ Recovered recover(Model& model, Row c, double lost) {
     const double needed = (force + 0.5 * stiffness * closed) * closed, of_account = std::min(needed, account);
     account -= of_account;
     overlap -= closed;
-    for (Row s = span.first; s < span.end(); ++s)
-        if (pushes(s)) subs.normal_force[s] += subs.normal_stiffness[s] * subs.area[s] * closed;
-    return {needed - of_account, of_account};
+    double over_step = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (!pushes(s)) continue;
+        const double added = subs.normal_stiffness[s] * subs.area[s] * closed;
+        over_step += added * subs.normal_displacement_increment[s];
+        subs.normal_force[s] += added;
+    }
+    return {needed - of_account, of_account, over_step};
 }
 
 /// Sums over the sub-contacts of one contact; pore pressure acts on both sides in addition to the effective stress. `each` receives every
@@ -238,13 +244,15 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             continue;
         }
         finish_contact(model, c, forces, after);
+        // The change of a force acts during half of the step and is not part of the energy stored in the springs.
+        const auto add_change = [&](double over_step) {
+            after.joint[0] += over_step;
+            sums.lost -= 0.5 * over_step;
+        };
         if (opens_in_part(model, c)) {
             const double work_before = work_of_step(model, c);
             sums.lost += follow_overlap(model, *batch.model, c, scratch.overlap);
-            // The change of its force acts during half of the step and is not part of the energy stored in the springs.
-            const double more = work_of_step(model, c) - work_before;
-            after.joint[0] += more;
-            sums.lost -= 0.5 * more;
+            add_change(work_of_step(model, c) - work_before);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;
@@ -254,6 +262,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             const Recovered energy = recover(model, c, frictional_work(model, c) - friction[i]);
             recovered += energy.of_friction;
             sums.returned += energy.of_account;
+            add_change(energy.over_step);
             sum_contact(model, c, forces);
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
