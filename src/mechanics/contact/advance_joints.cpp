@@ -193,6 +193,13 @@ void take_pairs(Model& model, std::span<const Row> contacts, PairMotions& pairs)
     if (std::ranges::any_of(next, [&](Row c) { return is_rigid_joint(model, c); })) pairs.take(model, next);
 }
 
+/// A force that changes after the step's work was summed acts during half of the step, by `over_step` over all of it. This is not part of the
+/// energy stored in the springs.
+void add_change(double over_step, JointWork& after, JointSums& sums) {
+    after.joint[0] += over_step;
+    sums.lost -= 0.5 * over_step;
+}
+
 /// `number` is that of the batch.
 JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, JointForces& forces,
                         JointScratch& scratch) {
@@ -244,15 +251,10 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             continue;
         }
         finish_contact(model, c, forces, after);
-        // The change of a force acts during half of the step and is not part of the energy stored in the springs.
-        const auto add_change = [&](double over_step) {
-            after.joint[0] += over_step;
-            sums.lost -= 0.5 * over_step;
-        };
         if (opens_in_part(model, c)) {
             const double work_before = work_of_step(model, c);
             sums.lost += follow_overlap(model, *batch.model, c, scratch.overlap);
-            add_change(work_of_step(model, c) - work_before);
+            add_change(work_of_step(model, c) - work_before, after, sums);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;
@@ -262,7 +264,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             const Recovered energy = recover(model, c, frictional_work(model, c) - friction[i]);
             recovered += energy.of_friction;
             sums.returned += energy.of_account;
-            add_change(energy.over_step);
+            add_change(energy.over_step, after, sums);
             sum_contact(model, c, forces);
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
