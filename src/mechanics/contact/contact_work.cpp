@@ -1,4 +1,5 @@
 #include "mechanics/contact/contact_work.hpp"
+#include "mechanics/shape/overlap_patch.hpp"
 
 #include "model/measure/rayleigh.hpp"
 
@@ -42,7 +43,27 @@ double frictional_work(const Model& model, Row c) {
     return std::accumulate(work + span.first, work + span.end(), 0.0);
 }
 
+namespace {
+
+double work_of_zones(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
+    const Vec3 n = contacts.normal[c];
+    const Span span = contacts.sub_contacts[c];
+    double power = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 place = subs.position[s];
+        power += (subs.normal_force[s] * n + Vec3(subs.shear_force[s]))
+                     .dot(two.at(subs.side2[s], place) - one.at(subs.side1[s], place));
+    }
+    return power * model.clock.time_step;
+}
+
+} // namespace
+
 double work_of_step(const Model& model, Row c) {
+    if (!between_rigid(model, c)) return work_of_zones(model, c);
     JointWork work;
     add_work_of(model, c, RelativeMotion(model, c), work);
     return sum(work.joint);

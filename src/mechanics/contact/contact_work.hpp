@@ -1,4 +1,4 @@
-// Motion of contacts between rigid blocks in a step, and the work of their forces on it.
+// Motion of contacts in a step, and the work of their forces on it.
 #pragma once
 
 #include "mechanics/lanes/eight.hpp"
@@ -51,6 +51,26 @@ struct RelativeMotion {
     Eight3 at(const Eight3& places) const { return two.at(places) - one.at(places); }
 };
 
+/// Velocity of the material point of one side.
+struct SideMotion {
+    const Model& model;
+    bool deformable;
+    Vec3 velocity, spin, centre; ///< of a rigid block
+
+    SideMotion(const Model& m, Row block) : model(m), deformable(m.blocks.deformable[block] != 0) {
+        velocity = m.blocks.velocity[block];
+        spin = m.blocks.rotational_velocity[block];
+        centre = m.blocks.centroid[block];
+    }
+    Vec3 at(const Attachment& side, const Vec3& place) const {
+        if (!deformable) return velocity + spin.cross(place - centre);
+        const auto& v = model.gridpoints.velocity;
+        if (side.weights[0] == 1) return v[side.gridpoints[0]];
+        return side.weights[0] * v[side.gridpoints[0]] + side.weights[1] * v[side.gridpoints[1]] +
+               side.weights[2] * v[side.gridpoints[2]];
+    }
+};
+
 /// Joint models see the displacements at the start of the step; this adds the increments of the step.
 inline void add_increments(SubContacts& subs, Row row, const RowsOfEight& group, const Eight& opening,
                            const Eight3& slip) {
@@ -59,10 +79,10 @@ inline void add_increments(SubContacts& subs, Row row, const RowsOfEight& group,
     group.store(subs.shear_displacement, row, group.load(subs.shear_displacement, row) + slip);
 }
 
-/// Work of the present forces on the motion of the step.
+/// Work of the present forces of a contact between rigid blocks on the motion of the step.
 void add_work_of(const Model& model, Row contact, const RelativeMotion& motion, JointWork& work);
 
-/// Work of the present forces of a contact between rigid blocks on the motion of the step.
+/// Work of the present forces of any contact on the motion of the step.
 double work_of_step(const Model& model, Row contact);
 
 /// Accumulated frictional work of a contact according to its joint model.

@@ -67,26 +67,6 @@ inline Eight3 lane(const Eight3& v, std::size_t l) {
     return {of(v.x), of(v.y), of(v.z)};
 }
 
-/// Velocity of the material point of one side.
-struct SideMotion {
-    const Model& model;
-    bool deformable;
-    Vec3 velocity, spin, centre; ///< of a rigid block
-
-    SideMotion(const Model& m, Row block) : model(m), deformable(m.blocks.deformable[block] != 0) {
-        velocity = m.blocks.velocity[block];
-        spin = m.blocks.rotational_velocity[block];
-        centre = m.blocks.centroid[block];
-    }
-    Vec3 at(const Attachment& side, const Vec3& place) const {
-        if (!deformable) return velocity + spin.cross(place - centre);
-        const auto& v = model.gridpoints.velocity;
-        if (side.weights[0] == 1) return v[side.gridpoints[0]];
-        return side.weights[0] * v[side.gridpoints[0]] + side.weights[1] * v[side.gridpoints[1]] +
-               side.weights[2] * v[side.gridpoints[2]];
-    }
-};
-
 /// Rotation in a step of vectors in a plane about its normal: with the mean motion of points in it.
 class PlaneTwist {
 public:
@@ -127,7 +107,8 @@ double twist_with_zones(const Model& model, Row c) {
     return twist.angle(model.clock.time_step);
 }
 
-void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
+/// `acted`: the normal along which the forces at the start of the step have acted.
+void move_between(Model& model, Row c, const Vec3& acted, const std::vector<std::size_t>& kept, JointWork& work) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const SideMotion side1(model, contacts.block1[c]), side2(model, contacts.block2[c]);
@@ -142,6 +123,9 @@ void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
         const Vec3 place = subs.position[s];
         const Vec3 v1 = side1.at(subs.side1[s], place), v2 = side2.at(subs.side2[s], place);
         const Vec3 increment = (v2 - v1) * step;
+        work.joint[0] += (subs.normal_force[s] * acted + Vec3(subs.shear_force[s])).dot(increment);
+        work.friction[0] += subs.frictional_work[s];
+        work.fluid[0] += subs.pore_pressure[s] * subs.area[s] * acted.dot(increment);
         const double opening = increment.dot(n);
         const Vec3 shear = increment - opening * n;
         subs.normal_displacement_increment[s] = opening;
@@ -152,19 +136,14 @@ void move_between(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
         twist.add(place, mean);
         subs.position.set(s, place + step * mean);
     }
-    if (large) contacts.slip_since_update[c] += std::sqrt(farthest);
+    if (!large) return;
+    contacts.slip_since_update[c] += std::sqrt(farthest);
     const Eight3 normal = eights(n);
-    const Eight angle = eights(large ? twist.angle(step) : 0);
+    const Eight angle = eights(twist.angle(step));
     for (Row row = span.first; row < span.end(); row += eight) {
         const RowsOfEight group(span.end() - row);
-        Eight3 force = group.load(subs.shear_force, row);
-        if (large) {
-            force = turned_in_plane(force, normal, angle);
-            group.store(subs.shear_force, row, force);
-            turn_kept(subs, kept, row, group, normal, angle);
-        }
-        add_work(work, subs, row, group, force, group.load(subs.normal_displacement_increment.data() + row),
-                 group.load(subs.shear_displacement_increment, row));
+        group.store(subs.shear_force, row, turned_in_plane(group.load(subs.shear_force, row), normal, angle));
+        turn_kept(subs, kept, row, group, normal, angle);
     }
 }
 
@@ -182,8 +161,9 @@ bool keeps_any(const Model& model, Row c, const std::vector<std::size_t>& kept) 
 } // namespace
 
 void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
+    const Vec3 acted = model.contacts.normal[c];
     if (model.settings.large_strain) turn_plane(model, c);
-    move_between(model, c, kept, work);
+    move_between(model, c, acted, kept, work);
 }
 
 void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size_t l,
