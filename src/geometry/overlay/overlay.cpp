@@ -224,15 +224,8 @@ public:
                                 points_[ring[i + 1]].place - points_[ring[0]].place);
         const double extent = (one.high - one.low).maxCoeff();
         if (ring.size() < 3 || area <= tolerance_ * extent) return; // its points keep area 0
-        for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-            if (edge_ > 0)
-                for_parts({points_[ring[0]].place, points_[ring[i]].place, points_[ring[i + 1]].place}, edge_,
-                          [&](const std::array<Vec2, 3>& part) {
-                              add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
-                                            point_at(one, triangle2, part[2])});
-                          });
-            else add_triangle({ring[0], ring[i], ring[i + 1]});
-        }
+        if (edge_ > 0) add_fine(one, triangle2);
+        else add_fans();
     }
 
 private:
@@ -242,6 +235,25 @@ private:
     std::vector<OverlayPoint>& points_;
     PointFinder finder_;
     std::vector<int>& ring_;
+
+    /// The mean over the fans from all corners of the piece, which no corner is the first of.
+    void add_fans() {
+        const std::size_t n = ring_.size(), fans = n == 3 ? 1 : n;
+        for (std::size_t apex = 0; apex < fans; ++apex)
+            for (std::size_t i = 1; i + 1 < n; ++i)
+                add_triangle({ring_[apex], ring_[(apex + i) % n], ring_[(apex + i + 1) % n]},
+                             1.0 / static_cast<double>(fans));
+    }
+
+    void add_fine(const SweepItem& one, int triangle2) {
+        for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
+            for_parts({points_[ring_[0]].place, points_[ring_[i]].place, points_[ring_[i + 1]].place}, edge_,
+                      [&](const std::array<Vec2, 3>& part) {
+                          add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
+                                        point_at(one, triangle2, part[2])},
+                                       1);
+                      });
+    }
 
     /// The point here, which neighbouring pieces have in common.
     int point_at(const SweepItem& one, int triangle2, const Vec2& p) {
@@ -258,9 +270,10 @@ private:
         return static_cast<int>(points_.size()) - 1;
     }
 
-    void add_triangle(const std::array<int, 3>& part) {
+    /// `share`: of the triangle's area.
+    void add_triangle(const std::array<int, 3>& part, double share) {
         const Vec2 &a = points_[part[0]].place, &b = points_[part[1]].place, &c = points_[part[2]].place;
-        const double third = cross(b - a, c - a) / 6.0;
+        const double third = share * cross(b - a, c - a) / 6.0;
         const Vec2 sum = a + b + c;
         result_.second_moment +=
             0.25 * third * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
