@@ -458,9 +458,8 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         if (flat_faces && separation.apart_sideways && !overlaps) return false;
         if (flat_faces) {
             (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
-            const double first = part_of_first(model, block1, block2);
-            geometry.normal =
-                (first * surfaces.normal(geometry.face1) - (1 - first) * surfaces.normal(geometry.face2)).normalized();
+            geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1),
+                                  surfaces.normal(geometry.face2));
             const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
@@ -478,15 +477,15 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
     }
     if (flat_faces) {
         if (separation.apart_sideways) return false; // an edge or a corner next to another
-        Row& opposite = geometry.reference == 1 ? geometry.face2 : geometry.face1;
-        opposite = separation.opposite;
+        const ContactPlane of_one_face = geometry;
+        (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
+        geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1), surfaces.normal(geometry.face2));
         if (!intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch)) return false;
         // Joints of cut rock keep their kind; approaching bodies with so small a common area rest on a corner or an edge.
         const bool arrives = old == no_row ? std::abs(separation.distance) > tolerance
                                            : model.contacts.type[old] != ContactType::face_face;
         if (!arrives || geometry.area >= least) return true;
-        opposite = no_row;
-        geometry.area = 0;
+        static_cast<ContactPlane&>(geometry) = of_one_face;
         geometry.points.clear();
     }
     return contact_at_corners(model, surfaces, geometry, separation, block1, block2, margin, tolerance, least, scratch);

@@ -34,7 +34,14 @@ struct ContactPlane {
     double gap = 0;                     ///< of an overlap: the distance of the blocks; negative: the depth of overlap
     Row face1 = no_row, face2 = no_row; ///< rows of faces that lie on the common plane
     int reference = 0;                  ///< 1 or 2: whose face gives the normal; 0: two edges do
+
+    /// Takes the plane of two faces with these outward normals: that of `normal_of_faces`, or beside zones that of the rigid block, which
+    /// does not warp. The same in any order of the blocks.
+    void lie_on_faces(const Model& model, Row block1, Row block2, const Vec3& outward1, const Vec3& outward2);
 };
+
+/// Along the outward normals of two faces: their mean, or that of the much larger block. Unit, or zero if it has no direction.
+Vec3 normal_of_faces(const Model& model, Row block1, Row block2, const Vec3& outward1, const Vec3& outward2);
 
 /// The points of one contact, at the end of a list that also holds those of earlier contacts.
 class ContactPoints {

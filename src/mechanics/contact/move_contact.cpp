@@ -14,23 +14,30 @@ namespace {
 /// Cycles between two updates of the faces of deformable blocks, which turn slowly.
 constexpr std::int64_t face_interval = 10;
 
-/// The plane turns with the block whose face it is; between rigid blocks see PairMotions.
+/// The normal of a contact on a face with zones: of two such faces that of both, as when the contact was found.
+Vec3 normal_on_zones(const Model& model, Row c) {
+    const auto& contacts = model.contacts;
+    const Row one = contacts.face1[c], two = contacts.face2[c], b1 = contacts.block1[c], b2 = contacts.block2[c];
+    const bool both = one != no_row && two != no_row && model.blocks.deformable[b1] && model.blocks.deformable[b2];
+    if (!both) return contacts.reference[c] == 1 ? current_normal(model, one) : Vec3(-current_normal(model, two));
+    return normal_of_faces(model, b1, b2, current_normal(model, one), current_normal(model, two));
+}
+
+/// The plane turns with the block whose face it is, or both; between rigid blocks see PairMotions.
 void turn_plane(Model& model, Row c) {
     auto& contacts = model.contacts;
     const auto& blocks = model.blocks;
     const std::int32_t reference = contacts.reference[c];
-    const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
-    const Row owner = reference == 1 ? b1 : b2;
-    Vec3& n = contacts.normal[c];
-    if (reference != 0 && blocks.deformable[owner]) {
-        if (model.clock.cycle % face_interval != 0) return;
-        const Vec3 outward = current_normal(model, reference == 1 ? contacts.face1[c] : contacts.face2[c]);
-        if (!outward.isZero()) n = reference == 1 ? outward : Vec3(-outward);
-        return;
-    }
     if (reference == 0) return;
-    const Triple spin(blocks.rotational_velocity[owner]);
-    n = turned_a_little(Triple(n), model.clock.time_step * spin).vector();
+    const Row owner = reference == 1 ? contacts.block1[c] : contacts.block2[c];
+    Vec3& n = contacts.normal[c];
+    if (!blocks.deformable[owner]) {
+        const Triple spin(blocks.rotational_velocity[owner]);
+        n = turned_a_little(Triple(n), model.clock.time_step * spin).vector();
+    } else if (model.clock.cycle % face_interval == 0) {
+        const Vec3 now = normal_on_zones(model, c);
+        if (!now.isZero()) n = now;
+    }
 }
 
 inline void add_work(JointWork& work, const SubContacts& subs, Row row, const RowsOfEight& group,
