@@ -72,9 +72,9 @@ public:
         for (Row first = tile_.first; first < tile_.last; first += whole) {
             const Row count = std::min(whole, tile_.last - first);
             batch_.begin(count);
-            for_groups(first, count, [this](const Place& at) { strain(at); });
+            for_groups(first, count, [this](const Place& at) __attribute__((always_inline)) { strain(at); });
             batch_.run(model_);
-            for_groups(first, count, [this](const Place& at) { finish(at); });
+            for_groups(first, count, [this](const Place& at) __attribute__((always_inline)) { finish(at); });
         }
         ZoneSums sums;
         sums.work = kaya::sum(work_);
