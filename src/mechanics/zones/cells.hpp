@@ -275,34 +275,42 @@ struct LayerStress {
     }
 };
 
-/// Warps of a step as strains and as elastic changes of stress, in the order of WarpStress.
+/// Warps of a step as strains, in the order of WarpStress.
 struct WarpStep {
-    WarpStress strain, change;
-    Eight volume;
+    WarpStress strain;
 
     WarpStep() = default;
-    [[gnu::always_inline]] WarpStep(const CellMotion& step, const LayerModuli& moduli) : volume(step.volume) {
+    [[gnu::always_inline]] explicit WarpStep(const CellMotion& step) {
         const Warps& g = step.warp;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+            const Eight3 &ja = step.axis[a], &jb = step.axis[b], &jc = step.axis[c];
+            strain[3 * a] = jb.dot(g[c]), strain[3 * a + 1] = jc.dot(g[b]);
+            strain[3 * a + 2] = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
+            strain[9 + a] = ja.dot(g[3]) / ja.dot(ja);
+        }
+    }
+
+    /// Elastic changes of stress of layers without pressure between them, and of fibres.
+    [[gnu::always_inline]] WarpStress elastic(const CellMotion& step, const LayerModuli& moduli) const {
         std::array<Eight, 3> square, product; // of the axes: of one with itself, and of the two others
         for (std::size_t a = 0; a < 3; ++a) {
             square[a] = step.axis[a].dot(step.axis[a]);
             product[a] = step.axis[(a + 1) % 3].dot(step.axis[(a + 2) % 3]);
         }
+        WarpStress change;
         for (std::size_t a = 0; a < 3; ++a) {
-            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-            const Eight3 &jb = step.axis[b], &jc = step.axis[c];
-            const Eight bb = jb.dot(g[c]), cc = jc.dot(g[b]), bc = 0.5 * (jb.dot(g[b]) + jc.dot(g[c]));
-            const LayerStress layer(moduli, square[b], square[c], product[a], bb, cc, bc);
-            const std::size_t k = 3 * a;
-            strain[k] = bb, strain[k + 1] = cc, strain[k + 2] = bc;
+            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3, k = 3 * a;
+            const LayerStress layer(moduli, square[b], square[c], product[a], strain[k], strain[k + 1], strain[k + 2]);
             change[k] = layer.bb, change[k + 1] = layer.cc, change[k + 2] = layer.bc;
-            strain[9 + a] = step.axis[a].dot(g[3]) / square[a];
             change[9 + a] = moduli.young * strain[9 + a];
         }
+        return change;
     }
 
-    /// Work of the step against a stress, by cell: means over the cell of the squares of one axis, and of a product of two.
-    [[gnu::always_inline]] Eight work(const WarpStress& s) const {
+    /// Work of the step against a stress, by cell: means over the cell of the squares of one axis, and of a product of two. `volume` is that
+    /// of the step.
+    [[gnu::always_inline]] Eight work(const Eight& volume, const WarpStress& s) const {
         Eight layers{}, fibres{};
         for (std::size_t a = 0; a < 9; a += 3)
             layers += s[a] * strain[a] + s[a + 1] * strain[a + 1] + 2.0 * s[a + 2] * strain[a + 2];

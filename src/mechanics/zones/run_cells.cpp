@@ -123,20 +123,22 @@ private:
 
     /// Adds the warps of the step.
     [[gnu::always_inline]] void warp(CellGroup& g, const CellMotion& motion, Row zone, Row cells) {
-        const WarpStep step(motion, moduli_);
+        const WarpStep step(motion);
+        const WarpStress change = step.elastic(motion, moduli_);
         load_warps(model_.zones.warp, zone, cells, g.warp);
-        g.work = step.work(added(g.warp, 0.5, step.change));
-        g.warp = added(g.warp, 1, step.change);
+        g.work = step.work(motion.volume, added(g.warp, 0.5, change));
+        g.warp = added(g.warp, 1, change);
         store_warps(model_.zones.warp, zone, cells, g.warp);
-        if (damping_ > 0) damp_warps(g, step, zone, cells);
+        if (damping_ > 0) damp_warps(g, step, change, zone, cells);
     }
 
     /// Adds the viscous warp stresses of the step to those of the group.
-    [[gnu::noinline]] void damp_warps(CellGroup& g, const WarpStep& step, Row zone, Row cells) {
+    [[gnu::noinline]] void damp_warps(CellGroup& g, const WarpStep& step, const WarpStress& change, Row zone,
+                                      Row cells) {
         WarpStress last;
         load_warps(model_.zones.warp_dashpot, zone, cells, last);
-        const WarpStress viscous = added(WarpStress{}, damping_, step.change);
-        g.damped = 0.5 * step.work(added(last, 1, viscous));
+        const WarpStress viscous = added(WarpStress{}, damping_, change);
+        g.damped = 0.5 * step.work(g.volume, added(last, 1, viscous));
         store_warps(model_.zones.warp_dashpot, zone, cells, viscous);
         g.warp = added(g.warp, 1, viscous);
     }

@@ -62,7 +62,7 @@ class FlowingCells {
 public:
     FlowingCells(Model& model, const ZoneTiles& tiles, const ZoneTile& tile, const ZoneLaw& law,
                  const std::vector<double>& pressure, std::vector<PointRow>& forces)
-        : model_(model), tile_(tile), law_(law), moduli_(law.elastic.lambda, law.elastic.two_shear),
+        : model_(model), tile_(tile), law_(law), young_(LayerModuli(law.elastic.lambda, law.elastic.two_shear).young),
           damping_(stiffness_damping(model.settings) / model.clock.time_step), large_(model.settings.large_strain),
           wet_(!pressure.empty()), averages_(model.settings.mixed_discretisation), rows_(model, tiles, tile, pressure),
           forces_(tile, forces), batch_(model, law) {}
@@ -72,9 +72,11 @@ public:
         for (Row first = tile_.first; first < tile_.last; first += whole) {
             const Row count = std::min(whole, tile_.last - first);
             batch_.begin(count);
-            for_groups(first, count, [this](const Place& at) __attribute__((always_inline)) { strain(at); });
+            for_groups(
+                first, count, [this](const Place& at) __attribute__((always_inline)) { strain(at); });
             batch_.run(model_);
-            for_groups(first, count, [this](const Place& at) __attribute__((always_inline)) { finish(at); });
+            for_groups(
+                first, count, [this](const Place& at) __attribute__((always_inline)) { finish(at); });
         }
         ZoneSums sums;
         sums.work = kaya::sum(work_);
@@ -113,7 +115,7 @@ private:
         std::construct_at(&g.shape, place, RuledFaces(rows_.ruled(at.zone))); // in its place: it is large
         check_cells(model_, at.zone, at.cells, place, g.shape);
         const CellMotion motion(g.shape, from_first(rows_.shifts(), g.corners), large_);
-        std::construct_at(&g.warp, motion, moduli_);
+        std::construct_at(&g.warp, motion);
         g.planes = planes_of(g.shape.axis, law_.elastic);
         g.strain = motion.strain;
         g.volume = motion.volume;
@@ -241,12 +243,13 @@ private:
         WarpStress of_both = now.warp;
         for (std::size_t k = 9; k < of_both.size(); ++k) {
             now.warp[k] =
-                left * (g.kept[k] + g.warp.change[k]); // no law runs on the strain of fibres: theory, "Six points"
+                left *
+                (g.kept[k] + young_ * g.warp.strain[k]); // no law runs on the strain of fibres: theory, "Six points"
             of_both[k] = g.kept[k] + now.warp[k];
             g.kept[k] = now.warp[k];
         }
         store_warps(model_.zones.warp, at.zone, at.cells, g.kept);
-        Eight work = g.work + g.volume * product(now.mean, g.strain) + g.warp.work(of_both);
+        Eight work = g.work + g.volume * product(now.mean, g.strain) + g.warp.work(g.volume, of_both);
         if (damping_ > 0) damp(at, g, after, now);
         CellForces forces = forces_of(g.shape, now.mean, now.warp);
         if (g.has_initial) {
@@ -343,20 +346,20 @@ private:
         const WarpStress elastic = now.warp;
         now = made(g, sum(after, viscous));
         for (std::size_t k = 9; k < fibres.size(); ++k) {
-            const Eight more = damping_ * g.warp.change[k];
+            const Eight more = damping_ * (young_ * g.warp.strain[k]);
             taken.warp[k] = fibres[k] + more;
             fibres[k] = more;
             now.warp[k] = elastic[k] + more;
         }
         store_warps(zones.warp_dashpot, at.zone, at.cells, fibres);
-        add_to(damped_work_, of_cells(at, g.volume * product(taken.mean, g.strain) + g.warp.work(taken.warp)));
+        add_to(damped_work_,
+               of_cells(at, g.volume * product(taken.mean, g.strain) + g.warp.work(g.volume, taken.warp)));
     }
 
     Model& model_;
     const ZoneTile& tile_;
     const ZoneLaw& law_;
-    const LayerModuli moduli_;
-    const double damping_;
+    const double young_, damping_;
     const bool large_, wet_, averages_;
     TileRows rows_;
     TileForces forces_;

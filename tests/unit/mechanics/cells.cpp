@@ -62,9 +62,10 @@ constexpr std::uint8_t no_face = 0, every_face = 63;
 
 /// Adds the stress of the warps of a motion. Returns its work.
 Eight add_warp_stress(const CellMotion& motion, WarpStress& stress) {
-    const WarpStep step(motion, moduli);
-    const Eight work = step.work(added(stress, 0.5, step.change));
-    stress = added(stress, 1, step.change);
+    const WarpStep step(motion);
+    const WarpStress change = step.elastic(motion, moduli);
+    const Eight work = step.work(motion.volume, added(stress, 0.5, change));
+    stress = added(stress, 1, change);
     return work;
 }
 
