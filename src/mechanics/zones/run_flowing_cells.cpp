@@ -116,7 +116,7 @@ private:
         check_cells(model_, at.zone, at.cells, place, g.shape);
         const CellMotion motion(g.shape, from_first(rows_.shifts(), g.corners), large_);
         std::construct_at(&g.warp, motion);
-        g.planes = planes_of(g.shape.axis, law_.elastic);
+        for (std::size_t a = 0; a < 3; ++a) std::construct_at(&g.planes[a], g.shape.axis, a, law_.elastic);
         g.strain = motion.strain;
         g.volume = motion.volume;
         load_warps(model_.zones.warp, at.zone, at.cells, g.kept);
@@ -151,8 +151,11 @@ private:
     }
 
     /// Of the part of stresses beyond the initial ones.
-    static MadeStress made(const FlowGroup& g, const SixZones& stress) {
-        return made_stress(g.planes, g.has_initial ? difference(stress, g.initial) : stress);
+    [[gnu::always_inline]] static MadeStress made(const FlowGroup& g, const SixZones& stress) {
+        return g.has_initial ? made_beyond(g, stress) : made_stress(g.planes, stress);
+    }
+    [[gnu::noinline]] static MadeStress made_beyond(const FlowGroup& g, const SixZones& stress) {
+        return made_stress(g.planes, difference(stress, g.initial));
     }
 
     /// Layers change their thickness such that no stress goes from one to the next: equation (13).
