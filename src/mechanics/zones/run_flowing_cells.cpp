@@ -120,15 +120,15 @@ private:
         g.strain = motion.strain;
         g.volume = motion.volume;
         load_warps(model_.zones.warp, at.zone, at.cells, g.kept);
-        load_stresses(g, at, motion.half_spin);
-        const SixZones strains = strains_of(g);
+        g.has_initial = has_initial(model_.zones, at.zone, at.cells);
+        if (g.has_initial) load_initial(g, at, motion.half_spin);
         for (Row z = 0; z < zones_of_cell; ++z) {
             Eight pressure{};
             if (wet_)
                 for (const std::size_t c : corners_of_zone[z]) pressure += 0.25 * pressures[c];
-            fill_rows(at, z, g, strains[z], pressure);
-            if (large_) store_spin(batch_, at.row(z), motion.half_spin);
+            fill_rows(at, z, g, motion.half_spin, pressure);
         }
+        fill_strains(at, g);
         read_history(at, g);
     }
 
@@ -139,15 +139,30 @@ private:
         for (const auto& column : model_.zones.warp) bring(&column[zone], zones_of_group);
     }
 
-    [[gnu::always_inline]] void load_stresses(FlowGroup& g, const Place& at, const Eight3& half_spin) {
-        g.before = load_zones(model_.zones.stress, at.zone, at.cells);
-        g.has_initial = has_initial(model_.zones, at.zone, at.cells);
-        if (g.has_initial) g.initial = load_zones(model_.zones.initial, at.zone, at.cells);
+    [[gnu::noinline]] void load_initial(FlowGroup& g, const Place& at, const Eight3& half_spin) {
+        g.initial = load_zones(model_.zones.initial, at.zone, at.cells);
         if (!large_) return;
-        turn(g.before, half_spin);
-        if (!g.has_initial) return;
         turn(g.initial, half_spin);
         store_zones(model_.zones.initial, at.zone, at.cells, g.initial);
+    }
+
+    [[gnu::always_inline]] void put(double* column, const Place& at, Row z, const Eight& value) {
+        store_rows(column + at.row(z), at.cells, value);
+    }
+
+    /// Rows of one zone, but for their strains.
+    [[gnu::always_inline]] void fill_rows(const Place& at, Row z, FlowGroup& g, const Eight3& half_spin,
+                                          const Eight& pressure) {
+        SixEights stress = load_six(model_.zones.stress[at.zone + z].data(), to_next_cell, at.cells);
+        if (large_) {
+            stress = turned(stress, half_spin);
+            store_spin(batch_, at.row(z), half_spin);
+        }
+        g.before[z] = stress;
+        for (std::size_t k = 0; k < 6; ++k)
+            put(batch_.stress[k], at, z, wet_ && k < 3 ? stress[k] + pressure : stress[k]);
+        put(batch_.volume, at, z, g.volume * (1.0 / zones_of_cell));
+        put(batch_.pressure, at, z, pressure);
     }
 
     /// Of the part of stresses beyond the initial ones.
@@ -159,12 +174,11 @@ private:
     }
 
     /// Layers change their thickness such that no stress goes from one to the next: equation (13).
-    [[gnu::always_inline]] SixZones strains_of(FlowGroup& g) const {
+    [[gnu::always_inline]] void fill_strains(const Place& at, FlowGroup& g) {
         const double softness = 1 / (law_.elastic.lambda + law_.elastic.two_shear);
         SixEights mean = mean_of(g.before);
         if (g.has_initial) mean = difference(mean, mean_of(g.initial));
         Eight of_layers{};
-        SixZones strains;
         for (std::size_t a = 0; a < 3; ++a) {
             const LayerPlane& plane = g.planes[a];
             SixEights layer = plane.strain(&g.warp.strain[3 * a]);
@@ -175,24 +189,13 @@ private:
             const Eight most = most_thickening * most_thickening * product(layer, layer);
             const Eight thicker = within_root(most, g.kept[a] + wanted);
             g.kept[a] = within_root(most, g.kept[a] + 0.25 * wanted);
-            for (std::size_t k = 0; k < 6; ++k) layer[k] += thicker * plane.across[k];
-            strains[layer_zones[a].upper] = kaya::sum(g.strain, layer);
-            strains[layer_zones[a].lower] = difference(g.strain, layer);
+            for (std::size_t k = 0; k < 6; ++k) {
+                layer[k] += thicker * plane.across[k];
+                put(batch_.strain[k], at, layer_zones[a].upper, g.strain[k] + layer[k]);
+                put(batch_.strain[k], at, layer_zones[a].lower, g.strain[k] - layer[k]);
+            }
         }
         g.work = g.volume * (product(mean, g.strain) + of_layers * (1.0 / 3));
-        return strains;
-    }
-
-    [[gnu::always_inline]] void fill_rows(const Place& at, Row z, const FlowGroup& g, const SixEights& strain,
-                                          const Eight& pressure) {
-        const Row row = at.row(z);
-        const auto put = [&](double* column, const Eight& value) { store_rows(column + row, at.cells, value); };
-        for (std::size_t k = 0; k < 6; ++k) {
-            put(batch_.strain[k], strain[k]);
-            put(batch_.stress[k], wet_ && k < 3 ? g.before[z][k] + pressure : g.before[z][k]);
-        }
-        put(batch_.volume, g.volume * (1.0 / zones_of_cell));
-        put(batch_.pressure, pressure);
     }
 
     [[gnu::always_inline]] void read_history(const Place& at, FlowGroup& g) {
