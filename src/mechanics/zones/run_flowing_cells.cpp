@@ -108,7 +108,7 @@ private:
     /// Strains of the step, and the stresses turned with the material.
     [[gnu::always_inline]] void strain(const Place& at) {
         FlowGroup& g = group_at(at);
-        bring_group(at.zone + zones_of_group);
+        const bool another = at.zone + 2 * zones_of_group <= tile_.last;
         g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
         const CellField place = from_first(rows_.places(), g.corners, &pressures);
@@ -126,17 +126,21 @@ private:
             Eight pressure{};
             if (wet_)
                 for (const std::size_t c : corners_of_zone[z]) pressure += 0.25 * pressures[c];
+            if (another) bring_part(at.zone + zones_of_group, z);
             fill_rows(at, z, g, motion.half_spin, pressure);
         }
         fill_strains(at, g);
         read_history(at, g);
     }
 
-    /// Prefetches eight cells while the previous ones are processed.
-    [[gnu::always_inline]] void bring_group(Row zone) {
-        if (zone + zones_of_group > tile_.last) return;
-        bring(model_.zones.stress[zone].data(), 6 * zones_of_group);
-        for (const auto& column : model_.zones.warp) bring(&column[zone], zones_of_group);
+    /// Prefetches a sixth of eight cells while the previous ones are processed.
+    [[gnu::always_inline]] void bring_part(Row zone, Row part) {
+        const Row first = zone + part * eight;
+        bring(model_.zones.stress[first].data(), 6 * eight);
+        for (const auto& column : model_.zones.warp) bring(&column[first], eight);
+        for (std::size_t k = 0; k < law_.model->history.size(); ++k)
+            __builtin_prefetch(&model_.zones.history[k][first]);
+        if (part % 2 == 0) __builtin_prefetch(&model_.zones.state[first]);
     }
 
     [[gnu::noinline]] void load_initial(FlowGroup& g, const Place& at, const Eight3& half_spin) {
