@@ -35,8 +35,8 @@ struct Strength {
         if (s.slope > 1) s.tension = std::min(tension, s.uniaxial / (s.slope - 1));
         return s;
     }
-    bool holds(double greatest, double least) const {
-        return slope * greatest - least <= uniaxial && greatest <= tension;
+    bool holds(double greatest, double least) const { // both are computed: a vector loop has no branches
+        return (slope * greatest - least <= uniaxial) & (greatest <= tension);
     }
 };
 

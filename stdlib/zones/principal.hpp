@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace kaya::zones {
@@ -155,9 +156,9 @@ template <class Holds, class Each> void for_rows_that_may_yield(const kaya_zbatc
             }
         };
         find([](auto... stress) { return Bounds::wide(stress...); });
-        bool all_hold = true;
-        for (std::size_t i = 0; i < count; ++i) all_hold &= holds(first + i, high[i], low[i]);
-        if (all_hold) continue;
+        std::uint64_t others = 0; // counted, so that it is a vector loop
+        for (std::size_t i = 0; i < count; ++i) others += !holds(first + i, high[i], low[i]);
+        if (others == 0) continue;
         find([](auto... stress) { return Bounds::of(stress...); });
         std::size_t rows[chunk], some = 0;
         for (std::size_t i = 0; i < count; ++i) {

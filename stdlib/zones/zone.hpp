@@ -1,6 +1,7 @@
 // Shared by the zone models that ship: moduli, the elastic step, and rows of a batch.
 #pragma once
 
+#include "kaya/law/rows.hpp"
 #include "kaya/zmodel.h"
 
 #include <array>
@@ -48,11 +49,12 @@ inline void give_moduli(const double* properties, double* bulk, double* shear) {
 /// The elastic step of a whole batch.
 inline void add_elastic(kaya_zbatch& batch, const Moduli& moduli) {
     const double two_shear = 2 * moduli.shear, lame = moduli.lame();
-    double *__restrict sxx = batch.stress[0], *__restrict syy = batch.stress[1], *__restrict szz = batch.stress[2],
-           *__restrict sxy = batch.stress[3], *__restrict sxz = batch.stress[4], *__restrict syz = batch.stress[5];
+    double *sxx = batch.stress[0], *syy = batch.stress[1], *szz = batch.stress[2], *sxy = batch.stress[3],
+           *sxz = batch.stress[4], *syz = batch.stress[5];
     const double *xx = batch.strain_inc[0], *yy = batch.strain_inc[1], *zz = batch.strain_inc[2],
                  *xy = batch.strain_inc[3], *xz = batch.strain_inc[4], *yz = batch.strain_inc[5];
     const std::size_t n = batch.n;
+    KAYA_INDEPENDENT_ROWS
     for (std::size_t i = 0; i < n; ++i) {
         const double mean = lame * (xx[i] + yy[i] + zz[i]);
         sxx[i] = (sxx[i] + two_shear * xx[i]) + mean;
