@@ -111,7 +111,7 @@ private:
         const bool another = at.zone + 2 * zones_of_group <= tile_.last;
         g.corners = rows_.cells_at(at.zone);
         std::array<Eight, 8> pressures;
-        const CellField place = from_first(rows_.places(), g.corners, &pressures);
+        const CellField place = from_first(rows_.places(), g.corners, wet_ ? &pressures : nullptr);
         std::construct_at(&g.shape, place, RuledFaces(rows_.ruled(at.zone))); // in its place: it is large
         check_cells(model_, at.zone, at.cells, place, g.shape);
         const CellMotion motion(g.shape, from_first(rows_.shifts(), g.corners), large_);
@@ -166,7 +166,7 @@ private:
         for (std::size_t k = 0; k < 6; ++k)
             put(batch_.stress[k], at, z, wet_ && k < 3 ? stress[k] + pressure : stress[k]);
         put(batch_.volume, at, z, g.volume * (1.0 / zones_of_cell));
-        put(batch_.pressure, at, z, pressure);
+        if (wet_) put(batch_.pressure, at, z, pressure);
     }
 
     /// Of the part of stresses beyond the initial ones.

@@ -12,8 +12,8 @@ namespace kaya {
 template <Row most> struct StagedZones {
     static constexpr std::size_t length = most + 8; ///< powers of two would map all columns to the same cache lines
 
-    alignas(64) double strain[6][length], spin[3][length], stress[6][length], volume[length], pressure[length],
-        dissipation[length];
+    alignas(64) double strain[6][length], spin[3][length], stress[6][length], volume[length], pressure[length] = {},
+                                                                                              dissipation[length];
     double history[KAYA_JMODEL_MAX_HISTORY][length];
     double* histories[KAYA_JMODEL_MAX_HISTORY];
     std::uint32_t state[length] = {};
