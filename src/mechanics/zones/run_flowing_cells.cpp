@@ -318,7 +318,7 @@ private:
             squares += square_of_deviator(after[z]);
             elastic += square_of_deviator(difference(after[z], beyond[z]));
         }
-        const Eight left = squares / elastic;
+        const Eight left = larger_of(squares, Eight{}) / larger_of(elastic, Eight{}); // they may be below 0 by rounding
         return left < 1 - 1e-12 ? left : eights(1); // cells without deviators divide 0 by 0
     }
 
