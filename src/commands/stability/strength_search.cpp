@@ -43,7 +43,7 @@ const ReducedModel& StrengthSearch::beginning(double factor) const {
 }
 
 bool StrengthSearch::enter_sliding() {
-    sliding_ = failed_ ? slide_on(bench_, failed_->end) : std::nullopt;
+    sliding_ = failed_ && failed_->crushed.empty() ? slide_on(bench_, failed_->end) : std::nullopt;
     if (sliding_) enter(Stage::sliding);
     return sliding_.has_value();
 }
@@ -53,7 +53,8 @@ void StrengthSearch::report(const Trial& trial) const {
     bench_.session.program.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}",
                                                   trial.end.factor, trial.stands ? "stands" : "fails",
                                                   counted(trial.cycles, "cycle"), model.clock.average_ratio,
-                                                  trial.moving    ? "; " + body_text(model, *trial.moving) + " moves on"
+                                                  !trial.crushed.empty() ? "; " + trial.crushed
+                                                  : trial.moving  ? "; " + body_text(model, *trial.moving) + " moves on"
                                                   : trial.goes_on ? "; it keeps moving and does not slow down"
                                                                   : ""));
     if (!trial.stands && !command_.file.empty()) save_as(bench_.session, command_.file);

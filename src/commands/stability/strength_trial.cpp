@@ -3,6 +3,7 @@
 #include "commands/monitors/failure_monitor.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "commands/stability/slip.hpp"
+#include "mechanics/common/crushed_zones.hpp"
 #include "model/kinds/nearest.hpp"
 #include "model/measure/measure.hpp"
 #include "model/tables/model_edit.hpp"
@@ -69,14 +70,22 @@ public:
         ModelEdit(model_, Change::properties);
     }
 
+    /// Neither at rest nor moving where a zone is crushed.
     RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) {
-        return advance_span(bench_.session, cycles, ratio, monitor, &bench_.progress);
+        try {
+            return advance_span(bench_.session, cycles, ratio, monitor, &bench_.progress);
+        } catch (const Diagnostic& failure) {
+            if (failure.code != zone_crushed) throw;
+            crushed_ = failure.message;
+            bench_.session.autosave->begins(); // no cycle of the deck has failed
+            return {};
+        }
     }
+    const std::string& crushed() const { return crushed_; }
 
     /// The state of a model that was left alone.
     struct Rest {
         RestSpan last;
-        std::int64_t cycles = 0;
         bool tired = false; ///< the unbalanced force does not get smaller
     };
     /// Cycles until the model is at rest or fails, but for so many spans at least.
@@ -88,8 +97,7 @@ public:
         while (ratios.size() < first || (falls(ratios) && ratios.size() < last())) {
             if (model_.joint_properties.size() > whole_.size()) lower(factor);
             rest.last = run(bench_.span, ratio, monitor);
-            rest.cycles += rest.last.cycles;
-            if (rest.last.at_rest || rest.last.moving || rest.last.fails) return rest;
+            if (rest.last.at_rest || rest.last.moving || rest.last.fails || !crushed_.empty()) return rest;
             ratios.push_back(rest.last.mean_ratio);
         }
         rest.tired = true;
@@ -112,12 +120,14 @@ public:
         return since.shares(model_, *bench_.session.engine.cycle);
     }
     const Model& model() const { return model_; }
+    std::int64_t cycles(const ReducedModel& since) const { return model_.clock.cycle - since.model.clock.cycle; }
     ReducedModel end(double factor) const { return {model_, whole_, factor}; }
 
 private:
     const TrialBench& bench_;
     Model& model_;
     std::vector<std::vector<double>> whole_;
+    std::string crushed_; ///< a zone
 };
 
 /// Forces and stresses.
@@ -148,24 +158,23 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
     if (start.slipping) run.stop_sliding(start, factor);
     // Step by step: a sudden reduction could push joints past their peak, irreversibly.
     else
-        for (int step = 1; step < lowering_steps && !rest.tired; ++step) {
+        for (int step = 1; step < lowering_steps && !rest.tired && run.crushed().empty(); ++step) {
             const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
             run.lower(lowered);
             if (rule.settles_between) {
                 mode.emplace(run.mode()); // it may fail on the way
                 rest = run.settle(lowered, calm, first_spans, nullptr);
-                trial.cycles += rest.cycles;
-            } else trial.cycles += run.run(std::max<std::int64_t>(1, bench.span / (2 * lowering_steps)), 0).cycles;
+            } else run.run(std::max<std::int64_t>(1, bench.span / (2 * lowering_steps)), 0);
         }
-    if (!rest.tired) {
+    if (!rest.tired && run.crushed().empty()) {
         run.lower(factor);
         bench.session.engine.cycle->prepare();
         mode.emplace(run.mode());
         FailureMonitor monitor(run.model(), *bench.session.engine.cycle,
                                static_cast<std::int64_t>(rule.window * static_cast<double>(bench.span)));
         rest = run.settle(factor, bench.ratio, first_spans, to_its_end ? nullptr : &monitor);
-        trial.cycles += rest.cycles;
     }
+    trial.cycles = run.cycles(start), trial.crushed = run.crushed();
     trial.stands = rest.last.at_rest, trial.goes_on = rest.last.fails, trial.moving = rest.last.moving;
     if (trial.stands) run.lower(factor); // what is new
     else if (mode) trial.mode = run.shares(*mode);
@@ -185,8 +194,10 @@ std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel
     bench.session.engine.cycle->prepare();
     const FailureMode mode = run.mode();
     const Slip slip(run.model());
-    for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()); ++i) run.run(bench.span, 0);
-    if (!slip.has_turned_shear(run.model()) || run.shares(mode).topples()) return std::nullopt;
+    for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()) && run.crushed().empty(); ++i)
+        run.run(bench.span, 0);
+    if (!run.crushed().empty() || !slip.has_turned_shear(run.model()) || run.shares(mode).topples())
+        return std::nullopt;
     ReducedModel sliding = run.end(factor);
     sliding.slipping = slip.rows(run.model());
     if (answer_of_next_cycle(bench, sliding, false) != answer_of_next_cycle(bench, sliding, true)) return std::nullopt;

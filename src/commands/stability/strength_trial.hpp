@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace kaya {
 
@@ -35,16 +36,18 @@ struct Trial {
     bool goes_on = false; ///< ended early because motion continued
     std::int64_t cycles = 0;
     std::optional<MovingBody> moving;
+    std::string crushed;                     ///< the zone that was crushed, and ended it; empty: none
     std::optional<FailureMode::Shares> mode; ///< of a failed trial; none where it failed before it reached its factor
     ReducedModel end;
 };
 
-/// The model is stable when its ratio of unbalanced force is reached; it fails when that force does not decrease from one span to the next.
+/// The model is stable when its ratio of unbalanced force is reached; it fails when that force does not decrease from one span to the next,
+/// and where a zone is crushed.
 /// The strength is lowered in steps from that of `start`, or from 1; a start in motion is stopped at once.
 Trial run_trial(const TrialBench& bench, const ReducedModel& start, double factor, const TrialRule& rule);
 
 /// Lets a model slide on from the end of a trial that failed, with less strength, until shear that loading had locked into its joints has
-/// turned into the direction of slip. None where it topples, or where joints or zones are weaker or stronger by it.
+/// turned into the direction of slip. None where it topples or crushes a zone, or where joints or zones are weaker or stronger by it.
 std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel& failed);
 
 } // namespace kaya

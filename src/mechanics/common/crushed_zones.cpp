@@ -69,7 +69,7 @@ Diagnostic of_zone(const Model& model, Row zone, const std::string& what) {
     Diagnostic d(fmt::format("zone {} of block {} at ({:.6g}, {:.6g}, {:.6g}) {}", zone + 1, model.blocks.number[block],
                              place.x(), place.y(), place.z(), what),
                  "look at the velocities and loads that drive the block, or delete what has fallen apart", Fault::run);
-    d.code = "zone-crushed";
+    d.code = zone_crushed;
     d.add(fmt::format("it moves with ({:.6g}, {:.6g}, {:.6g}); the time step is {:.6g}", velocity.x(), velocity.y(),
                       velocity.z(), model.clock.time_step));
     return d;

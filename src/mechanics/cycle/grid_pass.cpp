@@ -81,6 +81,8 @@ GridPass::GridPass(const Model& model, const ZoneTiles& tiles, int threads) : th
         for (Row c = 0; c < gathers; ++c)
             if (ready[c] < moves) add(ready[c], Step{Work::gather, c});
     });
+    for (Row c = 0; c < gathers; ++c)
+        if (ready[c] == moves) late_chunks_.push_back(c);
     steps_ = sorted_lists<Step>(static_cast<std::size_t>(threads), [&](auto add) {
         for (Row c = 0; c < moves; ++c)
             for (auto step = by_chunk.begin(c); step != by_chunk.end(c); ++step) add(thread_of[c], *step);
@@ -97,31 +99,34 @@ void GridPass::run(Model& model, const QuietPoints& quiet, const ZoneLaws& laws,
     GridpointMotion motion(model, quiet, forces.ties);
     ForceGathering gathering_of(model, forces);
     const auto run_zones = [&](Row tile) {
-        auto& part = tiles_[static_cast<std::size_t>(tile)];
-        try {
-            part.sums = run_tile(model, laws, laws.tiles.tiles[static_cast<std::size_t>(tile)], scratch, zone_forces);
-        } catch (...) { part.failure = std::current_exception(); }
+        const auto index = static_cast<std::size_t>(tile);
+        tiles_[index] = run_tile(model, laws, laws.tiles.tiles[index], scratch, zone_forces);
     };
     const auto rows = [&](Row chunk, Row grain) {
         const auto first = static_cast<std::size_t>(chunk * grain);
         return std::pair(first, std::min(first + static_cast<std::size_t>(grain), model.gridpoints.size()));
     };
+    const auto move = [&](Row chunk) {
+        const auto [first, last] = rows(chunk, moving);
+        chunks_[static_cast<std::size_t>(chunk)] = motion.move(first, last);
+    };
+    const auto gather = [&](Row chunk) {
+        const auto [first, last] = rows(chunk, gathering);
+        if (!loads_stay || !gathering_of.only_zones_act(first, last)) return;
+        gathered_.balance[static_cast<std::size_t>(chunk)] = gathering_of.gather(first, last);
+        gathered_.done[static_cast<std::size_t>(chunk)] = 1;
+    };
     const auto take = [&](const Step& step) {
-        const auto index = static_cast<std::size_t>(step.index);
-        if (step.work == Work::zones) return run_zones(step.index);
-        const auto [first, last] = rows(step.index, step.work == Work::move ? moving : gathering);
-        if (step.work == Work::move) {
-            chunks_[index] = motion.move(first, last);
-        } else if (loads_stay && gathering_of.only_zones_act(first, last)) {
-            gathered_.balance[index] = gathering_of.gather(first, last);
-            gathered_.done[index] = 1;
-        }
+        if (step.work == Work::move) move(step.index);
+        else if (step.work == Work::zones) run_zones(step.index);
+        else gather(step.index);
     };
     for_chunks(static_cast<std::size_t>(threads_), 1, [&](std::size_t thread, std::size_t) {
         const Row row = static_cast<Row>(thread);
         for (auto step = steps_.begin(row); step != steps_.end(row); ++step) take(*step);
     });
     for_chunks(late_tiles_.size(), 1, [&](std::size_t late, std::size_t) { run_zones(late_tiles_[late]); });
+    for_chunks(late_chunks_.size(), 1, [&](std::size_t late, std::size_t) { gather(late_chunks_[late]); });
     add_up();
     motion_ = motion.finish(motion_);
 }
@@ -131,10 +136,10 @@ void GridPass::add_up() {
     motion_ = {};
     zones_ = {};
     for (const MotionSums& part : chunks_) motion_.add(part);
-    for (TilePart& part : tiles_) {
+    for (TileResult& part : tiles_) {
         if (part.failure) {
             const auto failure = part.failure;
-            for (TilePart& other : tiles_) other.failure = nullptr;
+            for (TileResult& other : tiles_) other.failure = nullptr;
             std::rethrow_exception(failure);
         }
         zones_.add(part.sums);

@@ -10,7 +10,6 @@
 #include "mechanics/zones/run_zone_models.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
-#include <exception>
 #include <vector>
 
 namespace kaya {
@@ -44,18 +43,15 @@ private:
         Work work;
         Row index; ///< of a chunk of moving gridpoints, of a tile, or of a chunk whose forces are gathered
     };
-    struct TilePart {
-        ZoneSums sums;
-        std::exception_ptr failure;
-    };
 
     void add_up();
 
     int threads_ = 0;
-    Lists<Step> steps_;           ///< by thread
-    std::vector<Row> late_tiles_; ///< with gridpoints that several threads move
+    Lists<Step> steps_; ///< by thread
+    std::vector<Row> late_tiles_,
+        late_chunks_; ///< with gridpoints that several threads move, and those that they act on
     std::vector<MotionSums> chunks_;
-    std::vector<TilePart> tiles_;
+    std::vector<TileResult> tiles_;
     MotionSums motion_;
     ZoneSums zones_;
     GatheredChunks gathered_;

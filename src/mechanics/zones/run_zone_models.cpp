@@ -260,22 +260,28 @@ bool tiles_go_alone(const Model& model, const ZoneLaws& laws) {
            !laws.any(Together::strains_at_points);
 }
 
-ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
-                  std::vector<PointRow>& forces) {
+TileResult run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                    std::vector<PointRow>& forces) {
     const ZoneLaw& law = laws.laws[tile.law];
-    if (law.together == Together::flow_in_cells)
-        return run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces);
-    if (law.together == Together::cells) return run_cells(model, laws.tiles, tile, law, scratch, forces);
-    return TileRun(model, laws, tile, scratch, forces).run();
+    try {
+        if (law.together == Together::flow_in_cells)
+            return {run_flowing_cells(model, laws.tiles, tile, law, scratch.pressure, forces), nullptr};
+        if (law.together == Together::cells) return {run_cells(model, laws.tiles, tile, law, scratch, forces), nullptr};
+        return {TileRun(model, laws, tile, scratch, forces).run(), nullptr};
+    } catch (...) { return {{}, std::current_exception()}; }
 }
 
 ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
     begin_zones(model, laws, scratch);
     const auto& tiles = laws.tiles.tiles;
-    ZoneSums sums = reduce_chunks(
-        tiles.size(), 1, ZoneSums{},
+    auto [sums, failure] = reduce_chunks(
+        tiles.size(), 1, TileResult{},
         [&](std::size_t first, std::size_t) { return run_tile(model, laws, tiles[first], scratch, forces); },
-        [](ZoneSums& sum, const ZoneSums& part) { sum.add(part); });
+        [](TileResult& whole, const TileResult& part) {
+            whole.sums.add(part.sums);
+            if (!whole.failure) whole.failure = part.failure;
+        });
+    if (failure) std::rethrow_exception(failure);
     if (laws.any(Together::at_points)) sums.add(average_flow(model, laws, scratch, forces));
     if (laws.any(Together::strains_at_points)) add_shared(model, laws, scratch, forces);
     return sums;

@@ -9,6 +9,7 @@
 #include "mechanics/zones/zone_tiles.hpp"
 #include "model/tables/model.hpp"
 
+#include <exception>
 #include <vector>
 
 namespace kaya {
@@ -31,12 +32,18 @@ void begin_zones(Model& model, const ZoneLaws& laws, ZoneScratch& scratch);
 /// Whether the zones of a tile depend on no gridpoint but their own.
 bool tiles_go_alone(const Model& model, const ZoneLaws& laws);
 
+/// The result of a tile. A failure is kept until all tiles have run, so that what they leave does not depend on the number of threads.
+struct TileResult {
+    ZoneSums sums;
+    std::exception_ptr failure;
+};
+
 /// Runs the zones of one tile, if tiles are independent, after begin_zones.
-ZoneSums run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
-                  std::vector<PointRow>& forces);
+TileResult run_tile(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
+                    std::vector<PointRow>& forces);
 
 /// Also writes `forces`: by point of the tiles, with the sum of the magnitudes of the forces of single zones. Throws Diagnostic when a zone
-/// model fails.
+/// model fails, or a zone has no volume: that of the first tile.
 ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces);
 
 /// Forces of the present stresses, without a step.
