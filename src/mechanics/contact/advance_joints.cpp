@@ -132,8 +132,8 @@ constexpr double slow_growth = 0.02;
 
 /// Marks a contact whose stiffness has grown much, or whose places have moved relative to the centres of its blocks.
 void note_stiffness(const Model& model, Row c, JointForces& forces) {
-    const StiffnessOfSides now =
-        follows_overlap(model, c) ? stiffness_over_mass(model, c) : StiffnessOfSides{sum_of_stiffness(model, c), 0};
+    const StiffnessOfSides now = follows_overlap(model, c) ? stiffness_over_mass(model, forces.compliance, c)
+                                                           : StiffnessOfSides{sum_of_stiffness(model, c), 0};
     const StiffnessOfSides& before = forces.stiffness[c];
     const auto grows = [&](int side) { return now[side] > (1 + slow_growth) * before[side]; };
     // A contact that changes its kind acts on its blocks at other places.
@@ -298,6 +298,7 @@ void joint_forces(const Model& model, JointForces& forces) {
     forces.of_contact.assign(model.contacts.size(), Vec3::Zero());
     forces.moment.assign(model.contacts.size(), Vec3::Zero());
     forces.stiffness.assign(model.contacts.size(), StiffnessOfSides{});
+    forces.compliance = compliances_of(model);
     forces.kind.assign(model.contacts.kind.begin(), model.contacts.kind.end());
     forces.stiffness_changed.assign(model.contacts.size(), 0);
     for_chunks(model.contacts.size(), grain, [&](std::size_t first, std::size_t last) {

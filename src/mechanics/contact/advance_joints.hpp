@@ -24,6 +24,7 @@ struct JointForces {
     /// that each block of an overlap feels. It depends on the state only, not on inertial masses, which density scaling may change
     /// afterwards.
     std::vector<StiffnessOfSides> stiffness;
+    std::vector<Compliance> compliance;  ///< by block
     std::vector<ContactKind> kind;       ///< when the stiffness was computed
     std::vector<char> stiffness_changed; ///< of contacts that are much stiffer or have other geometry, until cleared
 };

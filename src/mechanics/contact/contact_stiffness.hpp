@@ -2,12 +2,14 @@
 #pragma once
 
 #include "mechanics/lanes/eight.hpp"
+#include "mechanics/lanes/triple.hpp"
 #include "mechanics/shape/overlap_patch.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace kaya {
 
@@ -63,8 +65,17 @@ double sum_of_stiffness(const Model& model, Row contact);
 /// One number for each block of a contact.
 using StiffnessOfSides = std::array<double, 2>;
 
+/// Inverses of the true mass and inertia of a rigid block, in its own axes.
+struct Compliance {
+    double of_mass;
+    SymmetricInverse of_inertia;
+};
+
+/// Of each block; undefined for blocks that have zones or no mass.
+std::vector<Compliance> compliances_of(const Model& model);
+
 /// Trace of an overlap contact's stiffness over the mass and the moments of inertia of each of its rigid blocks, 1/time^2: an upper bound for the
-/// eigenvalues of the contact alone. 0 for fixed blocks. Masses are the true ones.
-StiffnessOfSides stiffness_over_mass(const Model& model, Row contact);
+/// eigenvalues of the contact alone. 0 for fixed blocks. Masses are the true ones. `compliances` are those of all blocks.
+StiffnessOfSides stiffness_over_mass(const Model& model, const std::vector<Compliance>& compliances, Row contact);
 
 } // namespace kaya
