@@ -286,7 +286,8 @@ Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, 
     const Mat6 viscous = damped_ ? frame.scaled(matrices.viscous) : Mat6::Zero();
     const Resistance norms{elastic.norm(), viscous.norm()}; // no eigenvalue is larger
     if (shares == Shares::none || norms.stable_step() >= enough) return norms;
-    return {largest_eigenvalue(elastic), damped_ ? largest_eigenvalue(viscous) : 0};
+    if (damped_) return {largest_eigenvalue(elastic), largest_eigenvalue(viscous)};
+    return {largest_eigenvalue(elastic, (1 - bound_rounding) * 4 / (enough * enough)), 0};
 }
 
 Resistance StepBounds::of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const {
@@ -384,7 +385,7 @@ StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Mass
 }
 
 // With halves, no share depends on the neighbours' masses, so an eigenvalue is over the body's own mass.
-const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& adjacency) {
+const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& adjacency, double enough) {
     find_resistances(model, adjacency, Masses::inertial);
     const auto& points = model.gridpoints;
     const auto& blocks = model.blocks;
@@ -400,7 +401,7 @@ const BodyStiffness& StepBounds::stiffness(const Model& model, const Adjacency& 
     // Members share the stiffness of their body by mass, so that one factor scales them all.
     for_rows(blocks.size(), [&](Row b) {
         if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return;
-        const Resistance whole = of_block(model, adjacency, b, Shares::halves);
+        const Resistance whole = of_block(model, adjacency, b, Shares::halves, enough);
         if (body_[b] == no_row) stiffness_.of_block[b] = times(whole, blocks.inertial_mass[b]);
         else
             for (const Row m : adjacency.bodies.members(static_cast<std::size_t>(body_[b])))

@@ -71,8 +71,10 @@ public:
     /// (9).
     StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
 
-    /// Stiffness of the bodies of the last update, with the dashpots for the inertial masses; 0 for others.
-    const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency);
+    /// Stiffness of the bodies of the last update, with the dashpots for the inertial masses; 0 for others. It may be larger where rigid
+    /// bodies still allow a step of `enough`.
+    const BodyStiffness& stiffness(const Model& model, const Adjacency& adjacency,
+                                   double enough = std::numeric_limits<double>::infinity());
 
     /// Estimate of the largest eigenvalue of the stiffness matrix over masses, with dashpots 2/step times as stiff: 1/time^2. The bound may
     /// be far above it where many joints act on a body in different directions. Costs as much as many cycles.

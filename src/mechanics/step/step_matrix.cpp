@@ -159,16 +159,18 @@ BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::
 }
 
 // tr(S^p)^(1/p) falls to the largest eigenvalue as p grows: it is t0 t1^(1/2) t2^(1/4) ..., each t the trace of the square of the matrix
-// that was divided by the previous one.
-double largest_eigenvalue(const Mat6& matrix) {
+// that was divided by the previous one. It is at most `enough` where r, the square of the previous r over the trace, is at least 1.
+double largest_eigenvalue(const Mat6& matrix, double enough) {
     std::array<double, squarings + 1> traces;
     SixColumns power = columns_of(matrix);
     traces[0] = trace_of(power);
     if (!(traces[0] > 0)) return 0;
     std::size_t last = 0;
-    while (last < squarings) {
+    double r = enough / traces[0];
+    while (last < squarings && r < 1) {
         power = square_of(power, 1 / traces[last]);
         traces[++last] = trace_of(power);
+        r *= r / traces[last];
         if (traces[last] > 1 - 1e-13) break; // one direction is all
     }
     double product = 1;

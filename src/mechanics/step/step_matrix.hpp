@@ -87,7 +87,8 @@ struct BodyFrame {
 /// `inertia` about the centre, global axes. Held components are left out (the others follow from their momentum).
 BodyFrame make_frame(const Vec3& centre, double mass, const Mat3& inertia, std::uint8_t fixed);
 
-/// An upper bound of the eigenvalues of a positive semidefinite symmetric matrix; it exceeds the largest by less than 0.4 %.
-double largest_eigenvalue(const Mat6& matrix);
+/// An upper bound of the eigenvalues of a positive semidefinite symmetric matrix. It exceeds the largest by less than 0.4 %, or more where it
+/// is at most `enough`.
+double largest_eigenvalue(const Mat6& matrix, double enough = 0);
 
 } // namespace kaya

@@ -70,12 +70,14 @@ double TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew)
         return bounds_.limit(model, adjacency, masses).stable;
     };
     if (settings.mass_scaling == MassScaling::full) {
-        const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
+        const double given = settings.given_time_step;
         if (!anew) {
-            const bool raised = raise_masses(model, stiffness, model.clock.time_step / fraction);
+            const double kept = model.clock.time_step / fraction;
+            const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency, std::max(kept, given));
+            const bool raised = raise_masses(model, stiffness, kept);
             return raised && joints_are_damped(settings) ? stable() : least_stable_step(model, stiffness);
         }
-        const double given = settings.given_time_step;
+        const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency);
         const double target = given > 0 ? given / fraction : mean_stable_step(model, stiffness);
         if (target > 0) scale_masses(model, stiffness, target, lightest);
         return stable();
