@@ -266,10 +266,34 @@ void StepBounds::add_contact(const Model& model, const BodyFrame& frame, const C
     if (damped_) add_dashpots(damped, 1);
 }
 
+/// The most that a rigid body has by equation (4): what it has without its neighbours, and the largest that one of them has. Infinite at
+/// blocks with zones, whose points have different ones.
+Resistance StepBounds::with_neighbours(const Model& model, const Adjacency& adjacency, Row row) const {
+    Resistance largest;
+    const auto take = [&](Row b) {
+        for (auto e = adjacency.of_block.begin(b); e != adjacency.of_block.end(b); ++e) {
+            const Row other = block_of(model, e->contact, 1 - e->side);
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            const Resistance of_other =
+                model.blocks.deformable[other] ? Resistance{infinity, infinity} : resistance_[lead_[other]];
+            largest = {std::max(largest.elastic, of_other.elastic), std::max(largest.viscous, of_other.viscous)};
+        }
+    };
+    if (body_[row] == no_row) take(row);
+    else
+        for (const Row b : adjacency.bodies.members(static_cast<std::size_t>(body_[row]))) take(b);
+    largest.add(resistance_[row]);
+    return largest;
+}
+
 Resistance StepBounds::of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares,
                                 double enough) const {
     const BodyFrame& frame = frames_[row];
     if (!frame.moves()) return {};
+    if (shares == Shares::by_resistance)
+        if (const Resistance most = with_neighbours(model, adjacency, row);
+            most.stable_step() >= (1 + bound_rounding) * enough)
+            return most;
     Matrices matrices;
     const auto add = [&](Row b) {
         for (auto e = adjacency.of_block.begin(b); e != adjacency.of_block.end(b); ++e)
@@ -357,7 +381,7 @@ void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency
     });
 }
 
-StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, Shares shares) const {
+StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, Shares shares, double enough) const {
     const auto& points = model.gridpoints;
     const auto& blocks = model.blocks;
     StepLimit limit;
@@ -367,20 +391,21 @@ StepLimit StepBounds::smallest(const Model& model, const Adjacency& adjacency, S
             const Resistance sum = of_gridpoint(model, adjacency, g, shares);
             return StepLimit{sum.stable_step(), false, g, sum.elastic > 0 ? zone_part_[g] / sum.elastic : 0};
         });
-    take_smaller(limit, smallest_of(blocks.size(), [&](Row b, double smallest) {
-                     if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return StepLimit{};
-                     return StepLimit{of_block(model, adjacency, b, shares, smallest).stable_step(), true, b};
-                 }));
+    take_smaller(
+        limit, smallest_of(blocks.size(), [&](Row b, double smallest) {
+            if (!asked_[b] || blocks.deformable[b] || lead_[b] != b) return StepLimit{};
+            return StepLimit{of_block(model, adjacency, b, shares, std::min(smallest, enough)).stable_step(), true, b};
+        }));
     return limit;
 }
 
-StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Masses masses) {
+StepLimit StepBounds::limit(const Model& model, const Adjacency& adjacency, Masses masses, double enough) {
     find_resistances(model, adjacency, masses);
-    if (alone_) return smallest(model, adjacency, Shares::halves);
-    const StepLimit limit = smallest(model, adjacency, Shares::by_resistance);
+    if (alone_) return smallest(model, adjacency, Shares::halves, enough);
+    const StepLimit limit = smallest(model, adjacency, Shares::by_resistance, enough);
     if (masses == Masses::real || model.settings.mass_scaling == MassScaling::none) return limit;
     // Bounds equal within rounding count as the one that holds without scaling.
-    const StepLimit other = smallest(model, adjacency, Shares::halves);
+    const StepLimit other = smallest(model, adjacency, Shares::halves, enough);
     return other.stable > (1 + bound_rounding) * limit.stable ? other : limit;
 }
 

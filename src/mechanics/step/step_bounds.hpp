@@ -68,8 +68,9 @@ public:
     void update_at(const Model& model, const Adjacency& adjacency, const std::vector<char>& contacts, Of of);
 
     /// Since the last update only inertial masses may have changed. With density scaling, the smaller of the bounds by equations (4) and
-    /// (9).
-    StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial);
+    /// (9). It may be smaller where all bodies allow a step of `enough`, but not smaller than that.
+    StepLimit limit(const Model& model, const Adjacency& adjacency, Masses masses = Masses::inertial,
+                    double enough = std::numeric_limits<double>::infinity());
 
     /// Stiffness of the bodies of the last update, with the dashpots for the inertial masses; 0 for others. It may be larger where rigid
     /// bodies still allow a step of `enough`.
@@ -112,11 +113,12 @@ private:
     double mobility_of_node(const Model& model, Row node) const;
     void add_contact(const Model& model, const BodyFrame& frame, const ContactEntry& entry, Shares shares,
                      Matrices& matrices) const;
+    Resistance with_neighbours(const Model& model, const Adjacency& adjacency, Row row) const;
     /// A coarser bound where it allows a step of `enough`: for bodies that do not limit the step.
     Resistance of_block(const Model& model, const Adjacency& adjacency, Row row, Shares shares,
                         double enough = std::numeric_limits<double>::infinity()) const;
     Resistance of_gridpoint(const Model& model, const Adjacency& adjacency, Row row, Shares shares) const;
-    StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares) const;
+    StepLimit smallest(const Model& model, const Adjacency& adjacency, Shares shares, double enough) const;
 
     bool damped_ = false;
     bool alone_ = false;              ///< bounds need none of the neighbours

@@ -73,7 +73,7 @@ double TimeStep::fit_masses(Model& model, const Adjacency& adjacency, bool anew)
         const double given = settings.given_time_step;
         if (!anew) {
             const double kept = model.clock.time_step / fraction;
-            const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency, std::max(kept, given));
+            const BodyStiffness& stiffness = bounds_.stiffness(model, adjacency, std::max(kept, given / fraction));
             const bool raised = raise_masses(model, stiffness, kept);
             return raised && joints_are_damped(settings) ? stable() : least_stable_step(model, stiffness);
         }
@@ -140,7 +140,7 @@ double TimeStep::without_growth(const Model& model, const Adjacency& adjacency, 
     for (int i = 0; i < 200 && ahead_.update(model, adjacency, step, of); ++i) {
         bounds_.foreseen = &ahead_.springs();
         bounds_.update_at(model, adjacency, ahead_.marks(), StepBounds::Of::bodies_and_neighbours);
-        const double allowed = fraction * bounds_.limit(model, adjacency).stable;
+        const double allowed = fraction * bounds_.limit(model, adjacency, Masses::inertial, step / fraction).stable;
         bounds_.foreseen = nullptr;
         if (allowed >= (1 - rounding) * step) break;
         step = std::max(allowed, 0.5 * step);
@@ -178,7 +178,12 @@ void TimeStep::limit_bodies(Model& model, const Adjacency& adjacency, std::vecto
             }
             stable = fit_masses(model, adjacency, may_grow || clock.time_step == 0);
         } else {
-            stable = bounds_.limit(model, adjacency).stable;
+            // A step that may not grow needs no exact bound where it is short enough.
+            const double enough =
+                may_grow || clock.time_step == 0
+                    ? std::numeric_limits<double>::infinity()
+                    : std::max(clock.time_step, settings.given_time_step) / time_step_fraction(settings);
+            stable = bounds_.limit(model, adjacency, Masses::inertial, enough).stable;
         }
         bounds_.foreseen = nullptr;
     }
