@@ -31,15 +31,16 @@ void add_polygon(const std::vector<Vec3>& polygon, const HalfSpace& face, bool i
     if (polygon.size() < 3) return;
     const Vec3& a = polygon[0];
     const double pa = face.depth(a);
-    Vec3 force = Vec3::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    Vec3 force = Vec3::Zero(), moment = sum.moment; // not in memory, where they might overlap the polygon
+    for (std::size_t i = 1, last = polygon.size() - 1; i < last; ++i) {
         const Vec3 &b = polygon[i], &c = polygon[i + 1];
         const Vec3 area = 0.5 * (b - a).cross(c - a);
         const double pb = face.depth(b), pc = face.depth(c), whole = pa + pb + pc;
         force += whole / 3 * area;
-        sum.moment += (pa * a + pb * b + pc * c + whole * (a + b + c)).cross(area) / 12;
+        moment += (pa * a + pb * b + pc * c + whole * (a + b + c)).cross(area) / 12;
     }
     sum.force += force;
+    sum.moment = moment;
     if (is_end) sum.of_end += force;
 }
 
@@ -66,43 +67,51 @@ struct Extent {
 /// nearby, the region is divided by the plane between two of its faces. docs/theory/contacts.md, equation (9a).
 class DepthIntegral {
 public:
+    /// Faces, by their places among all.
+    using List = std::span<std::size_t>;
+
     /// No place of the part is deeper than `deepest`.
     DepthIntegral(const std::vector<HalfSpace>& faces, FaceOrigin own, double sense, double deepest,
                   DepthScratch& scratch)
         : faces_(faces), own_(own), pushed_(own == FaceOrigin::subject ? FaceOrigin::clipper : FaceOrigin::subject),
           sense_(sense), deepest_(deepest), work_(scratch) {
-        // A division leaves one face less.
+        // A division leaves one face less. The list of a part is behind that of what was divided.
         const std::size_t levels = scratch.near.size();
+        scratch.near.resize(levels * (levels + 1) / 2);
         if (work_.halves.size() < levels) work_.halves.resize(levels);
         if (work_.loops.size() < 2 * levels + 1) work_.loops.resize(2 * levels + 1);
     }
 
-    /// The region is nearest to the faces in the list from `first` on; `level` counts divisions.
-    void add(const ConvexClip& region, std::size_t first, std::size_t level) {
-        if (const auto apex = apex_of(region, first)) add_surface(region, first, *apex);
-        else divide(region, first, level);
+    /// The region is nearest to the faces of the list; `level` counts divisions.
+    void add(const ConvexClip& region, List near, std::size_t level) {
+        if (const auto apex = apex_of(region, near)) add_surface(region, near, *apex);
+        else divide(region, near, level);
     }
 
     const OverlapGradient& sum() const { return sum_; }
 
 private:
-    std::span<const std::size_t> near(std::size_t first) const { return std::span(work_.near).subspan(first); }
+    /// A list without one of its places, behind it.
+    static List without(List list, std::size_t left) {
+        const List rest(list.data() + list.size(), list.size() - 1);
+        for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = list[i < left ? i : i + 1];
+        return rest;
+    }
 
     /// The point of a region's near faces, or two of them; none where they are not near the region.
-    std::optional<Apex> apex_of(const ConvexClip& region, std::size_t first) {
+    std::optional<Apex> apex_of(const ConvexClip& region, List near) {
         const Extent extent(region);
-        const std::size_t count = near(first).size();
-        if (const auto point = common_point(region, near(first), extent)) return Apex{*point, faces_.size()};
-        return count == 3 || count == 4 ? apex_with_end(region, first, extent) : std::nullopt;
+        if (const auto point = common_point(region, near, extent)) return Apex{*point, faces_.size()};
+        return near.size() == 3 || near.size() == 4 ? apex_with_end(region, near, extent) : std::nullopt;
     }
 
     /// A point of all near faces but one, the end, for which it is shifted such that depths are equal where the end meets the others. The face
     /// most opposite to the end must not meet it within the depth of the region.
-    std::optional<Apex> apex_with_end(const ConvexClip& region, std::size_t first, const Extent& extent) {
-        const auto [one, two] = most_opposite(first);
-        std::swap(work_.near[first + two], work_.near.back());
-        const std::span<const std::size_t> list = near(first), rest = list.first(list.size() - 1);
-        const std::size_t end = list.back();
+    std::optional<Apex> apex_with_end(const ConvexClip& region, List near, const Extent& extent) {
+        const auto [one, two] = most_opposite(near);
+        std::swap(near[two], near.back());
+        const List rest = near.first(near.size() - 1);
+        const std::size_t end = near.back();
         if (closest(region, faces_[rest[one]], faces_[end]) <= deepest_) return std::nullopt;
         const auto point = common_point(region, rest, extent);
         if (!point) return std::nullopt;
@@ -185,8 +194,7 @@ private:
     }
 
     /// The places in a list of the two faces that look most in opposite directions, the later one second.
-    std::pair<std::size_t, std::size_t> most_opposite(std::size_t first) const {
-        const std::span<const std::size_t> list = near(first);
+    std::pair<std::size_t, std::size_t> most_opposite(std::span<const std::size_t> list) const {
         std::pair<std::size_t, std::size_t> best{0, 1};
         double least = 2;
         for (std::size_t i = 0; i < list.size(); ++i)
@@ -199,31 +207,27 @@ private:
     }
 
     /// Divides the region between the two faces that look most in opposite directions.
-    void divide(const ConvexClip& region, std::size_t first, std::size_t level) {
-        const auto [one, two] = most_opposite(first);
-        const std::size_t count = near(first).size(), end = first + count;
+    void divide(const ConvexClip& region, List near, std::size_t level) {
+        const auto [one, two] = most_opposite(near);
         for (const auto& [kept, left] : {std::pair(one, two), std::pair(two, one)}) {
-            const HalfSpace &here = faces_[work_.near[first + kept]], &there = faces_[work_.near[first + left]];
+            const HalfSpace &here = faces_[near[kept]], &there = faces_[near[left]];
             ConvexClip& half = work_.halves[level];
             half.copy(region);
             half.clip({there.normal - here.normal, there.reach - here.reach}, FaceOrigin::inner);
-            if (half.empty()) continue;
-            for (std::size_t i = 0; i < count; ++i)
-                if (i != left) work_.near.push_back(work_.near[first + i]);
-            add(half, end, level + 1);
-            work_.near.resize(end);
+            if (!half.empty()) add(half, without(near, left), level + 1);
         }
     }
 
-    void add_surface(const ConvexClip& region, std::size_t first, const Apex& apex) {
+    void add_surface(const ConvexClip& region, List near, const Apex& apex) {
         const bool below_all = faces_.size() > 1; // then the depth vanishes on the body's own faces
         for (std::size_t f = 0; f < region.face_count(); ++f) {
             const FaceOrigin origin = region.origin(f);
             if (below_all && origin == own_) continue;
-            work_.loops[0].clear();
-            for (int i = 0; i < region.corner_count(f); ++i) work_.loops[0].push_back(region.corner(f, i));
+            std::vector<Vec3>& loop = work_.loops[0];
+            loop.resize(static_cast<std::size_t>(region.corner_count(f)));
+            for (int i = 0; i < region.corner_count(f); ++i) loop[static_cast<std::size_t>(i)] = region.corner(f, i);
             Push push;
-            add_parts(0, first, 0, apex.end, push);
+            add_parts(0, near, 0, apex.end, push);
             sum_.value += 0.25 * ((region.corner(f, 0) - apex.point).dot(push.force) - apex.shift.dot(push.of_end));
             if (origin != pushed_) continue;
             sum_.force -= sense_ * push.force;
@@ -231,12 +235,12 @@ private:
         }
     }
 
-    std::size_t nearest(const Vec3& x, std::size_t first) const {
-        std::size_t best = first;
-        double least = faces_[work_.near[first]].depth(x);
-        for (std::size_t i = first + 1; i < work_.near.size();
-             ++i) { // without branches: the processor would guess wrong
-            const double depth = faces_[work_.near[i]].depth(x);
+    /// The place in the list.
+    std::size_t nearest(const Vec3& x, std::span<const std::size_t> list) const {
+        std::size_t best = 0;
+        double least = faces_[list[0]].depth(x);
+        for (std::size_t i = 1; i < list.size(); ++i) { // without branches: the processor would guess wrong
+            const double depth = faces_[list[i]].depth(x);
             best = depth < least ? i : best;
             least = depth < least ? depth : least;
         }
@@ -244,25 +248,21 @@ private:
     }
 
     /// Adds the polygon in a loop: whole where one face of the list is the nearest to all its corners, else its parts.
-    void add_parts(std::size_t place, std::size_t first, std::size_t level, std::size_t apart, Push& push) {
+    void add_parts(std::size_t place, List near, std::size_t level, std::size_t apart, Push& push) {
         const std::vector<Vec3>& polygon = work_.loops[place];
         if (polygon.size() < 3) return;
         const auto add_whole = [&](std::size_t face) { add_polygon(polygon, faces_[face], face == apart, push); };
-        if (work_.near.size() == first + 1) return add_whole(work_.near[first]);
+        if (near.size() == 1) return add_whole(near[0]);
         Vec3 middle = Vec3::Zero();
         for (const Vec3& x : polygon) middle += x;
-        const std::size_t one = nearest(middle / static_cast<double>(polygon.size()), first);
+        const std::size_t one = nearest(middle / static_cast<double>(polygon.size()), near);
         std::size_t two = one;
-        for (std::size_t i = 0; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], first);
-        if (two == one) return add_whole(work_.near[one]);
-        const std::size_t below = 2 * level + 1, above = below + 1, end = work_.near.size();
-        split(place, faces_[work_.near[one]], faces_[work_.near[two]], below, above);
-        for (const auto& [part, left] : {std::pair(below, two), std::pair(above, one)}) {
-            for (std::size_t i = first; i < end; ++i)
-                if (i != left) work_.near.push_back(work_.near[i]);
-            add_parts(part, end, level + 1, apart, push);
-            work_.near.resize(end);
-        }
+        for (std::size_t i = 0; i < polygon.size() && two == one; ++i) two = nearest(polygon[i], near);
+        if (two == one) return add_whole(near[one]);
+        const std::size_t below = 2 * level + 1, above = below + 1;
+        split(place, faces_[near[one]], faces_[near[two]], below, above);
+        add_parts(below, without(near, two), level + 1, apart, push);
+        add_parts(above, without(near, one), level + 1, apart, push);
     }
 
     /// Divides a polygon into the part that is nearer to the first of two faces, and that nearer to the second.
@@ -323,10 +323,12 @@ OverlapGradient depth_gradient(const ConvexClip& part, const std::vector<HalfSpa
     scratch.near.clear();
     for (std::size_t i = 0; i < faces.size(); ++i)
         if (least[i] <= deepest && !holds_plane_of(faces, scratch.near, i)) scratch.near.push_back(i);
+    const std::size_t count = scratch.near.size();
     // The surface of the second body is pushed, or that of the first pushes it.
     DepthIntegral integral(faces, of_subject ? FaceOrigin::subject : FaceOrigin::clipper, of_subject == second ? -1 : 1,
                            deepest, scratch);
-    integral.add(part, 0, 0);
+    const std::span<std::size_t> near = std::span(scratch.near).first(count);
+    integral.add(part, near, 0);
     return integral.sum();
 }
 

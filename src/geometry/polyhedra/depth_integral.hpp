@@ -10,7 +10,7 @@ namespace kaya {
 /// Scratch memory of depth_gradient: no result depends on it.
 struct DepthScratch {
     std::vector<double> least;            ///< depth of the part below each face
-    std::vector<std::size_t> near;        ///< a stack of lists of faces
+    std::vector<std::size_t> near;        ///< lists of faces, one behind the other
     std::vector<ConvexClip> halves;       ///< a stack of regions
     std::vector<std::vector<Vec3>> loops; ///< a stack of polygons
 };

@@ -149,6 +149,28 @@ TEST(StepBounds, TheBoundIsCertainAndSharpForSlenderStackedAndVeryDifferentBlock
             }
 }
 
+// A body has a coarse bound only where that allows the step that is asked for.
+TEST(StepBounds, ALimitIsExactUnlessAllBodiesAllowTheStepThatIsEnough) {
+    for (const auto& family : families)
+        for (const double damping : {0.0, 0.3}) {
+            Placed p;
+            p.stand([&](Placed& placed) { family.build(placed); }, damping, 1e9, 3e8);
+            p.cycle.prepare();
+            const Adjacency adjacency = make_adjacency(p.model);
+            StepBounds bounds;
+            for (const auto of : {StepBounds::Of::bodies, StepBounds::Of::bodies_and_neighbours}) {
+                bounds.update(p.model, adjacency, of);
+                const double exact = bounds.limit(p.model, adjacency).stable;
+                for (const double part : {0.2, 0.5, 0.8, 0.95, 0.99, 1.0, 1 + 1e-9, 1.01, 1.5, 10.0}) {
+                    const double enough = part * exact,
+                                 coarse = bounds.limit(p.model, adjacency, Masses::inertial, enough).stable;
+                    EXPECT_LE(coarse, exact) << family.name << " " << part;
+                    EXPECT_GE(coarse, std::min(enough, exact)) << family.name << " " << part;
+                }
+            }
+        }
+}
+
 TEST(StepBounds, TheBoundDoesNotDependOnPlaceAndFrameAndFollowsTheSize) {
     const auto stable = [](const Mat3& turn, const Vec3& way, double size) {
         Placed bench;
