@@ -149,7 +149,7 @@ TEST(StepBounds, TheBoundIsCertainAndSharpForSlenderStackedAndVeryDifferentBlock
             }
 }
 
-// A body has a coarse bound only where that allows the step that is asked for.
+// A body has a coarse bound only where that allows the wanted step.
 TEST(StepBounds, ALimitIsExactUnlessAllBodiesAllowTheStepThatIsEnough) {
     for (const auto& family : families)
         for (const double damping : {0.0, 0.3}) {
@@ -166,6 +166,28 @@ TEST(StepBounds, ALimitIsExactUnlessAllBodiesAllowTheStepThatIsEnough) {
                                  coarse = bounds.limit(p.model, adjacency, Masses::inertial, enough).stable;
                     EXPECT_LE(coarse, exact) << family.name << " " << part;
                     EXPECT_GE(coarse, std::min(enough, exact)) << family.name << " " << part;
+                }
+            }
+        }
+}
+
+TEST(StepBounds, TheStiffnessOfABodyIsExactUnlessItAllowsTheStepThatIsEnough) {
+    for (const auto& family : families)
+        for (const double damping : {0.0, 0.3}) {
+            Placed p;
+            p.stand([&](Placed& placed) { family.build(placed); }, damping, 1e9, 3e8);
+            p.cycle.prepare();
+            const Adjacency adjacency = make_adjacency(p.model);
+            StepBounds bounds;
+            bounds.update(p.model, adjacency, StepBounds::Of::bodies);
+            const std::vector<Resistance> exact = bounds.stiffness(p.model, adjacency).of_block;
+            for (const double enough : {1e-5, 1e-4, 1e-3, 1e-2}) {
+                const auto& coarse = bounds.stiffness(p.model, adjacency, enough).of_block;
+                for (std::size_t b = 0; b < coarse.size(); ++b) {
+                    EXPECT_GE(coarse[b].elastic, exact[b].elastic) << family.name << " " << b;
+                    EXPECT_TRUE(coarse[b].elastic == exact[b].elastic ||
+                                coarse[b].over(p.model.blocks.inertial_mass[b]).stable_step() >= enough)
+                        << family.name << " " << b << " " << enough;
                 }
             }
         }
