@@ -158,9 +158,8 @@ std::string mesh_text(const FailureMode::Shares& shares, bool extrapolated) {
     struct Errors {
         double low, high;
     };
-    constexpr double least = 2; // fewer say nothing about a slope
     const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.6, 1.8};
-    if (shares.zones_high < least) return {};
+    if (shares.zones_high < fewest_zones) return {};
     const char* const advice = extrapolated         ? ""
                                : shares.joints_move ? ": try a finer mesh too"
                                                     : ": try a finer mesh too, or solve fos extrapolate";

@@ -47,6 +47,9 @@ private:
     double joint_loss_, zone_loss_;
 };
 
+/// Over the height of what moved; fewer say nothing about a slope: their error is not in proportion to their size.
+constexpr double fewest_zones = 2;
+
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
 

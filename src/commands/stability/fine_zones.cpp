@@ -34,8 +34,7 @@ std::optional<FineFactor> fine_factor(double own, double shared, const FailureMo
     // Of the family of slopes in docs/theory/slopes.md: the error of sharing as a part of what it takes away, n times the error that remains
     // with n zones over the height, and the error of many.
     constexpr double part = 0.2, spread = 0.2, least_error = 0.005;
-    constexpr double fewest = 2; // the error of fewer zones is not in proportion to their size
-    if (mode.zones_high < fewest || shared > own * (1 + resolution)) return std::nullopt;
+    if (mode.zones_high < fewest_zones || shared > own * (1 + resolution)) return std::nullopt;
     const double factor = shared - part * (own - shared);
     const double unknown = 0.5 * resolution * ((1 + part) * shared + part * own);
     return FineFactor{factor, (spread / mode.zones_high + least_error) * factor + unknown};

@@ -2,6 +2,7 @@
 
 #include "base/plane_cross.hpp"
 #include "base/vector.hpp"
+#include "geometry/overlay/fans.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -236,23 +237,22 @@ private:
     PointFinder finder_;
     std::vector<int>& ring_;
 
-    /// The mean over the fans from all corners of the piece, which no corner is the first of.
     void add_fans() {
         const std::size_t n = ring_.size(), fans = n == 3 ? 1 : n;
-        for (std::size_t apex = 0; apex < fans; ++apex)
-            for (std::size_t i = 1; i + 1 < n; ++i)
-                add_triangle({ring_[apex], ring_[(apex + i) % n], ring_[(apex + i + 1) % n]},
-                             1.0 / static_cast<double>(fans));
+        for_fans(fans, n, [&](std::size_t a, std::size_t b, std::size_t c) {
+            add_triangle({ring_[a], ring_[b], ring_[c]}, 1.0 / static_cast<double>(fans));
+        });
     }
 
     void add_fine(const SweepItem& one, int triangle2) {
-        for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
-            for_parts({points_[ring_[0]].place, points_[ring_[i]].place, points_[ring_[i + 1]].place}, edge_,
+        for_fans(1, ring_.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
+            for_parts({points_[ring_[a]].place, points_[ring_[b]].place, points_[ring_[c]].place}, edge_,
                       [&](const std::array<Vec2, 3>& part) {
                           add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
                                         point_at(one, triangle2, part[2])},
                                        1);
                       });
+        });
     }
 
     /// The point here, which neighbouring pieces have in common.

@@ -1,6 +1,7 @@
 #include "geometry/overlay/polygon_overlay.hpp"
 
 #include "base/plane_cross.hpp"
+#include "geometry/overlay/fans.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -212,13 +213,11 @@ void corners_of_polygon(const std::vector<Vec2>& polygon, Overlay& result) {
     result.points.clear();
     for (const Vec2& p : polygon) add(result, p, 0);
     const std::size_t n = polygon.size();
-    for (std::size_t apex = 0; apex < n; ++apex)
-        for (std::size_t i = 1; i + 1 < n; ++i) {
-            const std::size_t b = (apex + i) % n, c = (apex + i + 1) % n;
-            const double triangle = 0.5 * cross(polygon[b] - polygon[apex], polygon[c] - polygon[apex]);
-            for (const std::size_t corner : {apex, b, c})
-                result.points[corner].area += triangle / (3 * static_cast<double>(n));
-        }
+    for_fans(n, n, [&](std::size_t a, std::size_t b, std::size_t c) {
+        const double triangle = 0.5 * cross(polygon[b] - polygon[a], polygon[c] - polygon[a]);
+        for (const std::size_t corner : {a, b, c})
+            result.points[corner].area += triangle / (3 * static_cast<double>(n));
+    });
 }
 
 } // namespace kaya

@@ -40,13 +40,6 @@ void turn_plane(Model& model, Row c) {
     }
 }
 
-inline void add_work(JointWork& work, const SubContacts& subs, Row row, const RowsOfEight& group,
-                     const Eight3& shear_force, const Eight& opening, const Eight3& slip) {
-    work.joint += group.load(subs.normal_force.data() + row) * opening + shear_force.dot(slip);
-    work.friction += group.load(subs.frictional_work.data() + row);
-    work.fluid += group.load(subs.pore_pressure.data() + row) * group.load(subs.area.data() + row) * opening;
-}
-
 /// Vectors in the plane of a contact stay in it and turn with the mean rotation of the blocks.
 inline Eight3 turned_in_plane(const Eight3& vector, const Eight3& n, const Eight& twist) {
     const Eight3 flat = in_plane(vector, n);
@@ -202,7 +195,9 @@ void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size
             group.store(subs.shear_force, i, force);
             turn_kept(subs, kept, i, group, n, twist);
         }
-        add_work(own, subs, i, group, force, opening, shear);
+        own.joint += group.load(subs.normal_force.data() + i) * opening + force.dot(shear);
+        own.friction += group.load(subs.frictional_work.data() + i);
+        own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * opening;
     }
     work.add(own);
     if (large) model.contacts.slip_since_update[c] += std::sqrt(largest(farthest));

@@ -1,4 +1,4 @@
-// Strains and stresses of flowing zones as means of their neighbourhood: docs/theory/slopes.md, zones that are too strong.
+// Strains and stresses of flowing zones as means of their neighbourhood: docs/theory/slopes.md, "Shared strains".
 #pragma once
 
 #include "mechanics/zones/point_means.hpp"

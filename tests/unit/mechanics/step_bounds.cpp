@@ -149,48 +149,49 @@ TEST(StepBounds, TheBoundIsCertainAndSharpForSlenderStackedAndVeryDifferentBlock
             }
 }
 
-// A body has a coarse bound only where that allows the wanted step.
-TEST(StepBounds, ALimitIsExactUnlessAllBodiesAllowTheStepThatIsEnough) {
-    for (const auto& family : families)
+/// Calls check(name, placed, adjacency) for all families, without dashpots and with them.
+template <class Check> void for_families(const Check& check) {
+    for (const Family& family : families)
         for (const double damping : {0.0, 0.3}) {
             Placed p;
-            p.stand([&](Placed& placed) { family.build(placed); }, damping, 1e9, 3e8);
+            p.stand(family.build, damping, 1e9, 3e8);
             p.cycle.prepare();
-            const Adjacency adjacency = make_adjacency(p.model);
-            StepBounds bounds;
-            for (const auto of : {StepBounds::Of::bodies, StepBounds::Of::bodies_and_neighbours}) {
-                bounds.update(p.model, adjacency, of);
-                const double exact = bounds.limit(p.model, adjacency).stable;
-                for (const double part : {0.2, 0.5, 0.8, 0.95, 0.99, 1.0, 1 + 1e-9, 1.01, 1.5, 10.0}) {
-                    const double enough = part * exact,
-                                 coarse = bounds.limit(p.model, adjacency, Masses::inertial, enough).stable;
-                    EXPECT_LE(coarse, exact) << family.name << " " << part;
-                    EXPECT_GE(coarse, std::min(enough, exact)) << family.name << " " << part;
-                }
-            }
+            check(family.name, p, make_adjacency(p.model));
         }
 }
 
-TEST(StepBounds, TheStiffnessOfABodyIsExactUnlessItAllowsTheStepThatIsEnough) {
-    for (const auto& family : families)
-        for (const double damping : {0.0, 0.3}) {
-            Placed p;
-            p.stand([&](Placed& placed) { family.build(placed); }, damping, 1e9, 3e8);
-            p.cycle.prepare();
-            const Adjacency adjacency = make_adjacency(p.model);
-            StepBounds bounds;
-            bounds.update(p.model, adjacency, StepBounds::Of::bodies);
-            const std::vector<Resistance> exact = bounds.stiffness(p.model, adjacency).of_block;
-            for (const double enough : {1e-5, 1e-4, 1e-3, 1e-2}) {
-                const auto& coarse = bounds.stiffness(p.model, adjacency, enough).of_block;
-                for (std::size_t b = 0; b < coarse.size(); ++b) {
-                    EXPECT_GE(coarse[b].elastic, exact[b].elastic) << family.name << " " << b;
-                    EXPECT_TRUE(coarse[b].elastic == exact[b].elastic ||
-                                coarse[b].over(p.model.blocks.inertial_mass[b]).stable_step() >= enough)
-                        << family.name << " " << b << " " << enough;
-                }
+// A body has a coarse bound only where that allows the wanted step.
+TEST(StepBounds, ALimitIsExactUnlessAllBodiesAllowTheStepThatIsEnough) {
+    for_families([](const char* name, const Placed& p, const Adjacency& adjacency) {
+        StepBounds bounds;
+        for (const auto of : {StepBounds::Of::bodies, StepBounds::Of::bodies_and_neighbours}) {
+            bounds.update(p.model, adjacency, of);
+            const double exact = bounds.limit(p.model, adjacency).stable;
+            for (const double part : {0.2, 0.5, 0.8, 0.95, 0.99, 1.0, 1 + 1e-9, 1.01, 1.5, 10.0}) {
+                const double enough = part * exact,
+                             coarse = bounds.limit(p.model, adjacency, Masses::inertial, enough).stable;
+                EXPECT_LE(coarse, exact) << name << " " << part;
+                EXPECT_GE(coarse, std::min(enough, exact)) << name << " " << part;
             }
         }
+    });
+}
+
+TEST(StepBounds, TheStiffnessOfABodyIsExactUnlessItAllowsTheStepThatIsEnough) {
+    for_families([](const char* name, const Placed& p, const Adjacency& adjacency) {
+        StepBounds bounds;
+        bounds.update(p.model, adjacency, StepBounds::Of::bodies);
+        const std::vector<Resistance> exact = bounds.stiffness(p.model, adjacency).of_block;
+        for (const double enough : {1e-5, 1e-4, 1e-3, 1e-2}) {
+            const auto& coarse = bounds.stiffness(p.model, adjacency, enough).of_block;
+            for (std::size_t b = 0; b < coarse.size(); ++b) {
+                EXPECT_GE(coarse[b].elastic, exact[b].elastic) << name << " " << b;
+                EXPECT_TRUE(coarse[b].elastic == exact[b].elastic ||
+                            coarse[b].over(p.model.blocks.inertial_mass[b]).stable_step() >= enough)
+                    << name << " " << b << " " << enough;
+            }
+        }
+    });
 }
 
 TEST(StepBounds, TheBoundDoesNotDependOnPlaceAndFrameAndFollowsTheSize) {
