@@ -40,7 +40,8 @@ struct Solve {
     enum class Reduced { joints, zones, friction, cohesion, tension };
     std::vector<Reduced> included, excluded; ///< of fos: the properties that are reduced; none included: all
     bool keep = false;                       ///< of fos: keep the failed state of the model
-    bool extrapolate = false;                ///< of fos: estimate the factor of fine zones
+    std::optional<bool>
+        extrapolate; ///< of fos: whether to estimate the factor of fine zones; none: where that is possible
     Place place;
 };
 /// solve control: loads are scaled such that their bodies move at a given speed, or a boundary is driven.

@@ -148,9 +148,10 @@ CommandSpec solve() {
         .action(
             {"keep"}, [](Solve& s) { s.keep = true; },
             "with fos: the model keeps the state at the end of the last failed trial")
-        .action(
-            {"extrapolate"}, [](Solve& s) { s.extrapolate = true; },
-            "with fos: estimates the factor on fine zones, with a band, by a second search whose zones share their strains with their neighbours")
+        .keyword(
+            {"extrapolate"},
+            Parts<Solve>().set(&Solve::extrapolate, true).maybe(on_off().optional(), &Solve::extrapolate),
+            "with fos: estimates the factor on fine zones, with a band, by a second search whose zones share their strains with their neighbours; off: the factor is that of the mesh; not given: where the model allows it")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
             const std::string& last = reader.previous().folded;
@@ -184,6 +185,7 @@ CommandSpec solve() {
         .right("solve fos exclude zones keep")
         .right("solve fos include joints include friction")
         .right("solve fos extrapolate")
+        .right("solve fos extrapolate off")
         .wrong("solve bracket 1 2", "bracket, file, include, exclude, keep and extrapolate belong to fos")
         .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
         .wrong("solve fos bracket 2 1", "the stable factor must be below the failing one")

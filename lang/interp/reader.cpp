@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 
 namespace kaya::lang {
 
@@ -20,6 +21,15 @@ Diagnostic wrong(std::string code, const Place& place, std::string message, std:
 }
 
 std::string expected(const ArgumentSpec& argument) { return "expected: " + describe(argument); }
+
+/// What a word says that means on or off.
+std::optional<bool> switched(const Word& word) {
+    for (const auto yes : {"on", "true", "yes"})
+        if (word.folded == yes) return true;
+    for (const auto no : {"off", "false", "no"})
+        if (word.folded == no) return false;
+    return std::nullopt;
+}
 
 void refuse_open(const Word& word) {
     if (word.kind != WordKind::open) return;
@@ -95,6 +105,11 @@ void Reader::check_limits(const ArgumentSpec& argument, double value) const {
 bool Reader::at_number() const {
     const Word* word = peek();
     return word && (word->kind == WordKind::number || word->late());
+}
+
+bool Reader::at_on_off() const {
+    const Word* word = peek();
+    return word && (word->late() || switched(*word));
 }
 
 void Reader::missing(const ArgumentSpec& argument) const {
@@ -259,10 +274,7 @@ bool Reader::on_off(const ArgumentSpec& argument) {
         if (const auto* i = std::get_if<std::int64_t>(&got)) return *i != 0;
         throw wrong_value(word, got, argument, "on or off");
     }
-    for (const auto yes : {"on", "true", "yes"})
-        if (word.folded == yes) return true;
-    for (const auto no : {"off", "false", "no"})
-        if (word.folded == no) return false;
+    if (const auto on = switched(word)) return *on;
     throw wrong("not-on-off", word.place, fmt::format("expected on or off, found {}", word.shown()),
                 expected(argument));
 }

@@ -46,6 +46,8 @@ public:
 
     /// A number, or something that may turn out to be one.
     bool at_number() const;
+    /// `on`, `off` and their like, or something that may turn out to be one.
+    bool at_on_off() const;
     /// Anything but the end.
     bool at_value() const { return !at_end(); }
 

@@ -150,14 +150,22 @@ std::optional<double> shared_factor(const TrialBench& bench, ModelOnTrial& model
     return closed(bracket) ? std::optional(middle(bracket)) : std::nullopt;
 }
 
-/// Prints the factor on fine zones and returns it; that of the mesh where there is none.
-double say_fine_factor(Output& output, double own, std::optional<double> shared,
-                       const std::optional<FailureMode::Shares>& mode, double resolution) {
-    const auto fine = shared && mode ? fine_factor(own, *shared, *mode, resolution) : std::nullopt;
+/// Searches and prints the factor on fine zones; none where there is none, which is printed too. `own` is that of the mesh.
+std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial& model, const lang::Solve& command,
+                                           double own, const FailureMode::Shares& mode) {
+    Output& output = bench.session.program.output;
+    if (mode.zones_high < fewest_zones) {
+        output.say("no factor of safety on fine zones: too few zones moved; try a finer mesh");
+        return std::nullopt;
+    }
+    output.say(
+        "the search is repeated with strains that zones share with their neighbours (extrapolate off: it is not)");
+    const std::optional<double> shared = shared_factor(bench, model, command, own);
+    const auto fine = shared ? fine_factor(own, *shared, mode, command.resolution) : std::nullopt;
     if (!fine) {
-        output.say("no factor of safety on fine zones: too few zones moved, or sharing their strains does not make "
-                   "them weaker; try a finer mesh");
-        return own;
+        output.say(
+            "no factor of safety on fine zones: sharing their strains does not make them weaker; try a finer mesh");
+        return std::nullopt;
     }
     output.say(
         fmt::format("factor of safety on fine zones: {:.4g}, between {:.4g} and {:.4g}; {:.4g} with shared strains",
@@ -165,60 +173,61 @@ double say_fine_factor(Output& output, double own, std::optional<double> shared,
     return fine->factor;
 }
 
+/// What moved, how, and in which mesh.
+void say_failure(Output& output, const StrengthSearch& search, const FailureMode::Shares* mode, FineZones fine) {
+    if (const std::string moving = search.mechanism(); !moving.empty()) output.say(moving);
+    if (!mode) return;
+    output.say(mode_text(*mode));
+    if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.say(mesh);
+}
+
+/// Prints what the search found; returns the factor, or the nearest one that was tried.
+double say_factor(Output& output, const Bracket& bracket) {
+    if (bracket.stands == 0) {
+        output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
+        return bracket.fails;
+    }
+    if (!std::isfinite(bracket.fails)) {
+        output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
+        return bracket.stands;
+    }
+    output.say(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+                           middle(bracket), bracket.stands, bracket.fails));
+    return middle(bracket);
+}
+
 } // namespace
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
-    Bracket bracket;
-    std::optional<FailureMode::Shares> mode;
-    std::optional<double> shared;
+    Output& output = session.program.output;
     const double guess = command.bracket ? 0 : guessed_factor(session);
-    if (guess > 0) session.program.output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
+    if (guess > 0) output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
+    double factor = 0;
     {
         session.engine.cycle->prepare(); // contacts must have their properties
         const Asked asked(command);
         check_for_trials(session, asked, command.place);
-        if (command.extrapolate) check_for_fine_zones(session, asked, command.place);
-        Progress progress(session.program.output, session.engine.model, {});
+        const FineZones fine = fine_zones(session, asked, command);
+        Progress progress(output, session.engine.model, {});
         const double ratio = limits.ratio.value_or(default_ratio);
         ModelOnTrial model(session, asked);
         const std::int64_t span =
             command.cycles ? *command.cycles : characteristic_span(session, progress, ratio, command.place);
         const TrialBench bench{session, asked, model.initial(), ratio, span, progress};
         StrengthSearch search(bench, model, command);
-        bracket = command.bracket ? given_bracket(search, command)
-                  : guess > 0     ? bracket_around(search, guess)
-                                  : found_bracket(search);
+        Bracket bracket = command.bracket ? given_bracket(search, command)
+                          : guess > 0     ? bracket_around(search, guess)
+                                          : found_bracket(search);
         if (closed(bracket))
             bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
-        if (const auto& failed = search.failed()) {
-            if (const std::string moving = search.mechanism(); !moving.empty()) session.program.output.say(moving);
-            mode = failed->mode;
-        }
-        if (command.extrapolate && closed(bracket)) {
-            session.program.output.say("the search is repeated with strains that zones share with their neighbours");
-            shared = shared_factor(bench, model, command, middle(bracket));
-        }
+        const auto mode = search.failed() ? search.failed()->mode : std::nullopt;
+        say_failure(output, search, mode ? &*mode : nullptr, fine);
+        factor = say_factor(output, bracket);
+        if (fine == FineZones::searched && closed(bracket))
+            factor = factor_on_fine_zones(bench, model, command, factor, mode.value_or(FailureMode::Shares{}))
+                         .value_or(factor);
     }
-    if (mode) {
-        session.program.output.say(mode_text(*mode));
-        if (const std::string mesh = mesh_text(*mode, command.extrapolate); !mesh.empty())
-            session.program.output.say(mesh);
-    }
-    double& factor = session.engine.model.clock.factor_of_safety;
-    if (bracket.stands == 0) {
-        factor = bracket.fails;
-        session.program.output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
-    } else if (!std::isfinite(bracket.fails)) {
-        factor = bracket.stands;
-        session.program.output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
-    } else {
-        factor = middle(bracket);
-        session.program.output.say(
-            fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
-                        factor, bracket.stands, bracket.fails));
-        if (command.extrapolate)
-            factor = say_fine_factor(session.program.output, factor, shared, mode, command.resolution);
-    }
+    session.engine.model.clock.factor_of_safety = factor;
 }
 
 } // namespace kaya

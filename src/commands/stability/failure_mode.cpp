@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -153,20 +154,18 @@ std::string mode_text(const FailureMode::Shares& shares) {
         name_of(shares), 100 * shares.turning, 100 * shares.zones);
 }
 
-std::string mesh_text(const FailureMode::Shares& shares, bool extrapolated) {
+std::string mesh_text(const FailureMode::Shares& shares, FineZones fine) {
     // Errors of slopes times the number of zones over their height: docs/theory/slopes.md, "Mesh refinement".
     struct Errors {
         double low, high;
     };
     const Errors errors = shares.in_cells ? Errors{0.15, 0.8} : Errors{0.6, 1.8};
     if (shares.zones_high < fewest_zones) return {};
-    const char* const advice = extrapolated         ? ""
-                               : shares.joints_move ? ": try a finer mesh too"
-                                                    : ": try a finer mesh too, or solve fos extrapolate";
+    constexpr std::array advice{": try a finer mesh too", ": try a finer mesh too, or solve fos extrapolate", ""};
     return fmt::format(
         "mesh: {:.1f} {} over the height of the zones that moved; a band of slip is as wide as a zone, so slopes get factors {:.0f} to {:.0f} % too high{}",
         shares.zones_high, shares.in_cells ? "cells" : "tetrahedra", 100 * errors.low / shares.zones_high,
-        100 * errors.high / shares.zones_high, advice);
+        100 * errors.high / shares.zones_high, advice[static_cast<std::size_t>(fine)]);
 }
 
 std::string farthest_text(const Model& start, const Model& model, double factor) {

@@ -53,8 +53,11 @@ constexpr double fewest_zones = 2;
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
 
+/// What a model's factor of safety on fine zones is: docs/theory/slopes.md, "Shared strains".
+enum class FineZones { unknown, on_request, searched };
+
 /// How coarse the mesh is where zones yield, and what to do about it unless the factor on fine zones follows; "" where they do not.
-std::string mesh_text(const FailureMode::Shares& shares, bool extrapolated);
+std::string mesh_text(const FailureMode::Shares& shares, FineZones fine);
 
 /// The block that has moved most since `start`, and the number of blocks that moved far; "" without motion.
 std::string farthest_text(const Model& start, const Model& model, double factor);

@@ -7,27 +7,59 @@
 
 namespace kaya {
 
-void check_for_fine_zones(Session& session, const Asked& asked, const Place& place) {
+namespace {
+
+bool weakens(const ZoneModel& zones) { return zones.flows() && can_be_reduced(zones); }
+
+/// Why a model has no factor on fine zones; none where it has one.
+std::optional<Diagnostic> objection(Session& session, const Asked& asked) {
     const Model& model = session.engine.model;
     const auto names = zone_models_in_use(model);
     const bool flow = asked(Reduced::zones) && std::ranges::any_of(names, [&](const auto& name) {
-                          const ZoneModel& zones = session.engine.joints.zones.get(name);
-                          return zones.flows() && can_be_reduced(zones);
+                          return weakens(session.engine.joints.zones.get(name));
                       });
     if (!flow)
-        throw Diagnostic("extrapolate needs zones whose strength is divided: only their factor depends on their size",
-                         "leave extrapolate out")
-            .at(place);
+        return Diagnostic("extrapolate needs zones whose strength is divided: only their factor depends on their size",
+                          "leave extrapolate out");
     if (model.contacts.size() > 0)
-        throw Diagnostic("extrapolate is for models without joints: zones that share their strains do not resist the "
-                         "uneven forces of joints",
-                         "leave extrapolate out and run two meshes, or join the blocks")
-            .at(place);
+        return Diagnostic("extrapolate is for models without joints: zones that share their strains do not resist the "
+                          "uneven forces of joints",
+                          "leave extrapolate out and run two meshes, or join the blocks");
     if (model.structures.stand())
-        throw Diagnostic("extrapolate is for models without cables, beams and liners: zones that share their strains "
-                         "do not resist the uneven forces of structures",
-                         "leave extrapolate out and run two meshes")
-            .at(place);
+        return Diagnostic("extrapolate is for models without cables, beams and liners: zones that share their strains "
+                          "do not resist the uneven forces of structures",
+                          "leave extrapolate out and run two meshes");
+    return std::nullopt;
+}
+
+/// Whether the zones of a block dilate as much as they have friction; false where their strength is given otherwise than by an angle.
+bool is_associated(const Model& model, Row block, const ZoneModel& zones) {
+    const auto dilation = zones.find_property("bdilation");
+    if (!dilation) return false;
+    const std::vector<double> values = zone_model_values(model, block, zones);
+    bool any = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (zones.properties[i].reduction != KAYA_ZREDUCE_TANGENT) continue;
+        if (!(values[i] <= values[*dilation])) return false;
+        any = true;
+    }
+    return any;
+}
+
+} // namespace
+
+FineZones fine_zones(Session& session, const Asked& asked, const lang::Solve& command) {
+    const auto against = objection(session, asked);
+    if (against && command.extrapolate.value_or(false)) throw Diagnostic(*against).at(command.place);
+    if (against) return FineZones::unknown;
+    if (command.extrapolate) return *command.extrapolate ? FineZones::searched : FineZones::on_request;
+    const Model& model = session.engine.model;
+    for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
+        if (!model.blocks.deformable[b]) continue;
+        const ZoneModel& zones = session.engine.joints.zones.get(zone_model_of(model, b));
+        if (weakens(zones) && !is_associated(model, b, zones)) return FineZones::on_request;
+    }
+    return FineZones::searched;
 }
 
 std::optional<FineFactor> fine_factor(double own, double shared, const FailureMode::Shares& mode, double resolution) {

@@ -15,9 +15,10 @@ struct FineFactor {
     double factor, error;
 };
 
-/// Throws Diagnostic for a model whose factor does not depend on the size of its zones alone: without zones that flow, with joints, or with
-/// structures.
-void check_for_fine_zones(Session& session, const Asked& asked, const Place& place);
+/// Whether `solve fos` searches the factor on fine zones: by itself where every zone that flows dilates as much as it has friction, as in
+/// the slopes that the estimate was fitted to. Throws Diagnostic where the command asks for it and the model has none: without zones
+/// that flow, with joints, or with structures.
+FineZones fine_zones(Session& session, const Asked& asked, const lang::Solve& command);
 
 /// From the factors of the zones as they are, and of those that share their strains. Both are known within half of `resolution`, a part of
 /// them. None where too few zones failed to say, or where sharing makes the zones stronger.
