@@ -4,6 +4,7 @@
 #include "mechanics/zones/zone_laws.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kaya {
 
@@ -32,18 +33,15 @@ std::optional<Diagnostic> objection(Session& session, const Asked& asked) {
     return std::nullopt;
 }
 
-/// Whether the zones of a block dilate as much as they have friction; false where their strength is given otherwise than by an angle.
-bool is_associated(const Model& model, Row block, const ZoneModel& zones) {
-    const auto dilation = zones.find_property("bdilation");
-    if (!dilation) return false;
+/// Whether the zones of a block are those that the estimate was fitted to: Mohr-Coulomb zones that dilate as much as they have friction.
+bool is_verified(const Model& model, Row block, const ZoneModel& zones) {
+    if (zones.name != "mohr-coulomb") return false;
     const std::vector<double> values = zone_model_values(model, block, zones);
-    bool any = false;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (zones.properties[i].reduction != KAYA_ZREDUCE_TANGENT) continue;
-        if (!(values[i] <= values[*dilation])) return false;
-        any = true;
-    }
-    return any;
+    const auto value = [&](std::string_view word) {
+        const auto at = zones.find_property(word);
+        return at ? values[*at] : NAN;
+    };
+    return value("bfriction") <= value("bdilation");
 }
 
 } // namespace
@@ -57,7 +55,7 @@ FineZones fine_zones(Session& session, const Asked& asked, const lang::Solve& co
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
         if (!model.blocks.deformable[b]) continue;
         const ZoneModel& zones = session.engine.joints.zones.get(zone_model_of(model, b));
-        if (weakens(zones) && !is_associated(model, b, zones)) return FineZones::on_request;
+        if (weakens(zones) && !is_verified(model, b, zones)) return FineZones::on_request;
     }
     return FineZones::searched;
 }
