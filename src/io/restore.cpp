@@ -196,6 +196,14 @@ Diagnostic other_format(const std::string& name, std::int32_t version, const std
     return refusal;
 }
 
+/// Contacts and loads of models of earlier programs are those of triangles on the outer faces of cells: so they stay, and no force jumps.
+/// `missing`: what the file lacks.
+void keep_triangles(Model& model, const std::vector<std::string>& missing) {
+    if (std::ranges::find(missing, "settings/triangular_outer_faces") == missing.end()) return;
+    model.settings.triangular_outer_faces =
+        std::ranges::any_of(model.blocks.cell_zones, [](std::int32_t zones) { return zones > 0; });
+}
+
 } // namespace
 
 SaveExtras restore_image(Model& model, std::string_view image, const std::string& name) {
@@ -225,6 +233,7 @@ SaveExtras restore_image(Model& model, std::string_view image, const std::string
                 "its content does not add up to the state hash in it: {:016x} is not {:016x}";
             throw other_state(name, fmt::format(text, present, hash), archive);
         }
+        keep_triangles(fresh, extras.missing);
     } catch (const TreeError& error) { throw unusable(name, error.what()); } catch (const std::bad_alloc&) {
         throw unusable(name, "there is not enough memory for it");
     }

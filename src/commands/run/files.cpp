@@ -160,7 +160,9 @@ void run(Session& session, const lang::Restore& command) {
     if (!extras.missing.empty())
         session.note_once(fmt::format("'{}' was saved by kaya {}, which did not have these yet: {}", file,
                                       extras.program_version, fmt::join(extras.missing, ", ")),
-                          "they have the values of a new model");
+                          session.engine.model.settings.triangular_outer_faces
+                              ? "outer faces of cells stay triangles; all else has the values of a new model"
+                              : "they have the values of a new model");
     session.deck.property_places.clear();
     session.engine.make_cycle();
     session.autosave->saved();

@@ -2,6 +2,8 @@
 
 #include "geometry/overlay/polygon_overlay.hpp"
 #include "mechanics/contact/corner_contact.hpp"
+#include "mechanics/contact/face_joint.hpp"
+#include "mechanics/contact/surface_shares.hpp"
 #include "mechanics/shape/corner_joints.hpp"
 #include "mechanics/shape/overlap_patch.hpp"
 #include "mechanics/shape/search_scratch.hpp"
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace kaya {
 
@@ -40,137 +41,6 @@ constexpr double persistence = 0.25;
 double edge_between(const Model& model, Row block1, Row block2) {
     const double length = length_between(model, block1, block2);
     return std::isinf(length) ? 0 : length;
-}
-
-/// The sum of `of` the area vectors of a vertex, one for each face at it.
-template <class Of> double sum_at_vertex(const Model& model, Row block, Row vertex, const Of& of) {
-    const auto& x = model.gridpoints.position;
-    double sum = 0;
-    const Span faces = model.blocks.faces[block];
-    for (Row f = faces.first; f < faces.end(); ++f) {
-        const Span triangles = model.faces.triangles[f];
-        Vec3 whole = Vec3::Zero(), around = Vec3::Zero();
-        for (Row t = triangles.first; t < triangles.end(); ++t) {
-            const auto& g = model.triangles.gridpoints[t];
-            const Vec3 area = 0.5 * (x[g[1]] - x[g[0]]).cross(x[g[2]] - x[g[0]]);
-            whole += area;
-            if (g[0] == vertex || g[1] == vertex || g[2] == vertex) around += area / 3;
-        }
-        if (around.isZero(0)) continue;
-        // The corners of a flat polygon share its area; a gridpoint of a mesh gets a third of each of its triangles.
-        if (!model.blocks.deformable[block]) around = whole / (triangles.count + 2);
-        sum += of(around);
-    }
-    return sum;
-}
-
-/// The share of a vertex in the block's surface, projected along a direction out of the block. It varies continuously as the block turns: a
-/// corner of a cube lying on its face has a quarter of the face.
-double share_of_vertex(const Model& model, Row block, Row vertex, const Vec3& outward) {
-    return sum_at_vertex(model, block, vertex, [&](const Vec3& around) { return std::max(0.0, around.dot(outward)); });
-}
-
-/// The whole surface share of the gridpoints of a zoned side; infinite for a rigid block.
-double surface_of_side(const Model& model, Row block, const Attachment& side) {
-    if (!model.blocks.deformable[block]) return std::numeric_limits<double>::infinity();
-    double surface = 0;
-    for (int k = 0; k < 3; ++k)
-        if (side.weights[k] > 0)
-            surface += side.weights[k] * sum_at_vertex(model, block, side.gridpoints[k],
-                                                       [](const Vec3& around) { return around.norm(); });
-    return surface;
-}
-
-/// The share of a surface point: that of the vertices around it.
-double share_of_side(const Model& model, Row block, const Attachment& side, const Vec3& outward) {
-    double share = 0;
-    for (int k = 0; k < 3; ++k)
-        if (side.weights[k] > 0) share += side.weights[k] * share_of_vertex(model, block, side.gridpoints[k], outward);
-    return share;
-}
-
-/// The share of a point on an edge: that of the edge's ends.
-double share_of_edge(const Model& model, Row block, const std::array<Row, 2>& ends, const Vec3& outward) {
-    return 0.5 * (share_of_vertex(model, block, ends[0], outward) + share_of_vertex(model, block, ends[1], outward));
-}
-
-/// The surface share of one side of an overlay point: of the vertex at a vertex, of the edge on an edge between faces, zero inside a face.
-double share_of_point(const Model& model, const Surfaces& surfaces, Row block, const Attachment& side,
-                      const Vec3& outward) {
-    constexpr double none = 1e-9;
-    if (side.weights[0] == 1) return share_of_vertex(model, block, side.gridpoints[0], outward);
-    for (int k = 0; k < 3; ++k) {
-        if (std::abs(side.weights[k]) > none) continue;
-        const auto [low, high] = std::minmax(side.gridpoints[(k + 1) % 3], side.gridpoints[(k + 2) % 3]);
-        for (const auto& e : surfaces.edges(block))
-            if (e.ends[0] == low && e.ends[1] == high) return share_of_edge(model, block, e.ends, outward);
-    }
-    return 0;
-}
-
-/// Between half a degree and a degree and a half, the areas change smoothly from those of parallel faces to those of corners and edges, so
-/// nothing jumps when the contact type changes.
-void go_over_to_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
-                        std::vector<double>& shares) {
-    constexpr double first = 0.5 * std::numbers::pi / 180, last = 3 * first;
-    constexpr double cos_of_first = 0.9999619230641713;
-    if (cosine >= cos_of_first) return;
-    const double angle = std::acos(cosine);
-    const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
-    shares.clear();
-    double whole = 0;
-    for (const auto& point : geometry.points) {
-        const double one = share_of_point(model, surfaces, block1, point.side1, geometry.normal);
-        const double two = share_of_point(model, surfaces, block2, point.side2, -geometry.normal);
-        // A vertex counts by itself; where edges cross or vertices coincide, the smaller share counts.
-        const bool of_one = point.side1.weights[0] == 1, of_two = point.side2.weights[0] == 1;
-        shares.push_back(of_one == of_two ? std::min(one, two) : of_one ? one : two);
-        whole += shares.back();
-    }
-    if (whole == 0) return;
-    const double part = std::min(1.0, (angle - first) / (last - first)), scale = std::min(1.0, geometry.area / whole);
-    geometry.area = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        double& area = geometry.points[i].area;
-        area = (1 - part) * area + part * scale * shares[i];
-        geometry.area += area;
-    }
-    geometry.points.drop_if([](const ContactPoint& point) { return !(point.area > 0); });
-}
-
-/// Sub-contacts at the vertices of the overlay of two faces.
-bool intersect_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double cosine,
-                     double margin, double tolerance, SearchScratch& scratch) {
-    const PlaneAxes axes = axes_of(geometry.normal);
-    const Vec3 origin = surfaces.middle(model.faces.block[geometry.face2]); // keeps coordinates small
-    auto& [face1, face2] = scratch.faces;
-    face1.project(model, surfaces, geometry.face1, axes, origin);
-    face2.project(model, surfaces, geometry.face2, axes, origin);
-    const double edge = edge_between(model, model.faces.block[geometry.face1], model.faces.block[geometry.face2]);
-    bool near = false;
-    overlay(face1.found(), face2.found(), tolerance, edge, scratch.found, scratch.overlay);
-    for (const auto& p : scratch.found.points) {
-        ContactPoint& point = geometry.points.add();
-        point.side1 = face1.attach(p.place, p.vertex1, p.triangle1, p.weights1);
-        point.side2 = face2.attach(p.place, p.vertex2, p.triangle2, p.weights2);
-        const Vec3 x1 = attached_position(model, point.side1), x2 = attached_position(model, point.side2);
-        point.position = 0.5 * (x1 + x2);
-        const Vec2 shift = p.centre - p.place;
-        point.centre = point.position + shift.x() * axes.u + shift.y() * axes.v;
-        point.gap = geometry.normal.dot(x2 - x1);
-        point.area = p.area;
-        point.type = p.vertex1 >= 0   ? SubContactType::vertex_face
-                     : p.vertex2 >= 0 ? SubContactType::face_vertex
-                                      : SubContactType::edge_edge;
-        near = near || point.gap < margin;
-        geometry.area += point.area;
-    }
-    if (!near) return false;
-    go_over_to_corners(model, surfaces, geometry, cosine, scratch.shares);
-    geometry.type = ContactType::face_face;
-    geometry.position.setZero();
-    for (const auto& point : geometry.points) geometry.position += point.area / geometry.area * point.position;
-    return true;
 }
 
 /// The outline of a rigid block's face, in order: its triangles form a fan.
@@ -278,11 +148,12 @@ Attachment on_edge(const std::array<Row, 2>& ends, double t) { return {{ends[0],
 
 /// The least area of a contact of zoned blocks at corners and edges: a sharp tip has nearly none. At most the area of the gridpoints there,
 /// which on soft ground of large blocks would be too stiff.
-double least_area_of(const Model& model, const ContactGeometry& geometry, Row block1, Row block2, double least) {
+double least_area_of(const SurfaceShares& shares, const ContactGeometry& geometry, Row block1, Row block2,
+                     double least) {
     double area = 0;
     for (const auto& point : geometry.points)
-        area = std::max(area, std::min({least, surface_of_side(model, block1, point.side1),
-                                        surface_of_side(model, block2, point.side2)}));
+        area = std::max(area, std::min({least, shares.whole_of_side(block1, point.side1),
+                                        shares.whole_of_side(block2, point.side2)}));
     return area;
 }
 
@@ -324,6 +195,7 @@ double covered_area(const Model& model, const Surfaces& surfaces, Row face, Row 
 /// outline.
 bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, Row block1, Row block2,
                      double margin, double tolerance) {
+    const SurfaceShares shares(model, surfaces);
     const bool face_of_first = geometry.reference == 1;
     const Row face = face_of_first ? geometry.face1 : geometry.face2;
     const Row own = face_of_first ? block1 : block2, other = face_of_first ? block2 : block1;
@@ -350,7 +222,7 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
         if (inside_face(model, face, axes, x[g], on_face))
             add(on_face, {{g, g, g}, {1, 0, 0}},
                 face_of_first ? SubContactType::face_vertex : SubContactType::vertex_face,
-                share_of_vertex(model, other, g, -out));
+                shares.of_vertex(other, g, -out));
     }
 
     const auto flat = [&](Row from, Row to) {
@@ -368,7 +240,7 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
             const double t = cross(between, side) / crossed, s = cross(between, along) / crossed;
             if (t < 0 || t > 1 || s < 0 || s > 1) continue;
             add(on_edge(o.ends, s), on_edge(e.ends, t), SubContactType::edge_edge,
-                std::min(share_of_edge(model, own, o.ends, out), share_of_edge(model, other, e.ends, -out)));
+                std::min(shares.of_edge(own, o.ends, out), shares.of_edge(other, e.ends, -out)));
         }
     }
     geometry.type = geometry.points.size() == 1 && geometry.points[0].type != SubContactType::edge_edge
@@ -378,8 +250,8 @@ bool project_on_face(const Model& model, const Surfaces& surfaces, ContactGeomet
 }
 
 /// Two edges that cross.
-bool join_edges(const Model& model, ContactGeometry& geometry, const Separation& s, Row block1, Row block2,
-                double margin) {
+bool join_edges(const Model& model, const SurfaceShares& shares, ContactGeometry& geometry, const Separation& s,
+                Row block1, Row block2, double margin) {
     const auto& x = model.gridpoints.position;
     const Vec3 d1 = x[s.edge1[1]] - x[s.edge1[0]], d2 = x[s.edge2[1]] - x[s.edge2[0]];
     const Vec3 between = x[s.edge2[0]] - x[s.edge1[0]];
@@ -397,8 +269,8 @@ bool join_edges(const Model& model, ContactGeometry& geometry, const Separation&
     point.gap = geometry.normal.dot(x2 - x1);
     if (point.gap > margin) return false;
     point.type = SubContactType::edge_edge;
-    point.area = std::min(share_of_edge(model, block1, s.edge1, geometry.normal),
-                          share_of_edge(model, block2, s.edge2, -geometry.normal));
+    point.area =
+        std::min(shares.of_edge(block1, s.edge1, geometry.normal), shares.of_edge(block2, s.edge2, -geometry.normal));
     geometry.type = ContactType::edge_edge;
     geometry.points.add() = point;
     return true;
@@ -407,9 +279,10 @@ bool join_edges(const Model& model, ContactGeometry& geometry, const Separation&
 /// Blocks with zones on corners and edges.
 bool contact_at_corners(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, const Separation& s,
                         Row block1, Row block2, double margin, double tolerance, double least, SearchScratch& scratch) {
+    const SurfaceShares shares(model, surfaces);
     double most = std::numeric_limits<double>::infinity();
     if (geometry.reference == 0) {
-        join_edges(model, geometry, s, block1, block2, margin);
+        join_edges(model, shares, geometry, s, block1, block2, margin);
     } else if (project_on_face(model, surfaces, geometry, block1, block2, margin, tolerance)) {
         const bool first = geometry.reference == 1;
         most = covered_area(model, surfaces, first ? geometry.face1 : geometry.face2, first ? block2 : block1,
@@ -419,10 +292,10 @@ bool contact_at_corners(const Model& model, const Surfaces& surfaces, ContactGeo
     if (geometry.points.size() == 0) {
         if (!find_corner_contact(model, surfaces, block1, block2, s.distance, geometry, scratch.overlap)) return false;
         ContactPoint& point = geometry.points[0];
-        point.area = std::min(share_of_side(model, block1, point.side1, geometry.normal),
-                              share_of_side(model, block2, point.side2, -geometry.normal));
+        point.area = std::min(shares.of_side(block1, point.side1, geometry.normal),
+                              shares.of_side(block2, point.side2, -geometry.normal));
     }
-    return complete_geometry(geometry, most, least_area_of(model, geometry, block1, block2, least));
+    return complete_geometry(geometry, most, least_area_of(shares, geometry, block1, block2, least));
 }
 
 } // namespace
@@ -480,7 +353,9 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
         const ContactPlane of_one_face = geometry;
         (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
         geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1), surfaces.normal(geometry.face2));
-        if (!intersect_faces(model, surfaces, geometry, separation.cosine, margin, tolerance, scratch)) return false;
+        const double edge = edge_between(model, block1, block2);
+        if (!intersect_faces(model, surfaces, geometry, {separation.cosine, margin, tolerance, edge}, scratch))
+            return false;
         // Joints of cut rock keep their kind; approaching bodies with so small a common area rest on a corner or an edge.
         const bool arrives = old == no_row ? std::abs(separation.distance) > tolerance
                                            : model.contacts.type[old] != ContactType::face_face;

@@ -67,6 +67,22 @@ struct ContactGeometry : ContactPlane {
     ContactPoints points;
 };
 
+/// Whether two sides of sub-contacts lie on the same vertex or edge, or in the same triangle.
+inline bool on_same_gridpoints(const Attachment& a, const Attachment& b) {
+    constexpr double none = 1e-9;
+    const auto all_in = [](const Attachment& from, const Attachment& to) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (from.weights[i] <= none) continue;
+            bool found = false;
+            for (std::size_t j = 0; j < 3; ++j)
+                found = found || (to.gridpoints[j] == from.gridpoints[i] && to.weights[j] > none);
+            if (!found) return false;
+        }
+        return true;
+    };
+    return all_in(a, b) && all_in(b, a);
+}
+
 /// Current position of one side of a sub-contact.
 inline Vec3 attached_position(const Model& model, const Attachment& side) {
     const auto& x = model.gridpoints.position;

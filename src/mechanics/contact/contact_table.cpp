@@ -16,9 +16,12 @@ namespace kaya {
 
 namespace {
 
-/// The old sub-contact of a contact nearest to a place.
-Row nearest(const SubContacts& s, Span span, const Vec3& place) {
-    const Lanes3 to = Lanes3::of(place);
+/// The sub-contact of an old contact nearest to a point. On faces of cells there may be two in one place: then that on the same gridpoints.
+Row nearest(const Model& model, Row contact, const ContactPoint& point) {
+    constexpr double one_place = 1e-4; // of the contact's size
+    const SubContacts& s = model.sub_contacts;
+    const Span span = contact == no_row ? Span{} : model.contacts.sub_contacts[contact];
+    const Lanes3 to = Lanes3::of(point.position);
     Row best = no_row;
     double least = std::numeric_limits<double>::infinity();
     for (Row row = span.first; row < span.end(); row += lane_count) {
@@ -31,6 +34,15 @@ Row nearest(const SubContacts& s, Span span, const Vec3& place) {
                 best = row + i;
             }
     }
+    const auto same = [&](Row row) {
+        return on_same_gridpoints(s.side1[row], point.side1) && on_same_gridpoints(s.side2[row], point.side2);
+    };
+    if (best == no_row || same(best)) return best;
+    const Vec3 at = s.position[best];
+    for (Row row = span.first; row < span.end(); ++row)
+        if ((Vec3(s.position[row]) - at).squaredNorm() <= one_place * one_place * model.contacts.area[contact] &&
+            same(row))
+            return row;
     return best;
 }
 
@@ -224,7 +236,7 @@ bool keeps_places(const Model& model, const ContactDraft& draft) {
         const ContactPoint& point = draft.points[i];
         const Row s = span.first + i;
         const bool same_places = subs.side1[s] == point.side1 && subs.side2[s] == point.side2;
-        if (!same_places && nearest(subs, span, point.position) != s) return false;
+        if (!same_places && nearest(model, draft.old, point) != s) return false;
     }
     return true;
 }
@@ -297,7 +309,6 @@ struct RowSources {
 
 RowSources sources_of(const Model& model, const std::vector<ContactDraft>& drafts) {
     const auto& contacts = model.contacts;
-    const auto& subs = model.sub_contacts;
     RowSources from;
     for (const auto& draft : drafts) {
         from.contacts.push_back(draft.old);
@@ -309,7 +320,7 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
             for (const auto& point : draft.points) {
                 // In an overlap, only loaded sub-contacts are a source.
                 const bool overlap = draft.old != no_row && contacts.kind[draft.old] == ContactKind::overlap;
-                from.subs.push_back(overlap ? old.first : nearest(subs, old, point.position));
+                from.subs.push_back(overlap ? old.first : nearest(model, draft.old, point));
             }
         }
         from.spans.push_back({first, static_cast<Row>(from.subs.size()) - first});

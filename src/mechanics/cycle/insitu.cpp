@@ -58,7 +58,11 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
             const double near = 1e-6 * std::sqrt(contacts.area[c]);
             for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
                 for (const ContactPoint& point : geometry.points)
-                    if ((point.position - Vec3(subs.position[s])).norm() <= near) places[s] = point.centre;
+                    // At a place on both diagonals of a cell's face there may be two.
+                    if ((point.position - Vec3(subs.position[s])).norm() <= near &&
+                        on_same_gridpoints(point.side1, subs.side1[s]) &&
+                        on_same_gridpoints(point.side2, subs.side2[s]))
+                        places[s] = point.centre;
         }
     });
     return places;

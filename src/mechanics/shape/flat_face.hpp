@@ -24,6 +24,7 @@ inline PlaneAxes axes_of(const Vec3& normal) {
 struct FlatFace {
     PlaneMesh mesh;   ///< its own triangles
     PlaneMesh radial; ///< the triangles used for contacts, if they differ
+    PlaneMesh other;  ///< along the other diagonals, if it has them: take_other
     bool is_radial;
     std::span<const Row> rows; ///< the gridpoint of each point
 
@@ -40,7 +41,16 @@ struct FlatFace {
         is_radial = wanted != FaceTriangles::fan;
         if (is_radial) radial = radial_mesh(mesh, wanted);
     }
-    const PlaneMesh& found() const { return is_radial ? radial : mesh; }
+    /// Whether it has triangles along the other diagonals, which are then in `other`.
+    bool take_other(const Surfaces& surfaces, Row face) {
+        const auto triangles = surfaces.other_triangles(face);
+        if (is_radial || triangles.empty()) return false;
+        other.points = mesh.points;
+        other.triangles.assign(triangles.begin(), triangles.end());
+        return true;
+    }
+    /// The triangles for contacts: along the own diagonals or the others.
+    const PlaneMesh& on(bool others) const { return others ? other : is_radial ? radial : mesh; }
 
     /// The corner of a rigid block's face at a place, or -1.
     int corner_at(const Vec2& place, double tolerance) const {
@@ -53,13 +63,14 @@ struct FlatFace {
         const int triangle = corner < 0 ? triangle_at(mesh, place, weights) : 0;
         return attach(place, corner, triangle, weights);
     }
-    Attachment attach(const Vec2& place, int vertex, int triangle, std::array<double, 3> weights) const {
+    Attachment attach(const Vec2& place, int vertex, int triangle, std::array<double, 3> weights,
+                      bool others = false) const {
         if (vertex >= 0 && vertex < static_cast<int>(rows.size()))
             return {{rows[vertex], rows[vertex], rows[vertex]}, {1, 0, 0}};
         if (is_radial) triangle = triangle_at(mesh, place, weights);
         Attachment a;
         for (int k = 0; k < 3; ++k) {
-            a.gridpoints[k] = rows[mesh.triangles[triangle][k]];
+            a.gridpoints[k] = rows[(others ? other : mesh).triangles[triangle][k]];
             a.weights[k] = weights[k];
         }
         return a;

@@ -1,6 +1,8 @@
 #include "mechanics/shape/surfaces.hpp"
 
 #include "base/parallel.hpp"
+#include "model/edit/ties.hpp"
+#include "model/measure/cell_faces.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -59,7 +61,8 @@ void Surfaces::learn(const Model& model, Row block) {
     const auto& blocks = model.blocks;
     const auto& of_triangle = model.triangles.gridpoints;
     Shape& shape = shapes_[block];
-    shape = {blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}, 0};
+    shape = {
+        blocks.id[block], blocks.gridpoints[block], blocks.faces[block], blocks.triangles[block], {}, {}, {}, {}, 0};
     shape.mean_face_area = mean_face_area_of(model, block);
     edges_of(model, block, shape.edges);
 
@@ -88,6 +91,35 @@ void Surfaces::learn(const Model& model, Row block) {
                     plane.corners.begin());
         plane.triangles = {triangles, static_cast<std::size_t>(span.count)};
     }
+    learn_others(model, shape);
+}
+
+/// Along the other diagonals, where all triangles of a face are in pairs.
+void Surfaces::learn_others(const Model& model, Shape& shape) {
+    const bool rigid = !model.blocks.deformable[model.blocks.ids.row(shape.block)];
+    shape.other_triangles = shape.corner_triangles;
+    for (Row f = shape.faces.first; f < shape.faces.end(); ++f) {
+        Plane& plane = planes_[f];
+        plane.others = {};
+        const Span span = model.faces.triangles[f];
+        if (rigid ? span.count != 2 : partner_in_cell(model, span.first) == no_row) continue;
+        auto* const others = shape.other_triangles.data() + (span.first - shape.triangles.first);
+        for (std::size_t t = 0; t + 1 < plane.triangles.size(); t += 2) {
+            const auto pair = other_diagonal(plane.triangles[t], plane.triangles[t + 1]);
+            others[t] = pair[0];
+            others[t + 1] = pair[1];
+        }
+        plane.others = {others, static_cast<std::size_t>(span.count)};
+    }
+}
+
+void Surfaces::note_ties(const Model& model) {
+    if (model.ties.size() == ties_) return; // all else is new when blocks are joined, cut or zoned
+    ties_ = model.ties.size();
+    tied_.clear();
+    if (ties_ == 0) return;
+    tied_.assign(model.faces.size(), 0);
+    for (const Row face : tied_faces(model)) tied_[face] = 1;
 }
 
 void Surfaces::take_vertices(const Model& model, Row block) {
@@ -130,6 +162,7 @@ void Surfaces::take_planes(const Model& model, Row block) {
 }
 
 void Surfaces::update(const Model& model, const std::vector<Row>& blocks) {
+    note_ties(model);
     planes_.resize(model.faces.size());
     shapes_.resize(model.blocks.size());
     middles_.resize(model.blocks.size());

@@ -55,6 +55,12 @@ public:
     std::span<const Row> corners(Row face) const { return planes_[face].corners; }
     /// The triangles of that face, by the places of their gridpoints in `corners`.
     std::span<const std::array<int, 3>> triangles(Row face) const { return planes_[face].triangles; }
+    /// The triangles along the other diagonals of its quadrangles: of a face of cells, which is the mean of both (model/measure/cell_faces.hpp),
+    /// and of a rigid one with four corners. Empty for other faces, and where blocks are tied to the face.
+    std::span<const std::array<int, 3>> other_triangles(Row face) const {
+        if (!tied_.empty() && tied_[face]) return {};
+        return planes_[face].others;
+    }
 
 private:
     /// The part of a block's surface that is constant under motion, and its key.
@@ -64,26 +70,31 @@ private:
         std::vector<Edge> edges;
         std::vector<Row> corners;                         ///< of one face after another
         std::vector<std::array<int, 3>> corner_triangles; ///< of each triangle of the block
+        std::vector<std::array<int, 3>> other_triangles;  ///< the same with the other diagonals, or empty
         double mean_face_area = 0;
     };
     struct Plane {
         Vec3 normal;
         double reach;
         std::span<const Row> corners; ///< in the block's shape, as the triangles
-        std::span<const std::array<int, 3>> triangles;
+        std::span<const std::array<int, 3>> triangles, others;
     };
 
     bool knows(const Model& model, Row block) const;
     void learn(const Model& model, Row block);
+    void learn_others(const Model& model, Shape& shape);
     void take_vertices(const Model& model, Row block);
     double reach_of(const Model& model, Row block, const Plane& plane) const;
     void take_planes(const Model& model, Row block);
+    void note_ties(const Model& model);
 
     std::vector<Plane> planes_;
     std::vector<Shape> shapes_;
     std::vector<Lanes3> vertices_;
     std::vector<FourPlanes> four_planes_;
     std::vector<Vec3> middles_;
+    std::vector<char> tied_;                                 ///< by face; empty when none is
+    std::size_t ties_ = 0;                                   ///< how many there were when they were noted
     std::vector<std::size_t> first_vertices_, first_planes_; ///< of each block in the lists above, and their numbers
 };
 

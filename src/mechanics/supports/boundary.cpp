@@ -6,6 +6,7 @@
 #include "mechanics/common/masses.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "model/edit/placed_loads.hpp"
+#include "model/measure/cell_faces.hpp"
 #include "model/measure/covered_faces.hpp"
 #include "model/edit/ties.hpp"
 
@@ -330,11 +331,12 @@ namespace {
 
 using Corners = std::vector<Vec3>;
 
-Corners corners_of(const Model& model, Row triangle) {
+Corners corners_of(const Model& model, const TriangleCorners& triangle) {
     Corners corners;
-    for (const Row g : model.triangles.gridpoints[triangle]) corners.push_back(model.gridpoints.position[g]);
+    for (const Row g : triangle) corners.push_back(model.gridpoints.position[g]);
     return corners;
 }
+Corners corners_of(const Model& model, Row triangle) { return corners_of(model, model.triangles.gridpoints[triangle]); }
 
 /// Forces of the stress at the corners of a triangle. The traction varies linearly: consistent loads are (2 t_k + t_l + t_m) / 12 of the
 /// area each.
@@ -401,19 +403,22 @@ double add_stress(Model& model, const std::vector<Row>& gridpoints, const Stress
 double add_stress_on(Model& model, const std::vector<Row>& triangles, const StressField& stress,
                      std::int32_t function) {
     LoadSums sums(model, function);
+    const CellFaces faces(model, tied_faces(model));
     double whole = 0, inside = 0;
     for (const Row t : triangles) {
         const Corners x = corners_of(model, t);
         const Vec3 area = area_vector(x);
         whole += area.norm();
-        const auto load = corner_loads(stress, x, area);
         if (const Row b = block_of_triangle(model, t); !model.blocks.deformable[b]) {
-            sums.at_triangle(b, {{x[0], x[1], x[2]}, load});
+            sums.at_triangle(b, {{x[0], x[1], x[2]}, corner_loads(stress, x, area)});
             continue;
         }
-        for (std::size_t k = 0; k < 3; ++k)
-            for (int axis = 0; axis < 3; ++axis)
-                sums.at_gridpoint(model.triangles.gridpoints[t][k], axis, load[k][axis]);
+        faces.for_parts(t, is_listed(triangles, faces.partner(t)), [&](const SurfacePart& part) {
+            const Corners of_part = corners_of(model, part.corners);
+            const auto load = corner_loads(stress, of_part, part.share * area_vector(of_part));
+            for (std::size_t k = 0; k < 3; ++k)
+                for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(part.corners[k], axis, load[k][axis]);
+        });
     }
     inside_bodies(model, triangles, [&](Row t, const Corners& x) {
         const Vec3 area = area_vector(x);

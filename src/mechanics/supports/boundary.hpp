@@ -66,9 +66,9 @@ std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& 
 /// The exterior triangles of faces in the list (sorted rows).
 std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces);
 
-/// Adds the tractions of a stress to exterior triangles, or to those with all three gridpoints in the list (sorted rows). A face that another
-/// block covers is not exterior, nor is the part of a rigid block's face that another block of the same body covers. Contacts must be up to
-/// date. Returns the loaded area.
+/// Adds the tractions of a stress to exterior triangles (ascending rows), or to those with all three gridpoints in the list (sorted rows). A
+/// face that another block covers is not exterior, nor is the part of a rigid block's face that another block of the same body covers. The two
+/// triangles of an outer face of a cell are loaded as the mean of both diagonals. Contacts must be up to date. Returns the loaded area.
 double add_stress_on(Model& model, const std::vector<Row>& triangles, const StressField& stress,
                      std::int32_t function = constant_in_time);
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,

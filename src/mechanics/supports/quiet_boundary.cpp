@@ -1,6 +1,8 @@
 #include "mechanics/supports/quiet_boundary.hpp"
 
 #include "mechanics/common/elastic_constants.hpp"
+#include "model/edit/ties.hpp"
+#include "model/measure/cell_faces.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -40,22 +42,27 @@ Mat3 dashpot_of(const Impedance& impedance, const Vec3& n, std::uint8_t bits) {
 QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>& elastic) {
     QuietPoints points;
     const auto& triangles = model.triangles;
+    const CellFaces faces(model, tied_faces(model));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const Row block = model.faces.block[triangles.face[t]];
         if (triangles.quiet[t] == 0 || !model.blocks.deformable[block]) continue;
         if (points.index.empty()) points.index.assign(model.gridpoints.size(), no_row);
-        const auto& corner = triangles.gridpoints[t];
-        const auto& x = model.gridpoints.reference;
-        const Vec3 area = 0.5 * (x[corner[1]] - x[corner[0]]).cross(x[corner[2]] - x[corner[0]]);
-        const Mat3 third =
-            area.norm() / 3 * dashpot_of(impedance_of(model, elastic, block), area.normalized(), triangles.quiet[t]);
-        for (const Row g : corner) {
-            if (points.index[g] == no_row) {
-                points.index[g] = static_cast<Row>(points.dashpot.size());
-                points.dashpot.push_back(Mat3::Zero());
+        const Row row = static_cast<Row>(t), partner = faces.partner(row);
+        const bool both = partner != no_row && triangles.quiet[partner] == triangles.quiet[t];
+        faces.for_parts(row, both, [&](const SurfacePart& part) {
+            const auto& corner = part.corners;
+            const auto& x = model.gridpoints.reference;
+            const Vec3 area = 0.5 * (x[corner[1]] - x[corner[0]]).cross(x[corner[2]] - x[corner[0]]);
+            const Mat3 third = part.share * area.norm() / 3 *
+                               dashpot_of(impedance_of(model, elastic, block), area.normalized(), triangles.quiet[t]);
+            for (const Row g : corner) {
+                if (points.index[g] == no_row) {
+                    points.index[g] = static_cast<Row>(points.dashpot.size());
+                    points.dashpot.push_back(Mat3::Zero());
+                }
+                points.dashpot[points.index[g]] += third;
             }
-            points.dashpot[points.index[g]] += third;
-        }
+        });
     }
     return points;
 }

@@ -1,8 +1,9 @@
 #include "mechanics/supports/topography.hpp"
 
 #include "mechanics/common/remedy.hpp"
-#include "model/measure/measure.hpp"
+#include "model/edit/ties.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,9 +22,9 @@ bool crosses(const Vec3& place, const Vec3& one, const Vec3& other) {
     return place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
 }
 
-std::array<Vec3, 3> corners(const Model& model, Row triangle) {
+std::array<Vec3, 3> corners(const Model& model, const TriangleCorners& triangle) {
     std::array<Vec3, 3> x;
-    for (int k = 0; k < 3; ++k) x[k] = model.gridpoints.position[model.triangles.gridpoints[triangle][k]];
+    for (std::size_t k = 0; k < 3; ++k) x[k] = model.gridpoints.position[triangle[k]];
     return x;
 }
 
@@ -33,15 +34,15 @@ Overburden::Overburden(const Model& model) : model_(model) {
     const Vec3& gravity = model.settings.gravity;
     if (!(gravity.z() < 0) || std::hypot(gravity.x(), gravity.y()) > 1e-9 * -gravity.z())
         throw Advised("stresses below the surface need gravity, straight down along z", Advice::give_gravity);
-    weight_.resize(model.blocks.size());
-    for (std::size_t b = 0; b < weight_.size(); ++b) {
+    std::vector<double> weight(model.blocks.size()); // per volume
+    for (std::size_t b = 0; b < weight.size(); ++b) {
         const auto material = model.materials.find(model.blocks.material[b]);
         const double density = material == model.materials.end() ? 0 : material->second.density;
         if (!(density > 0))
             throw Advised(fmt::format("block {} (material {}) has no density, so it has no weight",
                                       model.blocks.number[b], model.blocks.material[b]),
                           Advice::give_density, {std::to_string(model.blocks.material[b])});
-        weight_[b] = -density * gravity.z();
+        weight[b] = -density * gravity.z();
     }
     if (model.gridpoints.empty()) return;
     low_ = high_ = model.gridpoints.position[0];
@@ -51,13 +52,17 @@ Overburden::Overburden(const Model& model) : model_(model) {
     }
     columns_ =
         static_cast<std::size_t>(std::clamp(std::sqrt(0.5 * static_cast<double>(model.triangles.size())), 1.0, 1000.0));
-    triangles_.resize(columns_ * columns_);
-    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-        const auto x = corners(model, static_cast<Row>(t));
+    above_.resize(columns_ * columns_);
+    const CellFaces faces(model, tied_faces(model));
+    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
+        faces.for_parts(t, true, [&](const SurfacePart& part) {
+            parts_.push_back({part.corners, part.share * weight[model.faces.block[model.triangles.face[t]]]});
+        });
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const auto x = corners(model, parts_[p].corners);
         const Vec3 from = x[0].cwiseMin(x[1]).cwiseMin(x[2]), to = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
         for (int j = index(from.y(), 1); j <= index(to.y(), 1); ++j)
-            for (int i = index(from.x(), 0); i <= index(to.x(), 0); ++i)
-                triangles_[cell(i, j)].push_back(static_cast<Row>(t));
+            for (int i = index(from.x(), 0); i <= index(to.x(), 0); ++i) above_[cell(i, j)].push_back(p);
     }
 }
 
@@ -68,18 +73,17 @@ int Overburden::index(double place, int axis) const {
 }
 
 double Overburden::at(const Vec3& place) const {
-    if (triangles_.empty()) return 0;
+    if (above_.empty()) return 0;
     double sum = 0;
-    for (const Row t : triangles_[cell(index(place.x(), 0), index(place.y(), 1))]) {
-        const auto x = corners(model_, t);
+    for (const std::size_t p : above_[cell(index(place.x(), 0), index(place.y(), 1))]) {
+        const auto x = corners(model_, parts_[p].corners);
         const int crossed = crosses(place, x[0], x[1]) + crosses(place, x[1], x[2]) + crosses(place, x[2], x[0]);
         if (crossed % 2 == 0) continue; // neither above nor below
-        const Vec3 area = triangle_area_vector(model_, t);
+        const Vec3 area = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]);
         if (std::abs(area.z()) <= 1e-12 * area.norm()) continue; // upright
         const Vec3 along = place - x[0];
         const double height = x[0].z() - (area.x() * along.x() + area.y() * along.y()) / area.z() - place.z();
-        const double weight = weight_[model_.faces.block[model_.triangles.face[t]]];
-        if (height > 0) sum += std::copysign(weight * height, area.z());
+        if (height > 0) sum += std::copysign(parts_[p].weight * height, area.z());
     }
     return sum;
 }

@@ -1,7 +1,7 @@
 // The weight above a place: stress below a surface that is not flat.
 #pragma once
 
-#include "model/tables/model.hpp"
+#include "model/measure/cell_faces.hpp"
 
 #include <vector>
 
@@ -18,17 +18,22 @@ public:
     double at(const Vec3& place) const;
 
 private:
-    /// Cells of a grid over x and y, and the triangles above each.
+    /// Cells of a grid over x and y, and the parts above each.
     std::size_t cell(int i, int j) const {
         return static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i);
     }
     int index(double place, int axis) const;
 
     const Model& model_;
-    std::vector<double> weight_; ///< of each block, per volume
+    /// A triangle of a block, or of an outer face of a cell along either diagonal.
+    struct Part {
+        TriangleCorners corners;
+        double weight; ///< per volume below or above it
+    };
+    std::vector<Part> parts_;
     Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
     std::size_t columns_ = 1;
-    std::vector<std::vector<Row>> triangles_;
+    std::vector<std::vector<std::size_t>> above_;
 };
 
 } // namespace kaya

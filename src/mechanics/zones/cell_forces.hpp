@@ -16,9 +16,9 @@ struct InitialForces {
     CellForces forces;
     Eight work;
 
-    /// `shape` and `place` at the end of the step, `strain` and `volume` in its middle.
+    /// `shape` and `place` at the end of the step, `strain` and `volume` in its middle. `outer`: bits of the cells, see ZoneTiles.
     InitialForces(const Model& model, const CellShape& shape, const CellField& place, const CellField& shift,
-                  const SixZones& initial, const SixEights& strain, const Eight& volume);
+                  const SixZones& initial, const SixEights& strain, const Eight& volume, const std::uint8_t* outer);
 };
 
 /// Forces of cells from the present stresses, without a step.

@@ -2,6 +2,8 @@
 
 #include "mechanics/common/row_lists.hpp"
 #include "mechanics/zones/tile_rows.hpp"
+#include "model/edit/ties.hpp"
+#include "model/measure/cell_faces.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -38,6 +40,17 @@ std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader
     return corners;
 }
 
+/// The same of the outer face of two triangles.
+std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, Row one, Row two) {
+    const TriangleCorners &a = model.triangles.gridpoints[one], &b = model.triangles.gridpoints[two];
+    const Row fourth = *std::ranges::find_if(b, [&](Row g) { return std::ranges::find(a, g) == a.end(); });
+    std::array<Row, 4> corners{leader[a[0]], leader[a[1]], leader[a[2]], leader[fourth]};
+    std::ranges::sort(corners);
+    return corners;
+}
+
+std::uint8_t bit_of(std::uint32_t face) { return static_cast<std::uint8_t>(1 << face); }
+
 } // namespace
 
 void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) {
@@ -54,7 +67,19 @@ void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) 
                 }
         }
     });
-    const auto rule = [&](const CellFace& f) { ruled[f.cell] |= static_cast<std::uint8_t>(1 << f.face); };
+    const CellFaces outer(model, tied_faces(model));
+    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t) {
+        const Row partner = outer.partner(t);
+        if (partner < t) continue; // none, or both are done
+        const std::array<Row, 4> corners = corners_of(model, leader, t, partner);
+        const Row first = corners.front();
+        const auto found = std::find_if(faces.begin(first), faces.end(first),
+                                        [&](const CellFace& f) { return corners_of(model, leader, f) == corners; });
+        if (found == faces.end(first)) continue; // cells whose zones are on their own
+        ruled[found->cell] |= bit_of(found->face);
+        laws.tiles.outer[found->cell] |= bit_of(found->face);
+    }
+    const auto rule = [&](const CellFace& f) { ruled[f.cell] |= bit_of(f.face); };
     for (Row g = 0; g < static_cast<Row>(model.gridpoints.size()); ++g)
         for (auto face = faces.begin(g); face != faces.end(g); ++face)
             for (auto other = face + 1; other != faces.end(g); ++other)

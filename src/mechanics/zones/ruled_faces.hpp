@@ -1,4 +1,4 @@
-// Faces shared by two cells, which are ruled surfaces: docs/theory/zones.md, "Cells".
+// Faces of cells that are ruled surfaces, those between two cells and outer ones: docs/theory/zones.md, "Cells".
 #pragma once
 
 #include "mechanics/ties/ties.hpp"
@@ -6,7 +6,8 @@
 
 namespace kaya {
 
-/// Fills ZoneTiles::ruled: faces of cells whose four corners also belong to another cell, in the same block or tied exactly.
+/// Fills ZoneTiles::ruled and ZoneTiles::outer: faces of cells whose four corners also belong to another cell, in the same block or tied
+/// exactly, and outer faces to which nothing is tied.
 void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws);
 
 } // namespace kaya

@@ -196,7 +196,7 @@ private:
         g.work += 0.5 * g.volume * product(sum(before, made), strain);
         if (damping_ > 0) made = sum(made, damp(g, zone, cells, change, strain));
         const InitialForces start(model_, g.shape, from_first(rows_.places(), g.corners),
-                                  from_first(rows_.shifts(), g.corners), initial, strain, g.volume);
+                                  from_first(rows_.shifts(), g.corners), initial, strain, g.volume, rows_.outer(zone));
         g.work += start.work;
         forces_.add(g.corners, cells, both(forces_of(g.shape, made, g.warp), start.forces));
     }

@@ -264,7 +264,8 @@ private:
         CellForces forces = forces_of(g.shape, now.mean, now.warp);
         if (g.has_initial) {
             const InitialForces start(model_, g.shape, from_first(rows_.places(), g.corners),
-                                      from_first(rows_.shifts(), g.corners), g.initial, g.strain, g.volume);
+                                      from_first(rows_.shifts(), g.corners), g.initial, g.strain, g.volume,
+                                      rows_.outer(at.zone));
             work += 2.0 * start.work;
             forces = both(forces, start.forces);
         }

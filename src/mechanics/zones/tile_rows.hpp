@@ -51,6 +51,7 @@ public:
     /// The cells of the group that begins with a zone, and the bits of their ruled faces.
     CellGroupCorners cells_at(Row zone) const { return &tiles_.cells[tile_.cell(zone)]; }
     const std::uint8_t* ruled(Row zone) const { return &tiles_.ruled[tile_.cell(zone)]; }
+    const std::uint8_t* outer(Row zone) const { return &tiles_.outer[tile_.cell(zone)]; }
     const PointRow* places() const { return place_; } ///< and the pore pressure
     const PointRow* shifts() const { return shift_; } ///< of the step
 

@@ -64,6 +64,7 @@ ZoneTiles::ZoneTiles(const Model& model, const std::function<std::size_t(Row zon
         for (Row p = 0; p < static_cast<Row>(gridpoints.size()); ++p) add(gridpoints[p], p);
     });
     ruled.assign(cells.size(), 0);
+    outer.assign(cells.size(), 0);
 }
 
 void ZoneTiles::add_cells(ZoneTile& tile) {

@@ -65,6 +65,7 @@ public:
     // Corners of cells, group after group; the last group of a tile is filled up with its last cell.
     std::vector<CellCorners> cells;
     std::vector<std::uint8_t> ruled; ///< bits of faces, see RuledFaces
+    std::vector<std::uint8_t> outer; ///< bits of the ruled faces that no other cell shares
     Row groups() const { return static_cast<Row>(cells.size()) / cells_of_group; }
 
 private:

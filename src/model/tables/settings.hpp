@@ -48,7 +48,9 @@ struct Settings {
     Vec3 water_direction = Vec3::Zero(); ///< of a table: unit normal, upward; of a field: gradient
     bool dynamic = false;
     bool large_strain = true;
-    bool energy = true;                          ///< keep the energy account
+    bool energy = true; ///< keep the energy account
+    bool triangular_outer_faces =
+        false; ///< of cells: of models that earlier programs saved, see model/measure/cell_faces.hpp
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
     /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the

@@ -15,7 +15,8 @@ void visit_state(Archive& archive, Settings& settings) {
     auto& [gravity, damping, local_factor, global_ratio, rayleigh_fraction, rayleigh_frequency, rayleigh_mass,
            rayleigh_stiffness, strength_factor, mixed_discretisation, contact_damping, time_step_fraction,
            given_time_step, mass_scaling, scaled_time_step, water, water_value, water_origin, water_direction, dynamic,
-           large_strain, energy, default_joint_material, default_joint_constitutive, default_properties] = settings;
+           large_strain, energy, triangular_outer_faces, default_joint_material, default_joint_constitutive,
+           default_properties] = settings;
     archive.value("gravity", gravity);
     archive.value("damping", damping);
     archive.value("local_factor", local_factor);
@@ -38,6 +39,7 @@ void visit_state(Archive& archive, Settings& settings) {
     archive.value("dynamic", dynamic);
     archive.value("large_strain", large_strain);
     archive.value("energy", energy);
+    archive.value("triangular_outer_faces", triangular_outer_faces);
     archive.value("default_joint_material", default_joint_material);
     archive.value("default_joint_constitutive", default_joint_constitutive);
     archive.value("default_properties", default_properties);

@@ -66,6 +66,7 @@ TEST(KeptSaves, SayWhatTheyDoNotHave) {
     EXPECT_EQ(model.energy.structure_work, 0);
     EXPECT_TRUE(model.zones.keeps_dashpots) << "until format 11 the column is always there";
     EXPECT_EQ(model.zones.dashpot.size(), model.zones.size());
+    EXPECT_TRUE(model.settings.triangular_outer_faces) << "contacts of cells are those of triangles";
 }
 
 TEST(KeptSaves, InfoSaysWhoReadsThem) {

@@ -126,8 +126,21 @@ TEST(ZoneTiles, CellsStandInWholeGroupsOfTheirTile) {
     EXPECT_EQ(tiles.groups(), next);
 }
 
-TEST(ZoneTiles, FacesThatTwoCellsOfABlockShareAreRuled) {
+TEST(ZoneTiles, AllFacesOfCellsAreRuledAndOuterOnesAreMarked) {
     TwoBlocks bench;
+    ZoneLaws laws(bench.model, bench.joints.zones);
+    find_ruled_faces(bench.model, TieLists(), laws);
+    int ruled = 0, outer = 0;
+    for (const std::uint8_t bits : laws.tiles.ruled) ruled += std::popcount(bits);
+    for (const std::uint8_t bits : laws.tiles.outer) outer += std::popcount(bits);
+    EXPECT_EQ(ruled, 6 * 343 + 6 * 27);
+    EXPECT_EQ(outer, 6 * 49 + 6 * 9);
+    EXPECT_EQ(laws.tiles.outer[0], 1 + 2 + 4); // those at the beginning of the axes
+}
+
+TEST(ZoneTiles, FacesThatTwoCellsOfABlockShareAreRuledInModelsOfEarlierPrograms) {
+    TwoBlocks bench;
+    bench.model.settings.triangular_outer_faces = true;
     ZoneLaws laws(bench.model, bench.joints.zones);
     find_ruled_faces(bench.model, TieLists(), laws);
     int ruled = 0;
