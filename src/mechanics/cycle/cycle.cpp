@@ -21,6 +21,7 @@
 #include "mechanics/motion/move_bodies.hpp"
 #include "mechanics/supports/quiet_boundary.hpp"
 #include "mechanics/zones/ruled_faces.hpp"
+#include "mechanics/zones/shared_faces.hpp"
 #include "mechanics/bodies/run_cables.hpp"
 #include "mechanics/motion/run_members.hpp"
 #include "mechanics/zones/run_zone_models.hpp"
@@ -141,6 +142,7 @@ void Cycle::take_zone_laws() {
     s.elastic = s.laws.elastic_constants();
     s.ties = TieLists(model_, s.elastic);
     find_ruled_faces(model_, s.ties, s.laws);
+    find_shared_faces(model_, s.laws);
     s.step.take(s.elastic);
 }
 

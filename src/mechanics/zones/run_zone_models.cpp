@@ -5,6 +5,7 @@
 #include "mechanics/zones/run_cells.hpp"
 #include "mechanics/zones/run_flowing_cells.hpp"
 #include "mechanics/zones/run_zone_models.hpp"
+#include "mechanics/zones/shared_faces.hpp"
 #include "mechanics/zones/tile_rows.hpp"
 #include "mechanics/zones/zone_columns.hpp"
 #include "mechanics/zones/zone_laws.hpp"
@@ -64,12 +65,17 @@ private:
             const Eight pressure = wet ? rows_.pressure(zones) : Eight{};
             store(columns.pressure + i, pressure);
             SixEights strain = d.strain;
+            Eight volume_strain = d.volume_strain;
             if (averages_) {
                 const Eight more =
                     (load_rows(scratch_.mean_strain.data() + first + i, count - i) - d.volume_strain) / 3.0;
                 for (std::size_t k = 0; k < 3; ++k) strain[k] += more;
-            } else if (shares_) strain = load_six(scratch_.shared.strain[first + i].data(), 6, count - i);
-            if (averages_ || shares_) store(columns.volume_strain + i, d.volume_strain);
+            } else if (shares_) {
+                strain = load_six(scratch_.shared.strain[first + i].data(), 6, count - i);
+                const SixEights own = load_six(scratch_.shared.own[first + i].data(), 6, count - i);
+                volume_strain = own[0] + own[1] + own[2]; // at outer faces another than that of the tetrahedron
+            }
+            if (averages_ || shares_) store(columns.volume_strain + i, volume_strain);
             SixEights stress = load_stresses(model_.zones.stress, first + i, count - i);
             if (large) {
                 stress = turned(stress, d.half_spin);
@@ -239,6 +245,7 @@ void add_shared(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
     share_stresses(model, laws, scratch.pressure, scratch.shared);
     for_tiles(laws, Together::strains_at_points,
               [&](const ZoneTile& tile) { add_all(model, laws, tile, scratch.shared, forces); });
+    add_face_forces(model, laws, scratch.shared, forces);
 }
 
 } // namespace
@@ -299,6 +306,7 @@ void zone_forces(const Model& model, const ZoneLaws& laws, std::vector<PointRow>
     }
     for_chunks(tiles.size(), 1,
                [&](std::size_t first, std::size_t) { add_all(model, laws, tiles[first], shared, forces); });
+    add_face_forces(model, laws, shared, forces);
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "mechanics/zones/shared_strains.hpp"
 
 #include "mechanics/contact/dashpots.hpp"
+#include "mechanics/zones/shared_faces.hpp"
 
 namespace kaya {
 
@@ -12,6 +13,7 @@ void share_strains(const Model& model, const ZoneLaws& laws, SharedStrains& shar
         store_rows(shared.volume.data() + z, count, d.volume);
         store_six(shared.own[z].data(), 6, count, d.strain);
     });
+    add_face_strains(model, laws, shared);
     average_at_points(
         laws, Together::strains_at_points, shared.volume, shared.at_point, [&](Row z) { return shared.own[z]; },
         [&](Row z, const SharedStrains::Six& mean) { shared.strain[z] = mean; });

@@ -47,6 +47,13 @@ struct ZoneTile {
     Row cell(Row zone) const { return first_group * cells_of_group + (zone - first) / zones_of_cell; }
 };
 
+/// An outer face of a cell whose zones act one by one.
+struct SharedFace {
+    std::array<Row, 4>
+        corners; ///< gridpoints in order, anticlockwise from outside; the diagonal of the zones is from the second to the last
+    std::array<Row, 2> zones; ///< those at the first corner and at the third
+};
+
 /// A point of a tile is the gridpoint in that tile: only one task writes to it. A gridpoint between tiles of its block is a point of each
 /// of them.
 class ZoneTiles {
@@ -64,8 +71,9 @@ public:
 
     // Corners of cells, group after group; the last group of a tile is filled up with its last cell.
     std::vector<CellCorners> cells;
-    std::vector<std::uint8_t> ruled; ///< bits of faces, see RuledFaces
-    std::vector<std::uint8_t> outer; ///< bits of the ruled faces that no other cell shares
+    std::vector<std::uint8_t> ruled;      ///< bits of faces, see RuledFaces
+    std::vector<SharedFace> shared_faces; ///< see shared_faces.hpp
+    std::vector<std::uint8_t> outer;      ///< bits of the ruled faces that no other cell shares
     Row groups() const { return static_cast<Row>(cells.size()) / cells_of_group; }
 
 private:

@@ -1,5 +1,6 @@
 #include "mechanics/zones/shared_strains.hpp"
 #include "mechanics/zones/run_zone_models.hpp"
+#include "mechanics/zones/shared_faces.hpp"
 #include "two_bricks.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +35,10 @@ struct FlowingBlocks : Bench {
     Vec3 vector(double most) { return {small(most), small(most), small(most)}; }
     void share() { model.unreduced = strains_are_shared; }
 
-    std::vector<PointRow> step() {
-        const ZoneLaws laws(model, joints.zones);
+    /// With the outer faces of cells, unless `plain`.
+    std::vector<PointRow> step(bool plain = false) {
+        ZoneLaws laws(model, joints.zones);
+        if (!plain) find_shared_faces(model, laws);
         std::vector<PointRow> forces(laws.tiles.gridpoints.size());
         sums = run_zone_models(model, laws, scratch_, forces);
         points = laws.tiles.gridpoints;
@@ -90,7 +93,7 @@ TEST(SharedStrains, AnEvenStrainAndAnEvenStressAreThoseOfSeparateZones) {
             model.gridpoints.velocity[g] = {2 * x.x() + 3 * x.y(), x.z() - x.y(), 4 * x.x() - 6 * x.z()};
         }
         for (Stress& stress : model.zones.stress) stress << -2e5, -1e5, -3e5, 2e4, -3e4, 1e4;
-        forces[i++] = bench->step();
+        forces[i++] = bench->step(true);
         EXPECT_TRUE(any_yields(model));
     }
     for (std::size_t z = 0; z < shared.model.zones.size(); ++z)
@@ -98,12 +101,35 @@ TEST(SharedStrains, AnEvenStrainAndAnEvenStressAreThoseOfSeparateZones) {
     expect_equal(forces[0], forces[1], 1e-11);
 }
 
+TEST(SharedStrains, AnEvenStressActsEvenlyOnTheCornersOfOuterFaces) {
+    Bench bench;
+    bench.elastic(1, 2500, 1e9, 0.75e9);
+    generate_zones(bench.model, {bench.brick({0, 0, 0}, {1, 1, 1})}, {1, 1, 1}, {1, 1, 1});
+    std::ranges::fill(bench.model.blocks.constitutive, 2);
+    auto& material = bench.model.materials[1];
+    material.cohesion = 1e9, material.friction = 30, material.tension = 1e9;
+    bench.model.unreduced = strains_are_shared;
+    for (Stress& stress : bench.model.zones.stress) stress << 0, 0, -4e6, 0, 0, 0;
+    ZoneLaws laws(bench.model, bench.joints.zones);
+    find_shared_faces(bench.model, laws);
+    EXPECT_EQ(laws.tiles.shared_faces.size(), 6u);
+    std::vector<PointRow> forces;
+    zone_forces(bench.model, laws, forces);
+    for (std::size_t p = 0; p < forces.size(); ++p) {
+        const Vec3 x = bench.model.gridpoints.position[laws.tiles.gridpoints[p]];
+        EXPECT_NEAR(forces[p].value[2], x.z() == 0 ? -1e6 : 1e6, 1e-6);
+        EXPECT_NEAR(forces[p].value[0], 0, 1e-6);
+    }
+}
+
 TEST(SharedStrains, PresentForcesAreThoseOfTheLastStep) {
     FlowingBlocks bench;
     bench.share();
     const auto after = bench.step();
     std::vector<PointRow> present;
-    zone_forces(bench.model, ZoneLaws(bench.model, bench.joints.zones), present);
+    ZoneLaws laws(bench.model, bench.joints.zones);
+    find_shared_faces(bench.model, laws);
+    zone_forces(bench.model, laws, present);
     expect_equal(present, after, 1e-12);
 }
 
@@ -122,7 +148,7 @@ TEST(SharedStrains, PorePressureIsNotShared) {
     for (std::size_t z = 0; z < model.zones.size(); ++z)
         for (const Row g : model.zones.gridpoints[z])
             for (int k = 0; k < 3; ++k) model.zones.stress[z][k] -= 0.25 * model.gridpoints.pore_pressure[g];
-    const auto forces = wet.step();
+    const auto forces = wet.step(true);
     FlowingBlocks separate;
     std::ranges::fill(separate.model.blocks.cell_zones, 0);
     separate.model.zones.stress = model.zones.stress;
