@@ -3,6 +3,7 @@
 #include "model/edit/build.hpp"
 #include "model/edit/joined.hpp"
 #include "model/edit/links.hpp"
+#include "model/measure/cell_corners.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -32,9 +33,14 @@ TetMesh placed_mesh(const Model& model, Row block, const Placement& placement) {
     TetMesh mesh;
     for (Row g = points.first; g < points.end(); ++g) mesh.points.push_back(placement(model.gridpoints.position[g]));
     const auto local = [&](Row g) { return static_cast<int>(g - points.first); };
-    for (Row z = model.blocks.zones[block].first; z < model.blocks.zones[block].end(); ++z) {
-        const auto& g = model.zones.gridpoints[z];
-        mesh.per_cell = model.blocks.cell_zones[block];
+    mesh.per_cell = model.blocks.cell_zones[block];
+    const bool exchanged = turned && mesh.per_cell == zones_of_cell;
+    const Row first = model.blocks.zones[block].first;
+    for (Row z = first; z < model.blocks.zones[block].end(); ++z) {
+        // In a mirrored cell the second and the third axis change places: each zone is on the other side of the first.
+        constexpr Row half = zones_of_cell / 2;
+        const Row from = !exchanged ? z : (z - first) % zones_of_cell < half ? z + half : z - half;
+        const auto& g = model.zones.gridpoints[from];
         mesh.tetrahedra.push_back({local(g[0]), local(g[1]), local(g[2]), local(g[3])});
         if (turned) std::swap(mesh.tetrahedra.back()[2], mesh.tetrahedra.back()[3]);
     }

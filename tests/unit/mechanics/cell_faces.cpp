@@ -2,6 +2,7 @@
 #include "mechanics/common/elastic_constants.hpp"
 #include "mechanics/shape/face_conditions.hpp"
 #include "mechanics/supports/quiet_boundary.hpp"
+#include "model/edit/copy_blocks.hpp"
 #include "model/edit/joined.hpp"
 #include "model/edit/ties.hpp"
 #include "model/measure/cell_faces.hpp"
@@ -121,6 +122,29 @@ TEST(CellFaces, AreTrianglesWhereBlocksAreTied) {
     const CellFaces faces(model, tied);
     for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
         EXPECT_EQ(faces.partner(t) == no_row, std::ranges::binary_search(tied, model.triangles.face[t]));
+}
+
+TEST(CellFaces, MirroredCopiesOfCellsMoveAsTheirOriginal) {
+    Cells bench;
+    Model& model = bench.model;
+    const Row b = bench.cells({0, 0, 0}, {2, 1, 1}, {2, 1, 1});
+    copy_blocks(model, {b}, {reflection({1, 0, 0}, {3, 0, 0})});
+    put_in_block_order(model);
+    model.settings.gravity = {0, 2, -10};
+    std::vector<Row> base;
+    for (std::size_t g = 0; g < model.gridpoints.size(); ++g)
+        if (model.gridpoints.position[g].z() == 0) base.push_back(static_cast<Row>(g));
+    for (int axis = 0; axis < 3; ++axis) prescribe_velocity(model, {{}, base}, axis, 0);
+    bench.run(100);
+    const Span own = model.blocks.gridpoints[0], copy = model.blocks.gridpoints[1];
+    ASSERT_EQ(own.count, copy.count);
+    double most = 0;
+    for (Row g = 0; g < own.count; ++g) {
+        const Vec3 d = model.gridpoints.displacement[own.first + g], c = model.gridpoints.displacement[copy.first + g];
+        EXPECT_LT((d - Vec3(-c.x(), c.y(), c.z())).norm(), 1e-12);
+        most = std::max(most, d.norm());
+    }
+    EXPECT_GT(most, 1e-6);
 }
 
 } // namespace
