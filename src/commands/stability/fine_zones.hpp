@@ -15,9 +15,9 @@ struct FineFactor {
     double factor, error;
 };
 
-/// Whether `solve fos` searches the factor on fine zones: by itself where all zones that flow are Mohr-Coulomb ones that dilate as much as they have friction, as in
-/// the slopes that the estimate was fitted to. Throws Diagnostic where the command asks for it and the model has none: without zones
-/// that flow, with joints, or with structures.
+/// Whether `solve fos` searches the factor on fine zones: by itself where all zones that flow are Mohr-Coulomb ones that dilate as much as
+/// they have friction, as in the slopes that the estimate was fitted to. Throws Diagnostic where the command asks for it and the model has
+/// none: without zones that flow, with joints, or with structures.
 FineZones fine_zones(Session& session, const Asked& asked, const lang::Solve& command);
 
 /// From the factors of the zones as they are, and of those that share their strains. Both are known within half of `resolution`, a part of
