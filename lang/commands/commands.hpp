@@ -41,7 +41,7 @@ struct Solve {
     std::vector<Reduced> included, excluded; ///< of fos: the properties that are reduced; none included: all
     bool keep = false;                       ///< of fos: keep the failed state of the model
     std::optional<bool>
-        extrapolate; ///< of fos: whether to estimate the factor of fine zones; none: where that is possible
+        extrapolate; ///< of fos: whether to estimate the factor of fine zones; none: for the zones that it was fitted to
     Place place;
 };
 /// solve control: loads are scaled such that their bodies move at a given speed, or a boundary is driven.

@@ -151,7 +151,7 @@ CommandSpec solve() {
         .keyword(
             {"extrapolate"},
             Parts<Solve>().set(&Solve::extrapolate, true).maybe(on_off().optional(), &Solve::extrapolate),
-            "with fos: estimates the factor on fine zones, with a band, by a second search whose zones share their strains with their neighbours; off: the factor is that of the mesh; not given: where the model allows it")
+            "with fos: estimates the factor on fine zones, with a band, by a second search whose zones share their strains with their neighbours; off: the factor is that of the mesh; not given: for Mohr-Coulomb zones that dilate as much as they have friction, without joints and structures")
         .place(&Solve::place)
         .finish([](const Reader& reader, Solve& s) {
             const std::string& last = reader.previous().folded;

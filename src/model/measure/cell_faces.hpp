@@ -31,8 +31,9 @@ public:
     /// As partner_in_cell, on faces that are not tied.
     Row partner(Row triangle) const;
 
-    /// Calls part(SurfacePart) for what a triangle has on its four corners: half of it and half of the two triangles of the other diagonal,
-    /// a quarter each. Only for triangles whose partner counts as well (`with_partner`), else for the triangle itself.
+    /// Calls part(SurfacePart) for what a triangle has on the four corners of its face: half of it, and half of one of the two triangles of
+    /// the other diagonal, whose second belongs to its partner. Only for triangles whose partner counts as well (`with_partner`), else for
+    /// the triangle itself.
     template <class Part> void for_parts(Row triangle, bool with_partner, const Part& part) const {
         const TriangleCorners& own = model_.triangles.gridpoints[triangle];
         const Row other = with_partner ? partner(triangle) : no_row;
