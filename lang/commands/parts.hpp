@@ -210,10 +210,7 @@ public:
         arguments_.push_back(argument.spec);
         return by(
             [spec = argument.spec, target](Reader& reader, Struct& to) {
-                const bool given = spec.kind == ArgumentKind::text     ? reader.at_value()
-                                   : spec.kind == ArgumentKind::on_off ? reader.at_on_off()
-                                                                       : reader.at_number();
-                if (given) detail::read_into<Struct, T>(reader, to, spec, target);
+                if (reader.at(spec)) detail::read_into<Struct, T>(reader, to, spec, target);
             },
             [write = writes<T>(target)](Form form, const Struct& wanted) {
                 Forms forms = form.left_out ? Forms{} : write(form, wanted);

@@ -343,9 +343,7 @@ BoundCommand bind_statement(const Language& language, const Statement& statement
     Reader reader(statement, found.form_at + 1, statement.words.size(), values);
     reader.keep_spelling(spelled);
     for (const auto& positional : spec.arguments) {
-        const bool number =
-            positional.argument.kind == ArgumentKind::real || positional.argument.kind == ArgumentKind::integer;
-        if (positional.argument.optional && !(number ? reader.at_number() : reader.at_value()) &&
+        if (positional.argument.optional && !reader.at(positional.argument) &&
             !(positional.argument.kind == ArgumentKind::real && is_no_keyword(spec, reader)))
             continue;
         positional.read(reader, target);

@@ -22,7 +22,7 @@ Diagnostic wrong(std::string code, const Place& place, std::string message, std:
 
 std::string expected(const ArgumentSpec& argument) { return "expected: " + describe(argument); }
 
-/// What a word says that means on or off.
+/// Whether a word means on, or off; none for other words.
 std::optional<bool> switched(const Word& word) {
     for (const auto yes : {"on", "true", "yes"})
         if (word.folded == yes) return true;
@@ -107,9 +107,14 @@ bool Reader::at_number() const {
     return word && (word->kind == WordKind::number || word->late());
 }
 
-bool Reader::at_on_off() const {
-    const Word* word = peek();
-    return word && (word->late() || switched(*word));
+bool Reader::at(const ArgumentSpec& argument) const {
+    switch (argument.kind) {
+    case ArgumentKind::real:
+    case ArgumentKind::integer: return at_number();
+    case ArgumentKind::on_off: return !at_end() && (peek()->late() || switched(*peek()));
+    case ArgumentKind::text: break;
+    }
+    return !at_end();
 }
 
 void Reader::missing(const ArgumentSpec& argument) const {

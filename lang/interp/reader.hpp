@@ -46,10 +46,8 @@ public:
 
     /// A number, or something that may turn out to be one.
     bool at_number() const;
-    /// `on`, `off` and their like, or something that may turn out to be one.
-    bool at_on_off() const;
-    /// Anything but the end.
-    bool at_value() const { return !at_end(); }
+    /// Whether the next word is a value of the argument's kind, or may turn out to be one; of a text anything but the end.
+    bool at(const ArgumentSpec& argument) const;
 
     double real(const ArgumentSpec& argument);
     std::int64_t integer(const ArgumentSpec& argument);

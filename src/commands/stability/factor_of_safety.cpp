@@ -174,7 +174,8 @@ std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial
 }
 
 /// What moved, how, and in which mesh.
-void say_failure(Output& output, const StrengthSearch& search, const FailureMode::Shares* mode, FineZones fine) {
+void say_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
+                 FineZones fine) {
     if (const std::string moving = search.mechanism(); !moving.empty()) output.say(moving);
     if (!mode) return;
     output.say(mode_text(*mode));
@@ -221,7 +222,7 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         if (closed(bracket))
             bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
         const auto mode = search.failed() ? search.failed()->mode : std::nullopt;
-        say_failure(output, search, mode ? &*mode : nullptr, fine);
+        say_failure(output, search, mode, fine);
         factor = say_factor(output, bracket);
         if (fine == FineZones::searched && closed(bracket))
             factor = factor_on_fine_zones(bench, model, command, factor, mode.value_or(FailureMode::Shares{}))

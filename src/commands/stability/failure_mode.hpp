@@ -53,7 +53,7 @@ constexpr double fewest_zones = 2;
 /// The mode's name and both shares.
 std::string mode_text(const FailureMode::Shares& shares);
 
-/// What a model's factor of safety on fine zones is: docs/theory/slopes.md, "Shared strains".
+/// Whether a model has a factor of safety on fine zones, and `solve fos` searches it: docs/theory/slopes.md, "Shared strains".
 enum class FineZones { unknown, on_request, searched };
 
 /// How coarse the mesh is where zones yield, and what to do about it unless the factor on fine zones follows; "" where they do not.

@@ -1,6 +1,7 @@
 #include "mechanics/contact/surface_shares.hpp"
 
-#include <Eigen/Geometry>
+#include "model/measure/measure.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,8 +22,7 @@ template <class Of> double SurfaceShares::sum_at_vertex(Row block, Row vertex, c
         Vec3 whole = Vec3::Zero(), around = Vec3::Zero();
         const auto add = [&](std::span<const std::array<int, 3>> triangles, double share) {
             for (const auto& t : triangles) {
-                const Vec3 &a = x[corners[t[0]]], &b = x[corners[t[1]]], &c = x[corners[t[2]]];
-                const Vec3 area = 0.5 * share * (b - a).cross(c - a);
+                const Vec3 area = share * triangle_area_vector(x[corners[t[0]]], x[corners[t[1]]], x[corners[t[2]]]);
                 whole += area;
                 if (t[0] == own || t[1] == own || t[2] == own) around += area / 3;
             }

@@ -3,6 +3,7 @@
 #include "mechanics/common/elastic_constants.hpp"
 #include "model/edit/ties.hpp"
 #include "model/measure/cell_faces.hpp"
+#include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -52,7 +53,7 @@ QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>
         faces.for_parts(row, both, [&](const SurfacePart& part) {
             const auto& corner = part.corners;
             const auto& x = model.gridpoints.reference;
-            const Vec3 area = 0.5 * (x[corner[1]] - x[corner[0]]).cross(x[corner[2]] - x[corner[0]]);
+            const Vec3 area = triangle_area_vector(x[corner[0]], x[corner[1]], x[corner[2]]);
             const Mat3 third = part.share * area.norm() / 3 *
                                dashpot_of(impedance_of(model, elastic, block), area.normalized(), triangles.quiet[t]);
             for (const Row g : corner) {

@@ -18,7 +18,8 @@ struct QuietPoints {
 };
 
 /// Tractions -rho Cp v_n and -rho Cs v_s (Lysmer and Kuhlemeyer 1969, J. Eng. Mech. Div. ASCE 95) on quiet triangles, a third at each
-/// corner; on both triangles of an outer face of a cell the mean of its diagonals. Areas and normals are those of the block when its zones were created. `elastic` has the constants of the blocks.
+/// corner; on both triangles of an outer face of a cell the mean of its diagonals. Areas and normals are those of the block when its zones
+/// were created. `elastic` has the constants of the blocks.
 QuietPoints quiet_points(const Model& model, const std::vector<ElasticConstants>& elastic);
 
 /// Force of a dashpot on a gridpoint in a step, at the mean of the velocities before and after it, and so stable for any step. `force` is

@@ -2,8 +2,8 @@
 
 #include "mechanics/common/remedy.hpp"
 #include "model/edit/ties.hpp"
+#include "model/measure/measure.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,7 +79,7 @@ double Overburden::at(const Vec3& place) const {
         const auto x = corners(model_, parts_[p].corners);
         const int crossed = crosses(place, x[0], x[1]) + crosses(place, x[1], x[2]) + crosses(place, x[2], x[0]);
         if (crossed % 2 == 0) continue; // neither above nor below
-        const Vec3 area = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]);
+        const Vec3 area = triangle_area_vector(x[0], x[1], x[2]);
         if (std::abs(area.z()) <= 1e-12 * area.norm()) continue; // upright
         const Vec3 along = place - x[0];
         const double height = x[0].z() - (area.x() * along.x() + area.y() * along.y()) / area.z() - place.z();

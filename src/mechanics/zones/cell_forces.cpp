@@ -59,16 +59,17 @@ struct DepthField {
     Eight3 divergence() const { return traction(slope, down); }
 };
 
-/// Of zones in cells of such places.
-DepthField depth_field(const Model& model, const CellField& place, const SixZones& stress) {
+using EdgesOfZones = std::array<Edges, zones_of_cell>;
+
+/// Of zones with such edges, in cells of such places.
+DepthField depth_field(const Model& model, const CellField& place, const EdgesOfZones& edges, const SixZones& stress) {
     const Vec3& gravity = model.settings.gravity;
     const double size = gravity.norm();
     const Vec3 down = size > 0 ? Vec3(gravity / size) : Vec3::Zero();
     DepthField field{{eights(down.x()), eights(down.y()), eights(down.z())}, mean_of(stress), {}, {}};
     std::array<Eight, zones_of_cell> depth;
     for (Row z = 0; z < zones_of_cell; ++z) {
-        const Edges edges = edges_of_zone(place, z);
-        depth[z] = 0.25 * field.depth(edges[0] + edges[1] + edges[2]);
+        depth[z] = 0.25 * field.depth(edges[z][0] + edges[z][1] + edges[z][2]);
         field.middle += depth[z] * (1.0 / zones_of_cell);
     }
     Eight squares{};
@@ -132,19 +133,21 @@ CellForces initial_forces(const Model& model, const CellField& place, const SixZ
     CellForces forces{};
     std::array<Eight, 8> share{}; // of the volume
     Eight whole{};
+    EdgesOfZones edges;
     for (Row z = 0; z < zones_of_cell; ++z) {
-        const Edges edges = edges_of_zone(place, z);
-        add_forces_of_zone(edges, z, stress[z], forces);
-        const Eight volume = edges[0].dot(edges[1].cross(edges[2])) * (1.0 / 6);
+        const Edges& own = edges[z] = edges_of_zone(place, z);
+        add_forces_of_zone(own, z, stress[z], forces);
+        const Eight volume = own[0].dot(own[1].cross(own[2])) * (1.0 / 6);
         for (const std::size_t c : corners_of_zone[z]) share[c] += 0.25 * volume;
         whole += volume;
     }
     // Stresses that change with depth bear the weights of the zones. A corner bears an eighth of its cell instead: the rest, the difference
     // of volume times the divergence of the stresses, is added.
-    const DepthField field = depth_field(model, place, stress);
+    const DepthField field = depth_field(model, place, edges, stress);
     const Eight3 divergence = field.divergence();
     for (std::size_t c = 0; c < 8; ++c) forces[c] = forces[c] + divergence * (0.125 * whole - share[c]);
-    OuterFaces(place, field, outer).add_to(forces);
+    if (std::any_of(outer, outer + eight, [](std::uint8_t bits) { return bits != 0; }))
+        OuterFaces(place, field, outer).add_to(forces);
     return forces;
 }
 

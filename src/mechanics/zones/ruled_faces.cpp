@@ -13,8 +13,8 @@ namespace kaya {
 namespace {
 
 /// Corners of the faces of a cell, in the order of RuledFaces.
-constexpr std::size_t corners_of_face[6][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
-                                               {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
+constexpr std::size_t corners_of_face_of_cell[6][4] = {{0, 2, 4, 6}, {0, 1, 4, 5}, {0, 1, 2, 3},
+                                                       {1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
 
 struct CellFace {
     Row zone;                ///< the first of the cell
@@ -32,21 +32,17 @@ std::vector<Row> leaders(const Model& model, const TieLists& ties) {
 }
 
 /// Ascending; of a group of tied gridpoints the first.
-std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, const CellFace& f) {
-    const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[f.zone]);
-    std::array<Row, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = leader[cell[corners_of_face[f.face][k]]];
+std::array<Row, 4> led(const std::vector<Row>& leader, std::array<Row, 4> corners) {
+    for (Row& g : corners) g = leader[g];
     std::ranges::sort(corners);
     return corners;
 }
 
-/// The same of the outer face of two triangles.
-std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, Row one, Row two) {
-    const TriangleCorners &a = model.triangles.gridpoints[one], &b = model.triangles.gridpoints[two];
-    const Row fourth = *std::ranges::find_if(b, [&](Row g) { return std::ranges::find(a, g) == a.end(); });
-    std::array<Row, 4> corners{leader[a[0]], leader[a[1]], leader[a[2]], leader[fourth]};
-    std::ranges::sort(corners);
-    return corners;
+std::array<Row, 4> corners_of(const Model& model, const std::vector<Row>& leader, const CellFace& f) {
+    const std::array<Row, 8> cell = corners_of_cell(&model.zones.gridpoints[f.zone]);
+    std::array<Row, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = cell[corners_of_face_of_cell[f.face][k]];
+    return led(leader, corners);
 }
 
 std::uint8_t bit_of(std::uint32_t face) { return static_cast<std::uint8_t>(1 << face); }
@@ -71,7 +67,8 @@ void find_ruled_faces(const Model& model, const TieLists& ties, ZoneLaws& laws) 
     for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t) {
         const Row partner = outer.partner(t);
         if (partner < t) continue; // none, or both are done
-        const std::array<Row, 4> corners = corners_of(model, leader, t, partner);
+        const auto& triangles = model.triangles.gridpoints;
+        const std::array<Row, 4> corners = led(leader, corners_of_face(triangles[t], triangles[partner]));
         const Row first = corners.front();
         const auto found = std::find_if(faces.begin(first), faces.end(first),
                                         [&](const CellFace& f) { return corners_of(model, leader, f) == corners; });

@@ -2,8 +2,8 @@
 
 #include "model/edit/ties.hpp"
 #include "model/measure/cell_faces.hpp"
+#include "model/measure/measure.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 
@@ -16,13 +16,13 @@ TriangleCorners sorted(TriangleCorners corners) {
     return corners;
 }
 
-/// What the force at each corner of a face is for a stress, as an area: half of the traction on the triangles of the other diagonal, less
-/// half of that on the zones' own. A linear motion makes nothing of it.
+/// For each corner of a face the area on which a stress makes its force: half of the corner's part of the triangles of the other diagonal,
+/// less half of its part of the zones' own. A linear motion makes nothing of it.
 std::array<Vec3, 4> areas_of(const Model& model, const SharedFace& face) {
     const auto& x = model.gridpoints.position;
     const auto& [a, b, c, d] = face.corners; // the zones have the diagonal from b to d
     const auto area = [&](Row one, Row two, Row three) {
-        return Vec3((x[two] - x[one]).cross(x[three] - x[one]) / 12.0);
+        return Vec3(triangle_area_vector(x[one], x[two], x[three]) / 6.0);
     };
     // A third of a half of each triangle at a corner: what the two pairs differ by is the triangle of the other corners.
     return {area(b, c, d), -area(a, c, d), area(a, b, d), -area(a, b, c)};
@@ -45,8 +45,7 @@ void find_shared_faces(const Model& model, ZoneLaws& laws) {
         const TriangleCorners &own = model.triangles.gridpoints[t], &other = model.triangles.gridpoints[partner];
         zone_at.emplace(sorted(own), no_row);
         if (partner < t) continue;
-        const auto pair = other_diagonal(own, other); // from its first corner to the opposite one
-        found.push_back({{pair[0][0], pair[0][1], pair[0][2], pair[1][2]}, {}});
+        found.push_back({corners_of_face(own, other), {}});
     }
     for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z)
         for (std::size_t k = 0; k < 4; ++k) {

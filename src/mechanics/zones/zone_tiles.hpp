@@ -49,8 +49,8 @@ struct ZoneTile {
 
 /// An outer face of a cell whose zones act one by one.
 struct SharedFace {
-    std::array<Row, 4>
-        corners; ///< gridpoints in order, anticlockwise from outside; the diagonal of the zones is from the second to the last
+    /// Gridpoints, as corners_of_face has them: the zones have the diagonal from the second to the last.
+    std::array<Row, 4> corners;
     std::array<Row, 2> zones; ///< those at the first corner and at the third
 };
 

@@ -25,11 +25,15 @@ Row partner_in_cell(const Model& model, Row triangle) {
     return std::ranges::count_if(own, [&](Row g) { return has(other, g); }) == 2 ? partner : no_row;
 }
 
-std::array<TriangleCorners, 2> other_diagonal(const TriangleCorners& one, const TriangleCorners& two) {
+std::array<Row, 4> corners_of_face(const TriangleCorners& one, const TriangleCorners& two) {
     std::size_t tip = 0;
     while (tip < 2 && has(two, one[tip])) ++tip;
-    const Row a = one[tip], b = one[(tip + 1) % 3], d = one[(tip + 2) % 3];
-    const Row c = *std::ranges::find_if(two, [&](Row g) { return !has(one, g); });
+    const Row opposite = *std::ranges::find_if(two, [&](Row g) { return !has(one, g); });
+    return {one[tip], one[(tip + 1) % 3], opposite, one[(tip + 2) % 3]};
+}
+
+std::array<TriangleCorners, 2> other_diagonal(const TriangleCorners& one, const TriangleCorners& two) {
+    const auto [a, b, c, d] = corners_of_face(one, two);
     return {TriangleCorners{a, b, c}, TriangleCorners{a, c, d}};
 }
 

@@ -13,6 +13,9 @@ using TriangleCorners = std::array<Row, 3>;
 /// The other half of the outer face of a cell; no_row for all other triangles.
 Row partner_in_cell(const Model& model, Row triangle);
 
+/// The four corners of two triangles with a common edge, anticlockwise from outside; that edge goes from the second to the last one.
+std::array<Row, 4> corners_of_face(const TriangleCorners& one, const TriangleCorners& two);
+
 /// The two triangles along the other diagonal of the four corners of two triangles with a common edge, with the same side outside.
 std::array<TriangleCorners, 2> other_diagonal(const TriangleCorners& one, const TriangleCorners& two);
 

@@ -28,12 +28,12 @@ Vec3 gridpoint_sum(const Model& model, Row block, const Column<Vec3>& column) {
 
 } // namespace
 
+Vec3 triangle_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * (b - a).cross(c - a); }
+
 Vec3 triangle_area_vector(const Model& model, Row triangle) {
     const auto& corner = model.triangles.gridpoints[triangle];
     const auto& position = model.gridpoints.position;
-    const Vec3 edge1 = position[corner[1]] - position[corner[0]];
-    const Vec3 edge2 = position[corner[2]] - position[corner[0]];
-    return 0.5 * edge1.cross(edge2);
+    return triangle_area_vector(position[corner[0]], position[corner[1]], position[corner[2]]);
 }
 
 Vec3 triangle_centroid(const Model& model, Row triangle) {

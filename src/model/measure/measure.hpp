@@ -6,6 +6,7 @@
 namespace kaya {
 
 /// Half the cross product of two edges: its length is the area, its direction outward.
+Vec3 triangle_area_vector(const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 triangle_area_vector(const Model& model, Row triangle);
 Vec3 triangle_centroid(const Model& model, Row triangle);
 

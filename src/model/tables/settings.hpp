@@ -49,8 +49,8 @@ struct Settings {
     bool dynamic = false;
     bool large_strain = true;
     bool energy = true; ///< keep the energy account
-    bool triangular_outer_faces =
-        false; ///< of cells: of models that earlier programs saved, see model/measure/cell_faces.hpp
+    /// Of cells: in models that earlier programs saved, see model/measure/cell_faces.hpp.
+    bool triangular_outer_faces = false;
     std::int32_t default_joint_material = 1;     ///< `set jmatdf`
     std::int32_t default_joint_constitutive = 1; ///< `set jcondf`
     /// Row of Model::joint_properties for new contacts, after a `jmodel` command that reached all; -1: the

@@ -34,6 +34,19 @@ struct Cells : Bench {
     }
 };
 
+/// One cell of 1 m.
+struct OneCell : Cells {
+    OneCell() {
+        cells({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
+        find_contacts(model, joints);
+    }
+    static StressField pressing(double force) {
+        StressField stress;
+        stress.at_origin[2] = -force;
+        return stress;
+    }
+};
+
 TEST(CellFaces, HaveTwoHalvesAndAnotherDiagonal) {
     Cells bench;
     bench.cells({0, 0, 0}, {1, 1, 1}, {2, 3, 1});
@@ -54,13 +67,9 @@ TEST(CellFaces, HaveTwoHalvesAndAnotherDiagonal) {
 }
 
 TEST(CellFaces, ShareLoadsAndQuietBoundariesEvenly) {
-    Cells bench;
-    bench.cells({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
+    OneCell bench;
     Model& model = bench.model;
-    find_contacts(model, bench.joints);
-    StressField stress;
-    stress.at_origin[2] = -4e6;
-    EXPECT_EQ(add_stress(model, bench.top(), stress), 1);
+    EXPECT_EQ(add_stress(model, bench.top(), bench.pressing(4e6)), 1);
     for (const Row g : bench.top()) EXPECT_NEAR(model.gridpoints.load[g].z(), -1e6, 1e-8);
     EXPECT_EQ(make_quiet(model, exterior_triangles(model, bench.top()), quiet_normal), 2u);
     const QuietPoints points = quiet_points(model, std::vector<ElasticConstants>{{0.6e9, 1.2e9}});
@@ -69,14 +78,10 @@ TEST(CellFaces, ShareLoadsAndQuietBoundariesEvenly) {
 }
 
 TEST(CellFaces, LoadOnOneHalfActsOnItsCorners) {
-    Cells bench;
-    bench.cells({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
+    OneCell bench;
     Model& model = bench.model;
-    find_contacts(model, bench.joints);
-    StressField stress;
-    stress.at_origin[2] = -6e6;
     const std::vector<Row> both = exterior_triangles(model, bench.top());
-    EXPECT_EQ(add_stress_on(model, {both[0]}, stress), 0.5);
+    EXPECT_EQ(add_stress_on(model, {both[0]}, bench.pressing(6e6)), 0.5);
     for (const Row g : model.triangles.gridpoints[both[0]]) EXPECT_NEAR(model.gridpoints.load[g].z(), -1e6, 1e-8);
 }
 
