@@ -1,6 +1,7 @@
 #include "mechanics/contact/contact_geometry.hpp"
 
 #include "geometry/overlay/polygon_overlay.hpp"
+#include "mechanics/contact/contact_slip.hpp"
 #include "mechanics/contact/corner_contact.hpp"
 #include "mechanics/contact/face_joint.hpp"
 #include "mechanics/contact/surface_shares.hpp"
@@ -65,7 +66,7 @@ void add_middles(std::vector<Vec2>& polygon) {
 
 /// Sub-contacts of two faces of rigid blocks: they depend on the common polygon, not on the triangulation of the faces.
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
-                           double tolerance, SearchScratch& scratch) {
+                           double tolerance, double spacing, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
@@ -82,7 +83,9 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
     const auto middles = [&](Row block) { return model.blocks.face_triangles[block] == FaceTriangles::radial_8; };
     if (middles(block1) || middles(block2)) add_middles(common);
     if (stands_on_corners(model, block1, block2)) corners_of_polygon(common, found);
-    else points_of_polygon(common, edge_between(model, block1, block2), tolerance, found, scratch.overlay);
+    else
+        points_of_polygon(common, shorter_length(edge_between(model, block1, block2), spacing), tolerance, found,
+                          scratch.overlay);
     bool near = false;
     for (const auto& p : found.points) {
         ContactPoint& point = geometry.points.add();
@@ -333,7 +336,8 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
             geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1),
                                   surfaces.normal(geometry.face2));
-            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, scratch);
+            const double spacing = old == no_row ? 0 : spacing_of_slip(model, old);
+            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, spacing, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
             // An approaching block with less common area meets an edge or a corner: a block that slides across the lip left by the closure

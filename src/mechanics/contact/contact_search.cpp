@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/stop_point.hpp"
 #include "mechanics/contact/contact_geometry.hpp"
+#include "mechanics/contact/contact_slip.hpp"
 #include "mechanics/shape/corner_joints.hpp"
 #include "mechanics/contact/open_corner.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
@@ -92,19 +93,6 @@ bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b
     if (contact == no_row || (found && geometry.type == ContactType::face_face)) return found;
     const double gap = widest_gap(model, contact);
     return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry, scratch) : found;
-}
-
-/// The relative slip of the two sides of a contact in its plane since its geometry was updated.
-double slip_at(const Model& model, Row contact) {
-    const auto& s = model.sub_contacts;
-    const Vec3& n = model.contacts.normal[contact];
-    double farthest = 0;
-    const Span span = model.contacts.sub_contacts[contact];
-    for (Row row = span.first; row < span.end(); ++row) {
-        const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
-        farthest = std::max(farthest, (between - between.dot(n) * n).squaredNorm());
-    }
-    return std::sqrt(farthest);
 }
 
 Box box_of(const Model& model, Row b, double margin) {
@@ -434,7 +422,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
             if (contacts.kind[c] == ContactKind::joint && has_slipped(c))
-                contacts.slip_since_update[c] = slip_at(model, static_cast<Row>(c));
+                contacts.slip_since_update[c] = slip_of(model, static_cast<Row>(c)).farthest;
     });
     std::vector<Pair> pairs;
     for (std::size_t c = 0; c < contacts.size(); ++c)

@@ -8,10 +8,12 @@
 
 namespace kaya {
 
+/// The shorter of two lengths; 0 stands for none.
+inline double shorter_length(double a, double b) { return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); }
+
 /// The spacing of sub-contacts that two blocks ask for: the shorter of two lengths; 0: as the joint needs; infinity: at its corners only.
 inline double length_between(const Model& model, Row block1, Row block2) {
-    const double a = model.blocks.face_edge[block1], b = model.blocks.face_edge[block2];
-    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
+    return shorter_length(model.blocks.face_edge[block1], model.blocks.face_edge[block2]);
 }
 
 /// Whether a joint between two rigid blocks has sub-contacts at its corners only. It opens corner by corner, where other joints become an
