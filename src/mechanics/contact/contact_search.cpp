@@ -422,7 +422,7 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     for_chunks(contacts.size(), 8 * grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
             if (contacts.kind[c] == ContactKind::joint && has_slipped(c))
-                contacts.slip_since_update[c] = slip_of(model, static_cast<Row>(c)).farthest;
+                contacts.slip_since_update[c] = slip_of(model, static_cast<Row>(c));
     });
     std::vector<Pair> pairs;
     for (std::size_t c = 0; c < contacts.size(); ++c)

@@ -12,45 +12,54 @@ namespace {
 
 /// Distance of sub-contacts over the size of the joint, the square root of its area. Friction is within 1 % then.
 constexpr double fine_spacing = 0.15;
-/// The least slip over the farthest: below, eight places of a square miss the sum of friction by more than half a percent.
+/// The least motion over the greatest: below, eight places of a square miss the sum of friction by more than half a percent.
 constexpr double turning = 0.6;
-
 /// A joint slides when a place has slipped this part of its size; blocks that settle slip less, and pay for no finer sub-contacts.
 constexpr double sliding = 0.01;
 
-/// Whether the two sides slip against each other at each place that carries a force, and have slipped far.
-bool slides_everywhere(const Model& model, Row contact) {
+/// Whether each place that carries a force has slipped, and one of them far.
+bool has_slid(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[contact];
     double farthest = 0;
     for (Row row = span.first; row < span.end(); ++row) {
-        if (!s.side1[row].attached() || !s.side2[row].attached()) return false;
         if (s.normal_force[row] > 0 && !(s.frictional_work[row] > 0)) return false;
         farthest = std::max(farthest, Vec3(s.shear_displacement[row]).squaredNorm());
     }
     return farthest > sliding * sliding * model.contacts.area[contact];
 }
 
+/// Whether the places moved differently in the last step.
+bool turns(const Model& model, Row contact) {
+    const auto& s = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[contact];
+    double greatest = 0, least = std::numeric_limits<double>::infinity();
+    for (Row row = span.first; row < span.end(); ++row) {
+        const double square = Vec3(s.shear_displacement_increment[row]).squaredNorm();
+        greatest = std::max(greatest, square);
+        least = std::min(least, square);
+    }
+    return least < turning * turning * greatest;
+}
+
 } // namespace
 
-ContactSlip slip_of(const Model& model, Row contact) {
+double slip_of(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Vec3& n = model.contacts.normal[contact];
-    double farthest = 0, least = std::numeric_limits<double>::infinity();
+    double farthest = 0;
     const Span span = model.contacts.sub_contacts[contact];
     for (Row row = span.first; row < span.end(); ++row) {
         const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
-        const double square = (between - between.dot(n) * n).squaredNorm();
-        farthest = std::max(farthest, square);
-        least = std::min(least, square);
+        farthest = std::max(farthest, (between - between.dot(n) * n).squaredNorm());
     }
-    return {std::sqrt(farthest), std::sqrt(least)};
+    return std::sqrt(farthest);
 }
 
 double spacing_of_slip(const Model& model, Row contact) {
-    if (model.contacts.kind[contact] != ContactKind::joint || !slides_everywhere(model, contact)) return 0;
-    const ContactSlip slip = slip_of(model, contact);
-    return slip.least < turning * slip.farthest ? fine_spacing * std::sqrt(model.contacts.area[contact]) : 0;
+    const bool fine =
+        model.contacts.kind[contact] == ContactKind::joint && has_slid(model, contact) && turns(model, contact);
+    return fine ? fine_spacing * std::sqrt(model.contacts.area[contact]) : 0;
 }
 
 } // namespace kaya

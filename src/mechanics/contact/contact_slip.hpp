@@ -5,15 +5,11 @@
 
 namespace kaya {
 
-/// Distances of both sides in the plane of the contact, of the places that have slipped farthest and least.
-struct ContactSlip {
-    double farthest = 0, least = 0;
-};
-
-ContactSlip slip_of(const Model& model, Row contact);
+/// The farthest distance of both sides of a place in the plane of the contact, a length.
+double slip_of(const Model& model, Row contact);
 
 /// The distance of sub-contacts that a joint between two rigid blocks needs by its slip, a length; 0: none. Friction acts against the slip of
-/// each place: where all places slip and the centre of the turn is near the face, eight places miss its sum (docs/theory/contacts.md,
+/// each place: where blocks slide and the centre of their turn is near the face, eight places miss its sum (docs/theory/contacts.md,
 /// "Sliding and new geometry").
 double spacing_of_slip(const Model& model, Row contact);
 
