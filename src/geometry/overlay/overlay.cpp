@@ -244,15 +244,21 @@ private:
         });
     }
 
+    /// A triangle, or those from the mean of the corners: parts that do not depend on which corner is the first.
     void add_fine(const SweepItem& one, int triangle2) {
-        for_fans(1, ring_.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
-            for_parts({points_[ring_[a]].place, points_[ring_[b]].place, points_[ring_[c]].place}, edge_,
-                      [&](const std::array<Vec2, 3>& part) {
-                          add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
-                                        point_at(one, triangle2, part[2])},
-                                       1);
-                      });
-        });
+        const auto divide = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
+            for_parts({a, b, c}, edge_, [&](const std::array<Vec2, 3>& part) {
+                add_triangle({point_at(one, triangle2, part[0]), point_at(one, triangle2, part[1]),
+                              point_at(one, triangle2, part[2])},
+                             1);
+            });
+        };
+        const auto corner = [&](std::size_t i) { return points_[ring_[i % ring_.size()]].place; };
+        if (ring_.size() == 3) return divide(corner(0), corner(1), corner(2));
+        Vec2 sum = Vec2::Zero();
+        for (std::size_t i = 0; i < ring_.size(); ++i) sum += corner(i);
+        const Vec2 mean = sum / static_cast<double>(ring_.size());
+        for (std::size_t i = 0; i < ring_.size(); ++i) divide(mean, corner(i), corner(i + 1));
     }
 
     /// The point here, which neighbouring pieces have in common.

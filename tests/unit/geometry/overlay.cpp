@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 using namespace kaya;
 
 namespace {
@@ -90,6 +94,29 @@ TEST(Overlay, AnEdgeCutsItsTrianglesInSmallerOnes) {
         Vec2 place = Vec2::Zero();
         for (int k = 0; k < 3; ++k) place += p.weights1[k] * t.points[t.triangles[p.triangle1][k]];
         EXPECT_LT((place - p.place).norm(), 1e-12);
+    }
+}
+
+TEST(Overlay, FinePartsDoNotDependOnTheOrderOfSidesAndCorners) {
+    const PlaneMesh one = fan({{0, 0}, {2, 0}, {2, 1}, {0, 1}}),
+                    other = fan({{0.3, -0.4}, {1.9, 0.2}, {1.5, 1.4}, {-0.1, 0.8}});
+    PlaneMesh turned = one; // the same triangles with other first corners
+    for (auto& t : turned.triangles) t = {t[1], t[2], t[0]};
+    const auto sorted = [](const Overlay& laid) {
+        std::vector<std::array<double, 3>> points;
+        for (const auto& p : laid.points)
+            if (p.area > 0) points.push_back({p.place.x(), p.place.y(), p.area});
+        std::ranges::sort(points, [](const auto& a, const auto& b) {
+            return std::abs(a[0] - b[0]) > 1e-9 ? a[0] < b[0] : a[1] < b[1];
+        });
+        return points;
+    };
+    const auto expected = sorted(laid_over(one, other, 1e-9, 0.3));
+    for (const Overlay& laid : {laid_over(other, one, 1e-9, 0.3), laid_over(turned, other, 1e-9, 0.3)}) {
+        const auto points = sorted(laid);
+        ASSERT_EQ(points.size(), expected.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(points[i][k], expected[i][k], 1e-12);
     }
 }
 
