@@ -18,7 +18,7 @@ constexpr double turning = 0.6;
 constexpr double sliding = 0.01;
 
 /// Whether each place that carries a force has slipped, and one of them far.
-bool has_slid(const Model& model, Row contact) {
+bool slipped_far(const Model& model, Row contact) {
     const auto& s = model.sub_contacts;
     const Span span = model.contacts.sub_contacts[contact];
     double farthest = 0;
@@ -58,7 +58,7 @@ double slip_of(const Model& model, Row contact) {
 
 double spacing_of_slip(const Model& model, Row contact) {
     const bool fine =
-        model.contacts.kind[contact] == ContactKind::joint && has_slid(model, contact) && turns(model, contact);
+        model.contacts.kind[contact] == ContactKind::joint && slipped_far(model, contact) && turns(model, contact);
     return fine ? fine_spacing * std::sqrt(model.contacts.area[contact]) : 0;
 }
 
