@@ -64,9 +64,20 @@ void add_middles(std::vector<Vec2>& polygon) {
     polygon = finer;
 }
 
+/// Distance of sub-contacts over the diameter of a joint that turns as it slides: the sum of friction is within 1 % then.
+constexpr double fine_spacing = 0.1;
+
+/// The greatest distance of two corners.
+double diameter(const std::vector<Vec2>& polygon) {
+    double square = 0;
+    for (const Vec2& a : polygon)
+        for (const Vec2& b : polygon) square = std::max(square, (a - b).squaredNorm());
+    return std::sqrt(square);
+}
+
 /// Sub-contacts of two faces of rigid blocks: they depend on the common polygon, not on the triangulation of the faces.
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
-                           double tolerance, double spacing, SearchScratch& scratch) {
+                           double tolerance, bool turns, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
@@ -84,8 +95,9 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
     if (middles(block1) || middles(block2)) add_middles(common);
     if (stands_on_corners(model, block1, block2)) corners_of_polygon(common, found);
     else
-        points_of_polygon(common, shorter_length(edge_between(model, block1, block2), spacing), tolerance, found,
-                          scratch.overlay);
+        points_of_polygon(
+            common, shorter_length(edge_between(model, block1, block2), turns ? fine_spacing * diameter(common) : 0),
+            tolerance, found, scratch.overlay);
     bool near = false;
     for (const auto& p : found.points) {
         ContactPoint& point = geometry.points.add();
@@ -336,8 +348,8 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
             geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1),
                                   surfaces.normal(geometry.face2));
-            const double spacing = old == no_row ? 0 : spacing_of_slip(model, old);
-            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, spacing, scratch);
+            const bool turns = old != no_row && turns_as_it_slides(model, old);
+            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, turns, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
             // An approaching block with less common area meets an edge or a corner: a block that slides across the lip left by the closure

@@ -10,11 +10,9 @@ namespace kaya {
 
 namespace {
 
-/// Distance of sub-contacts over the size of the joint, the square root of its area. Friction is within 1 % then.
-constexpr double fine_spacing = 0.15;
 /// The least motion over the greatest: below, eight places of a square miss the sum of friction by more than half a percent.
 constexpr double turning = 0.6;
-/// A joint slides when a place has slipped this part of its size; blocks that settle slip less, and pay for no finer sub-contacts.
+/// A joint slides when a place has slipped this part of its size, the square root of its area; blocks that settle slip less, and pay for no finer sub-contacts.
 constexpr double sliding = 0.01;
 
 /// Whether each place that carries a force has slipped, and one of them far.
@@ -56,10 +54,8 @@ double slip_of(const Model& model, Row contact) {
     return std::sqrt(farthest);
 }
 
-double spacing_of_slip(const Model& model, Row contact) {
-    const bool fine =
-        model.contacts.kind[contact] == ContactKind::joint && slipped_far(model, contact) && turns(model, contact);
-    return fine ? fine_spacing * std::sqrt(model.contacts.area[contact]) : 0;
+bool turns_as_it_slides(const Model& model, Row contact) {
+    return model.contacts.kind[contact] == ContactKind::joint && slipped_far(model, contact) && turns(model, contact);
 }
 
 } // namespace kaya
