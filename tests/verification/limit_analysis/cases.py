@@ -51,7 +51,7 @@ def layered(ratio, answer):
 def cracked(tension):
     """ACADS 1b: 2 to 1, 10 high, c = 32 kPa, friction 10, weight 20 kN/m3; `tension` False: no tension, in place of its crack."""
     name = "ACADS 1b" + ("" if tension else ", no tension")
-    soil = Soil(32 / 200, 10, 1, tension)
+    soil = Soil(32 / 200, 10, 1, tension, (0, math.degrees(math.atan(0.5))))
     return Case(name, lambda: bench(soil, 1, 2, 0.5, 1, 1.6, 9), 1.65, "Giam and Donald (1989)", True)
 
 

@@ -11,6 +11,7 @@ class Soil:
     friction: float = 0.0  # degrees
     weight: float = 0.0
     tension: bool = True  # False: no principal stress is tensile
+    faces: tuple = (0.0,)  # without tension: inclinations of free faces, in degrees, along which soil is to carry
 
     def reduced(self, factor):
         t = math.tan(math.radians(self.friction)) / factor
@@ -25,10 +26,19 @@ class Soil:
         corners on it (`inside`) or tangent to it."""
         angle = 2 * math.pi * np.arange(sides) / sides
         f = math.radians(self.friction)
-        shrink = math.cos(math.pi / sides) if inside else 1.0
-        circles = [(math.sin(f), self.cohesion * math.cos(f))] + ([] if self.tension else [(1.0, 0.0)])
-        rows = []
-        for slope, limit in circles:
-            s, c = 0.5 * slope * shrink, 0.5 * np.cos(angle)
-            rows.append(np.stack([c + s, s - c, np.sin(angle), np.full(sides, limit * shrink)], 1))
+        shrink = np.full(sides, math.cos(math.pi / sides) if inside else 1.0)
+        rows = [self.cone(angle, shrink, math.sin(f), self.cohesion * math.cos(f))]
+        if not self.tension:
+            if inside:  # compression along a free face is a corner
+                along = [math.radians(180 + 2 * face) for face in self.faces]
+                corners = np.unique(np.round(np.mod(np.concatenate([angle, along]), 2 * math.pi), 9))
+                half = 0.5 * (np.roll(corners, -1) - corners + np.where(np.arange(len(corners)) < len(corners) - 1, 0, 2 * math.pi))
+                angle, shrink = corners + half, np.cos(half)
+            rows.append(self.cone(angle, shrink, 1.0, 0.0))
         return np.concatenate(rows)
+
+    @staticmethod
+    def cone(angle, shrink, slope, limit):
+        """Planes with these directions of a circle whose radius is limit less slope times the mean stress."""
+        s, c = 0.5 * slope * shrink, 0.5 * np.cos(angle)
+        return np.stack([c + s, s - c, np.sin(angle), limit * shrink], 1)
