@@ -40,6 +40,7 @@ struct Solve {
     enum class Reduced { joints, zones, friction, cohesion, tension };
     std::vector<Reduced> included, excluded; ///< of fos: the properties that are reduced; none included: all
     bool keep = false;                       ///< of fos: keep the failed state of the model
+    bool associated = false;                 ///< of fos: zones dilate as much as they have friction
     std::optional<bool>
         extrapolate; ///< of fos: whether to estimate the factor of fine zones; none: for the zones that it was fitted to
     Place place;

@@ -148,6 +148,9 @@ CommandSpec solve() {
         .action(
             {"keep"}, [](Solve& s) { s.keep = true; },
             "with fos: the model keeps the state at the end of the last failed trial")
+        .action(
+            {"associated"}, [](Solve& s) { s.associated = true; },
+            "with fos: zones dilate as much as they have friction, as far as it is reduced; otherwise dilation stays what it is, but never above friction")
         .keyword(
             {"extrapolate"},
             Parts<Solve>().set(&Solve::extrapolate, true).maybe(on_off().optional(), &Solve::extrapolate),
@@ -158,16 +161,19 @@ CommandSpec solve() {
             if (last == "and" || last == "or")
                 incomplete_line(reader, fmt::format("a limit is missing after '{}'", last),
                                 "write for example: solve ratio 1e-5 and cycles 1000");
-            if (!s.factor_of_safety &&
-                (s.bracket || !s.file.empty() || s.keep || s.extrapolate || !s.included.empty() || !s.excluded.empty()))
-                incomplete_line(reader, "bracket, file, include, exclude, keep and extrapolate belong to fos",
+            if (!s.factor_of_safety && (s.bracket || !s.file.empty() || s.keep || s.associated || s.extrapolate ||
+                                        !s.included.empty() || !s.excluded.empty()))
+                incomplete_line(reader,
+                                "bracket, file, include, exclude, keep, associated and extrapolate belong to fos",
                                 "write for example: solve fos bracket 1 2");
-            if (s.factor_of_safety && (s.elastic || s.force || s.time || s.clock || s.maximum_ratio || s.local_ratio ||
-                                       s.total_cycles || s.total_time || s.all))
+            if (s.factor_of_safety &&
+                (s.elastic || s.force || s.time || s.clock || s.total_cycles || s.total_time || s.all))
                 incomplete_line(
                     reader,
-                    "fos goes with ratio, cycles, bracket, resolution, file, include, exclude, keep and extrapolate only",
+                    "fos goes with a ratio, cycles, bracket, resolution, file, include, exclude, keep, associated and extrapolate only",
                     "give other limits to a separate `solve` before");
+            if (s.factor_of_safety && s.ratio.has_value() + s.maximum_ratio.has_value() + s.local_ratio.has_value() > 1)
+                incomplete_line(reader, "fos takes one ratio", "write for example: solve fos ratio-local 1e-4");
             if (s.bracket && !reader.wildcards() && !((*s.bracket)[0] < (*s.bracket)[1]))
                 incomplete_line(reader, "the stable factor must be below the failing one",
                                 "write for example: solve fos bracket 1 2");
@@ -186,11 +192,14 @@ CommandSpec solve() {
         .right("solve fos include joints include friction")
         .right("solve fos extrapolate")
         .right("solve fos extrapolate off")
-        .wrong("solve bracket 1 2", "bracket, file, include, exclude, keep and extrapolate belong to fos")
+        .right("solve fos associated ratio-local 1e-4")
+        .wrong("solve fos ratio 1e-4 ratio-local 1e-3", "fos takes one ratio")
+        .wrong("solve bracket 1 2", "bracket, file, include, exclude, keep, associated and extrapolate belong to fos")
         .wrong("solve fos exclude fricton", "'fricton' is not a strength that fos reduces")
         .wrong("solve fos bracket 2 1", "the stable factor must be below the failing one")
-        .wrong("solve fos force 1",
-               "fos goes with ratio, cycles, bracket, resolution, file, include, exclude, keep and extrapolate only")
+        .wrong(
+            "solve fos force 1",
+            "fos goes with a ratio, cycles, bracket, resolution, file, include, exclude, keep, associated and extrapolate only")
         .wrong("solve raito 1e-5", "'raito' is not a keyword of solve")
         .wrong("solve cycles 10 adn time 1", "'adn' is not a keyword of solve")
         .wrong("solve ratio 1e-5 and", "a limit is missing after 'and'")

@@ -64,17 +64,18 @@ CommandSpec factor_of_safety() {
         solve.factor_of_safety = true;
     });
     leaf.word("bracket", "bracket").word("resolution", "resolution").word("filename", "file");
-    leaf.word("ratio", "ratio").word("step-limit", "cycles");
-    leaf.no_effect("associated", "dilation is never changed");
+    leaf.word("ratio", "ratio").word("ratio-average", "ratio").word("ratio-local", "ratio-local");
+    leaf.word("ratio-maximum", "ratio-maximum").word("step-limit", "cycles").word("associated", "associated");
     leaf.not_yet({"include", "exclude"}, "a choice of strengths: write solve fos include friction");
     leaf.not_yet({"zone", "joint", "zone-joint", "interface"}, "a choice of strengths: write solve fos include joints");
-    leaf.not_yet({"bracket-limit", "characteristic-steps", "convergence", "perturbation", "ratio-average",
-                  "ratio-local", "ratio-maximum", "list"},
+    leaf.not_yet({"bracket-limit", "characteristic-steps", "convergence", "perturbation", "list"},
                  "details of the search");
     leaf.checks_of_meaning();
     leaf.right("model factor-of-safety", "solve fos");
     leaf.right("model factor-of-safety resolution 0.01 ratio 1e-4 step-limit 2000",
                "solve fos resolution 0.01 ratio 1e-4 cycles 2000");
+    leaf.right("model factor-of-safety associated ratio-local 1e-3 step-limit 2000",
+               "solve fos associated ratio-local 1e-3 cycles 2000");
     leaf.wrong("model factor-of-safety bracket 2 1", "the stable factor must be below the failing one");
     return leaf;
 }

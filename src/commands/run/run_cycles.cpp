@@ -322,7 +322,7 @@ bool settle_forces(Session& session) {
     return model.stale.properties();
 }
 
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor,
+RestSpan advance_span(Session& session, std::int64_t cycles, const RestRatio& ratio, FailureMonitor* monitor,
                       Progress* progress) {
     make_ready(session);
     session.autosave->begins();
@@ -336,9 +336,9 @@ RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, Failu
         advance(session, false);
         session.stop_after_cycle();
         ++span.cycles;
-        sum += now.average_ratio;
+        sum += ratio.now(now);
         if (progress) progress->advanced();
-        at_ratio = now.average_ratio <= ratio;
+        at_ratio = ratio.now(now) <= ratio.limit;
         if (monitor && monitor->sample()) {
             span.fails = true;
             break;

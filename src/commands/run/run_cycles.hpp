@@ -48,9 +48,18 @@ struct RestSpan {
     bool fails = false;               ///< reported by the failure monitor; the span ended there
 };
 
-/// Cycles until the average ratio is at most `ratio` and no body gains displacement, or until that many cycles are done; checking bodies
+/// A ratio of unbalanced force, and its value at rest.
+struct RestRatio {
+    double limit;
+    double Clock::*kind = &Clock::average_ratio;
+
+    double now(const Clock& clock) const { return clock.*kind; }
+};
+
+/// Cycles until the ratio is at most `ratio` and no body gains displacement, or until that many cycles are done; checking bodies
 /// may take more. A monitor sees every cycle.
-RestSpan advance_span(Session& session, std::int64_t cycles, double ratio, FailureMonitor* monitor, Progress* progress);
+RestSpan advance_span(Session& session, std::int64_t cycles, const RestRatio& ratio, FailureMonitor* monitor,
+                      Progress* progress);
 
 /// Gives joints a cohesion and a tensile strength that nothing reaches, for as long as it lives. Contacts must have their
 /// properties: Cycle::prepare.

@@ -197,6 +197,13 @@ double say_factor(Output& output, const Bracket& bracket) {
     return middle(bracket);
 }
 
+/// The ratio of the limits that shows rest, the average one where none is given.
+RestRatio ratio_of(const Limits& limits) {
+    if (limits.local_ratio) return {*limits.local_ratio, &Clock::local_ratio};
+    if (limits.maximum_ratio) return {*limits.maximum_ratio, &Clock::maximum_ratio};
+    return {limits.ratio.value_or(default_ratio)};
+}
+
 } // namespace
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
@@ -208,10 +215,11 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         session.engine.cycle->prepare(); // contacts must have their properties
         const Asked asked(command);
         check_for_trials(session, asked, command.place);
+        if (command.associated) check_for_associated_flow(session, command.place);
         const FineZones fine = fine_zones(session, asked, command);
         Progress progress(output, session.engine.model, {});
-        const double ratio = limits.ratio.value_or(default_ratio);
-        ModelOnTrial model(session, asked);
+        const RestRatio ratio = ratio_of(limits);
+        ModelOnTrial model(session, asked, command.associated);
         const std::int64_t span =
             command.cycles ? *command.cycles : characteristic_span(session, progress, ratio, command.place);
         const TrialBench bench{session, asked, model.initial(), ratio, span, progress};

@@ -34,8 +34,9 @@ std::optional<Diagnostic> objection(Session& session, const Asked& asked) {
 }
 
 /// Whether the zones of a block are those that the estimate was fitted to: Mohr-Coulomb zones that dilate as much as they have friction.
-bool is_verified(const Model& model, Row block, const ZoneModel& zones) {
+bool is_verified(const Model& model, Row block, const ZoneModel& zones, bool associated) {
     if (zones.name != "mohr-coulomb") return false;
+    if (associated) return true;
     const std::vector<double> values = zone_model_values(model, block, zones);
     const auto value = [&](std::string_view word) {
         const auto at = zones.find_property(word);
@@ -55,7 +56,7 @@ FineZones fine_zones(Session& session, const Asked& asked, const lang::Solve& co
     for (Row b = 0; b < static_cast<Row>(model.blocks.size()); ++b) {
         if (!model.blocks.deformable[b]) continue;
         const ZoneModel& zones = session.engine.joints.zones.get(zone_model_of(model, b));
-        if (weakens(zones) && !is_verified(model, b, zones)) return FineZones::on_request;
+        if (weakens(zones) && !is_verified(model, b, zones, command.associated)) return FineZones::on_request;
     }
     return FineZones::searched;
 }

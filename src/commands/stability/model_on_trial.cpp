@@ -25,7 +25,7 @@ constexpr double dashpots = 0.4;
 
 } // namespace
 
-ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked)
+ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked, bool associated)
     : session_(session), energy_(session.engine.model.settings.energy), damping_(session.engine.model.settings.damping),
       dashpots_(session.engine.model.settings.contact_damping) {
     // Local damping holds back sliding bodies (docs/theory/damping.md); no damping of bodies stops vibrations excited by friction.
@@ -33,9 +33,9 @@ ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked)
     session.engine.model.settings.contact_damping = std::max(dashpots_, dashpots);
     initial_.model = session.engine.model;
     initial_.model.settings.energy = true; // a failing trial is detected by its energy account
-    initial_.model.unreduced = static_cast<std::uint8_t>((asked(Reduced::friction) ? 0 : keep_friction) |
-                                                         (asked(Reduced::cohesion) ? 0 : keep_cohesion) |
-                                                         (asked(Reduced::tension) ? 0 : keep_tension));
+    initial_.model.unreduced = static_cast<std::uint8_t>(
+        (asked(Reduced::friction) ? 0 : keep_friction) | (asked(Reduced::cohesion) ? 0 : keep_cohesion) |
+        (asked(Reduced::tension) ? 0 : keep_tension) | (associated ? flow_is_associated : 0));
 }
 
 ModelOnTrial::~ModelOnTrial() {
@@ -46,6 +46,22 @@ ModelOnTrial::~ModelOnTrial() {
     session_.engine.model.settings.damping = damping_;
     session_.engine.model.settings.contact_damping = dashpots_;
     drop_idle_dashpots(session_.engine.model);
+}
+
+void check_for_associated_flow(Session& session, const Place& place) {
+    bool flows = false;
+    for (const auto& name : zone_models_in_use(session.engine.model)) {
+        const ZoneModel& zones = session.engine.joints.zones.get(name);
+        if (!zones.flows()) continue;
+        flows = true;
+        if (!can_flow_associated(zones))
+            throw Diagnostic(
+                fmt::format("zone model '{}' has no dilation that could be as large as its friction", name),
+                "leave associated out")
+                .at(place);
+    }
+    if (!flows)
+        throw Diagnostic("associated is about zones that yield, and there are none", "leave associated out").at(place);
 }
 
 void check_for_trials(Session& session, const Asked& asked, const Place& place) {
@@ -84,7 +100,7 @@ void check_for_trials(Session& session, const Asked& asked, const Place& place) 
             .at(place);
 }
 
-std::int64_t characteristic_span(Session& session, Progress& progress, double ratio, const Place& place) {
+std::int64_t characteristic_span(Session& session, Progress& progress, const RestRatio& ratio, const Place& place) {
     Model& model = session.engine.model;
     const ElasticJoints strong(session);
     model.settings.strength_factor = 0.01; // zones a hundred times as strong do not yield
@@ -99,7 +115,7 @@ std::int64_t characteristic_span(Session& session, Progress& progress, double ra
     if (span.at_rest) return std::max(span.cycles, shortest_span);
     throw Diagnostic(
         fmt::format("with joints that cannot fail the model is not at rest after {} cycles: the ratio is {:.3e}",
-                    span.cycles, model.clock.average_ratio),
+                    span.cycles, ratio.now(model.clock)),
         "hold it so that only joints can let it go, or give a larger `ratio`, or the `cycles` of a span")
         .at(place);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/monitors/progress.hpp"
+#include "commands/run/run_cycles.hpp"
 #include "commands/session/session.hpp"
 #include "commands/stability/reduced_model.hpp"
 #include "commands/stability/strength_reduction.hpp"
@@ -15,7 +16,8 @@ namespace kaya {
 /// The model of a session while trials change it; the destructor restores it, and the settings of the deck.
 class ModelOnTrial {
 public:
-    ModelOnTrial(Session& session, const Asked& asked);
+    /// `associated`: zones dilate as much as they have friction.
+    ModelOnTrial(Session& session, const Asked& asked, bool associated = false);
     ~ModelOnTrial();
     ModelOnTrial(const ModelOnTrial&) = delete;
     ModelOnTrial& operator=(const ModelOnTrial&) = delete;
@@ -37,7 +39,10 @@ private:
 /// Throws Diagnostic where there is no strength that could be divided, or no damping; warns of strengths that remain.
 void check_for_trials(Session& session, const Asked& asked, const Place& place);
 
+/// Throws Diagnostic where no zone yields, or one has no dilation.
+void check_for_associated_flow(Session& session, const Place& place);
+
 /// The number of cycles in which the model comes to rest when half of all its inner forces are removed and nothing can fail.
-std::int64_t characteristic_span(Session& session, Progress& progress, double ratio, const Place& place);
+std::int64_t characteristic_span(Session& session, Progress& progress, const RestRatio& ratio, const Place& place);
 
 } // namespace kaya

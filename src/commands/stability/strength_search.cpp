@@ -52,7 +52,7 @@ void StrengthSearch::report(const Trial& trial) const {
     const Model& model = trial.end.model;
     bench_.session.program.output.say(fmt::format("strength divided by {:.6g}: {} after {}, ratio {:.3e}{}",
                                                   trial.end.factor, trial.stands ? "stands" : "fails",
-                                                  counted(trial.cycles, "cycle"), model.clock.average_ratio,
+                                                  counted(trial.cycles, "cycle"), bench_.ratio.now(model.clock),
                                                   !trial.crushed.empty() ? "; " + trial.crushed
                                                   : trial.moving  ? "; " + body_text(model, *trial.moving) + " moves on"
                                                   : trial.goes_on ? "; it keeps moving and does not slow down"

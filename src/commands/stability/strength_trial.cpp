@@ -71,7 +71,7 @@ public:
     }
 
     /// Neither at rest nor moving where a zone is crushed.
-    RestSpan run(std::int64_t cycles, double ratio, FailureMonitor* monitor = nullptr) {
+    RestSpan run(std::int64_t cycles, const RestRatio& ratio, FailureMonitor* monitor = nullptr) {
         try {
             return advance_span(bench_.session, cycles, ratio, monitor, &bench_.progress);
         } catch (const Diagnostic& failure) {
@@ -89,7 +89,7 @@ public:
         bool tired = false; ///< the unbalanced force does not get smaller
     };
     /// Cycles until the model is at rest or fails, but for so many spans at least.
-    Rest settle(double factor, double ratio, std::size_t first, FailureMonitor* monitor) {
+    Rest settle(double factor, const RestRatio& ratio, std::size_t first, FailureMonitor* monitor) {
         Rest rest;
         std::vector<double> ratios; // means of spans
         const Model& initial = bench_.initial.model;
@@ -139,7 +139,7 @@ Answer answer_of_next_cycle(const TrialBench& bench, const ReducedModel& sliding
     Model& model = bench.session.engine.model;
     if (forgets) forget_slip(model, bench.initial.model, bench.session.engine.joints);
     ModelEdit(model, Change::properties);
-    run.run(1, 0);
+    run.run(1, {0});
     return {model.sub_contacts.normal_force, model.sub_contacts.shear_force.component, model.zones.stress};
 }
 
@@ -163,8 +163,8 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
             run.lower(lowered);
             if (rule.settles_between) {
                 mode.emplace(run.mode()); // it may fail on the way
-                rest = run.settle(lowered, calm, first_spans, nullptr);
-            } else run.run(std::max<std::int64_t>(1, bench.span / (2 * lowering_steps)), 0);
+                rest = run.settle(lowered, {calm}, first_spans, nullptr);
+            } else run.run(std::max<std::int64_t>(1, bench.span / (2 * lowering_steps)), {0});
         }
     if (!rest.tired && run.crushed().empty()) {
         run.lower(factor);
@@ -195,7 +195,7 @@ std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel
     const FailureMode mode = run.mode();
     const Slip slip(run.model());
     for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()) && run.crushed().empty(); ++i)
-        run.run(bench.span, 0);
+        run.run(bench.span, {0});
     if (!run.crushed().empty() || !slip.has_turned_shear(run.model()) || run.shares(mode).topples())
         return std::nullopt;
     ReducedModel sliding = run.end(factor);

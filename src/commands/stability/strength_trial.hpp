@@ -3,6 +3,7 @@
 
 #include "commands/monitors/progress.hpp"
 #include "commands/monitors/rest_monitor.hpp"
+#include "commands/run/run_cycles.hpp"
 #include "commands/session/session.hpp"
 #include "commands/stability/failure_mode.hpp"
 #include "commands/stability/reduced_model.hpp"
@@ -19,7 +20,7 @@ struct TrialBench {
     Session& session; ///< its model is the place of work: what it holds between trials does not matter
     const Asked& asked;
     const ReducedModel& initial;
-    double ratio;      ///< of a model at rest
+    RestRatio ratio;   ///< of a model at rest
     std::int64_t span; ///< cycles in which the model would come to rest if nothing could fail
     Progress& progress;
 };

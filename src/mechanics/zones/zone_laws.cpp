@@ -116,6 +116,23 @@ double reduced(const LawTable::Property& property, double value, double factor) 
     return value;
 }
 
+/// The property that has the same name but for one word; none where this word is not in it, or there is no such property.
+std::optional<std::size_t> counterpart(const ZoneModel& zone_model, std::string name, std::string_view word,
+                                       std::string_view other) {
+    const auto at = name.find(word);
+    if (at == std::string::npos) return std::nullopt;
+    name.replace(at, word.size(), other);
+    const auto found = std::ranges::find(zone_model.properties, name, &LawTable::Property::name);
+    if (found == zone_model.properties.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - zone_model.properties.begin());
+}
+
+void let_flow_associated(const ZoneModel& zone_model, std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (const auto friction = counterpart(zone_model, zone_model.properties[i].name, "dilation", "friction"))
+            values[i] = values[*friction];
+}
+
 Together together_of(const Model& model, const ZoneModel& zone_model, bool has_cells) {
     if (!zone_model.flows()) return has_cells ? Together::cells : Together::nothing;
     if ((model.unreduced & strains_are_shared) != 0) return Together::strains_at_points;
@@ -124,6 +141,16 @@ Together together_of(const Model& model, const ZoneModel& zone_model, bool has_c
 }
 
 } // namespace
+
+bool can_flow_associated(const ZoneModel& zone_model) {
+    bool any = false;
+    for (const auto& property : zone_model.properties) {
+        if (property.name.find("friction") == std::string::npos) continue;
+        any = true;
+        if (!counterpart(zone_model, property.name, "friction", "dilation")) return false;
+    }
+    return any;
+}
 
 std::string zone_model_of(const Model& model, Row block) {
     const auto& given = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])];
@@ -176,6 +203,7 @@ ZoneLaws::ZoneLaws(Model& model, ZoneModels& models) : law_of_(model.blocks.size
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!keeps(model.unreduced, zone_model.properties[i]))
                     values[i] = reduced(zone_model.properties[i], values[i], model.settings.strength_factor);
+            if ((model.unreduced & flow_is_associated) != 0) let_flow_associated(zone_model, values);
             const Together together = together_of(model, zone_model, has_cells);
             laws.push_back({&zone_model, std::move(values), {bulk - 2.0 / 3.0 * shear, 2 * shear}, together});
             model.zones.keep_history(zone_model.history.size());

@@ -34,6 +34,11 @@ struct ZoneLaw {
 /// A bit of Model::unreduced after those of KeptStrength, so that only trials of `solve fos` set it: all flowing zones are coupled by
 /// Together::strains_at_points.
 constexpr std::uint8_t strains_are_shared = keep_tension << 1;
+/// The same: angles of dilation are those of friction, as far as it is reduced.
+constexpr std::uint8_t flow_is_associated = strains_are_shared << 1;
+
+/// Whether each friction of a zone model has a dilation that can be as large: `joint-dilation` for `joint-friction`.
+bool can_flow_associated(const ZoneModel& zone_model);
 
 class ZoneLaws {
 public:

@@ -161,7 +161,7 @@ std::string before(std::string_view example) {
         return "geometry set 'fault'\ngeometry polygon create by-positions (-9,-9,0.4) (9,-9,0.4) (9,9,0.4) (-9,9,0.4)\n";
     if (example.find("frequencies") != example.npos || example.find("dynamic eigen") != example.npos)
         return "new\npoly brick 0 1 0 1 0 1\npoly brick 0 1 0 1 1 2\nprop mat 1 density 2000\nfix range z 0 1\njmodel model mohr\njmodel jkn 1e9 jks 1e9\n";
-    if (example.find("extrapolate") != example.npos)
+    if (example.find("extrapolate") != example.npos || example.find("associated") != example.npos)
         return "new\npoly brick 0 1 0 1 0 1\ngen edge 1\nchange cons 2\nprop mat 1 density 2000 young 1e8 prat 0.2 bcoh 2e4 bten 1e9\n"
                "gravity 0 0 -10\nset small on\ndamp local\nbound xvel 0 yvel 0 zvel 0 range z 0\n";
     if (example.find("@drive") != example.npos) return "set @drive = 0\napply xvel 1 hist @drive range region 1\n";

@@ -34,8 +34,8 @@ protected:
         check_for_trials(session(), asked, {});
         Progress progress(session().program.output, model(), {});
         ModelOnTrial on_trial(session(), asked);
-        const std::int64_t span = characteristic_span(session(), progress, 1e-5, {});
-        use(TrialBench{session(), asked, on_trial.initial(), 1e-5, span, progress});
+        const std::int64_t span = characteristic_span(session(), progress, {1e-5}, {});
+        use(TrialBench{session(), asked, on_trial.initial(), {1e-5}, span, progress});
     }
 
     std::uint64_t before_ = 0;
