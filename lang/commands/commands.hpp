@@ -37,7 +37,19 @@ struct Solve {
     std::optional<std::array<double, 2>> bracket; ///< of the factor: a stable value and a failing value
     double resolution = 0.005;                    ///< of the factor, as a part of it
     std::string file;                             ///< where the failing state is saved
-    enum class Reduced { joints, zones, friction, cohesion, tension };
+    enum class Reduced {
+        joints,
+        zones,
+        friction,
+        cohesion,
+        tension,
+        joint_friction,
+        joint_cohesion,
+        joint_tension,
+        zone_friction,
+        zone_cohesion,
+        zone_tension
+    };
     std::vector<Reduced> included, excluded; ///< of fos: the properties that are reduced; none included: all
     bool keep = false;                       ///< of fos: keep the failed state of the model
     bool associated = false;                 ///< of fos: zones dilate as much as they have friction

@@ -105,10 +105,16 @@ Parts<Solve> reduced(std::vector<Solve::Reduced> Solve::*list) {
     std::vector<Parts<Solve>::Choice> choices;
     for (const auto& [word, which] :
          {std::pair("joints", joints), std::pair("zones", zones), std::pair("friction", friction),
-          std::pair("cohesion", cohesion), std::pair("tension", tension)})
+          std::pair("cohesion", cohesion), std::pair("tension", tension), std::pair("joint-friction", joint_friction),
+          std::pair("joint-cohesion", joint_cohesion), std::pair("joint-tension", joint_tension),
+          std::pair("zone-friction", zone_friction), std::pair("zone-cohesion", zone_cohesion),
+          std::pair("zone-tension", zone_tension)})
         choices.push_back({word, Parts<Solve>().set([list, which = which](Solve& s) { (s.*list).push_back(which); })});
-    return Parts<Solve>().one_of(text("joints|zones|friction|cohesion|tension").spec, "a strength that fos reduces",
-                                 std::move(choices));
+    return Parts<Solve>().one_of(
+        text(
+            "joints|zones|friction|cohesion|tension|joint-friction|joint-cohesion|joint-tension|zone-friction|zone-cohesion|zone-tension")
+            .spec,
+        "a strength that fos reduces", std::move(choices));
 }
 
 CommandSpec solve() {
@@ -189,6 +195,7 @@ CommandSpec solve() {
         .right("solve fos")
         .right("solve fos resolution 0.01 ratio 1e-4 cycles 2000 file 'failed.sav'")
         .right("solve fos exclude zones keep")
+        .right("solve fos exclude joint-tension exclude zone-tension")
         .right("solve fos include joints include friction")
         .right("solve fos extrapolate")
         .right("solve fos extrapolate off")

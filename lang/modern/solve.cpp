@@ -3,6 +3,7 @@
 #include "lang/modern/language.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace kaya::lang {
@@ -56,6 +57,23 @@ CommandSpec model_solve() {
     return leaf;
 }
 
+/// `exclude` or `include`, and the name of a strength.
+Parts<Solve> strengths(std::array<Solve::Reduced, 3> excluded) {
+    const auto named = [](auto effect) {
+        std::vector<Parts<Solve>::Choice> choices;
+        for (std::size_t i = 0; i < 3; ++i)
+            choices.push_back({std::array{"friction", "cohesion", "tension"}[i], Parts<Solve>().set(effect(i))});
+        return Parts<Solve>().one_of(text("friction|cohesion|tension").spec, "a strength that fos reduces",
+                                     std::move(choices));
+    };
+    const auto drop = [excluded](std::size_t i) {
+        return [word = excluded[i]](Solve& s) { s.excluded.push_back(word); };
+    };
+    const auto nothing = [](std::size_t) { return [](Solve&) {}; };
+    return Parts<Solve>().one_of(text("exclude|include").spec, "include or exclude",
+                                 {{"exclude", named(drop)}, {"include", named(nothing)}});
+}
+
 CommandSpec factor_of_safety() {
     Leaf<Solve> leaf("model factor-of-safety", "solve");
     leaf.means("solve fos").help("computes the factor of safety by strength reduction; the model is left unchanged");
@@ -66,8 +84,13 @@ CommandSpec factor_of_safety() {
     leaf.word("bracket", "bracket").word("resolution", "resolution").word("filename", "file");
     leaf.word("ratio", "ratio").word("ratio-average", "ratio").word("ratio-local", "ratio-local");
     leaf.word("ratio-maximum", "ratio-maximum").word("step-limit", "cycles").word("associated", "associated");
-    leaf.not_yet({"include", "exclude"}, "a choice of strengths: write solve fos include friction");
-    leaf.not_yet({"zone", "joint", "zone-joint", "interface"}, "a choice of strengths: write solve fos include joints");
+    using enum Solve::Reduced;
+    leaf.keyword({"zone", "block-zone", "3dec-zone"}, strengths({zone_friction, zone_cohesion, zone_tension}),
+                 "a strength of zones that is not divided; those that are included are divided in any case");
+    leaf.keyword({"joint"}, strengths({joint_friction, joint_cohesion, joint_tension}),
+                 "a strength of joints that is not divided; those that are included are divided in any case");
+    leaf.not_yet({"include", "exclude", "zone-joint", "interface"},
+                 "a choice of strengths: write zone exclude cohesion, or joint exclude cohesion");
     leaf.not_yet({"bracket-limit", "characteristic-steps", "convergence", "perturbation", "list"},
                  "details of the search");
     leaf.checks_of_meaning();
@@ -76,6 +99,9 @@ CommandSpec factor_of_safety() {
                "solve fos resolution 0.01 ratio 1e-4 cycles 2000");
     leaf.right("model factor-of-safety associated ratio-local 1e-3 step-limit 2000",
                "solve fos associated ratio-local 1e-3 cycles 2000");
+    leaf.right("model factor-of-safety zone exclude tension joint exclude tension joint include friction",
+               "solve fos exclude zone-tension exclude joint-tension");
+    leaf.wrong("model factor-of-safety zone exclude dilation", "'dilation' is not a strength that fos reduces");
     leaf.wrong("model factor-of-safety bracket 2 1", "the stable factor must be below the failing one");
     return leaf;
 }

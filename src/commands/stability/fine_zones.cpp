@@ -16,7 +16,7 @@ bool weakens(const ZoneModel& zones) { return zones.flows() && can_be_reduced(zo
 std::optional<Diagnostic> objection(Session& session, const Asked& asked) {
     const Model& model = session.engine.model;
     const auto names = zone_models_in_use(model);
-    const bool flow = asked(Reduced::zones) && std::ranges::any_of(names, [&](const auto& name) {
+    const bool flow = asked.zones() && std::ranges::any_of(names, [&](const auto& name) {
                           return weakens(session.engine.joints.zones.get(name));
                       });
     if (!flow)

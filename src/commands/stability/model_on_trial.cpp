@@ -33,9 +33,10 @@ ModelOnTrial::ModelOnTrial(Session& session, const Asked& asked, bool associated
     session.engine.model.settings.contact_damping = std::max(dashpots_, dashpots);
     initial_.model = session.engine.model;
     initial_.model.settings.energy = true; // a failing trial is detected by its energy account
-    initial_.model.unreduced = static_cast<std::uint8_t>(
-        (asked(Reduced::friction) ? 0 : keep_friction) | (asked(Reduced::cohesion) ? 0 : keep_cohesion) |
-        (asked(Reduced::tension) ? 0 : keep_tension) | (associated ? flow_is_associated : 0));
+    initial_.model.unreduced = static_cast<std::uint8_t>((asked.of_zones(Reduced::friction) ? 0 : keep_friction) |
+                                                         (asked.of_zones(Reduced::cohesion) ? 0 : keep_cohesion) |
+                                                         (asked.of_zones(Reduced::tension) ? 0 : keep_tension) |
+                                                         (associated ? flow_is_associated : 0));
 }
 
 ModelOnTrial::~ModelOnTrial() {
@@ -67,7 +68,7 @@ void check_for_associated_flow(Session& session, const Place& place) {
 void check_for_trials(Session& session, const Asked& asked, const Place& place) {
     std::string without;
     bool any = false;
-    if (asked(Reduced::joints))
+    if (asked.joints())
         for (const Row row : property_sets_in_use(session.engine.model)) {
             const auto& set = session.engine.model.joint_properties[row];
             const JointModel& joint = session.engine.joints.get(set.model);
@@ -78,8 +79,8 @@ void check_for_trials(Session& session, const Asked& asked, const Place& place) 
         }
     for (const auto& name : zone_models_in_use(session.engine.model)) {
         const ZoneModel& zones = session.engine.joints.zones.get(name);
-        any = any || (can_be_reduced(zones) && asked(Reduced::zones));
-        if (asked(Reduced::zones) && zones.flows() && !can_be_reduced(zones))
+        any = any || (can_be_reduced(zones) && asked.zones());
+        if (asked.zones() && zones.flows() && !can_be_reduced(zones))
             session.warn(Diagnostic(fmt::format("zone model '{}' has no strength that could be divided", name),
                                     "its strength is unchanged in all trials")
                              .at(place));

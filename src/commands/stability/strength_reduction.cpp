@@ -34,17 +34,26 @@ constexpr std::array<Weakening, 3> weakenings{{
 } // namespace
 
 Asked::Asked(const lang::Solve& command) {
-    const auto names = [](const std::vector<Reduced>& words, Reduced word) {
-        return std::ranges::find(words, word) != words.end();
+    using Words = std::vector<Reduced>;
+    const auto names = [](const Words& words, Reduced word) { return std::ranges::find(words, word) != words.end(); };
+    const auto any_of = [&](std::initializer_list<Reduced> group) {
+        return std::ranges::any_of(group, [&](Reduced word) { return names(command.included, word); });
     };
-    const auto& in = command.included;
-    const auto choose = [&](std::initializer_list<Reduced> group) {
-        const bool any = std::ranges::any_of(group, [&](Reduced word) { return names(in, word); });
-        for (const Reduced word : group)
-            asked_[static_cast<std::size_t>(word)] = (!any || names(in, word)) && !names(command.excluded, word);
+    const bool of_bodies = any_of({Reduced::joints, Reduced::zones}),
+               of_parts = any_of({Reduced::friction, Reduced::cohesion, Reduced::tension});
+    const bool of_all = of_bodies || of_parts || command.included.empty();
+    const auto choose = [&](auto& chosen, Reduced body, const decltype(parts)& own) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto named = [&](const Words& words) {
+                return names(words, body) || names(words, parts[i]) || names(words, own[i]);
+            };
+            const bool general = of_all && (!of_bodies || names(command.included, body)) &&
+                                 (!of_parts || names(command.included, parts[i]));
+            chosen[i] = (general || names(command.included, own[i])) && !named(command.excluded);
+        }
     };
-    choose({Reduced::joints, Reduced::zones});
-    choose({Reduced::friction, Reduced::cohesion, Reduced::tension});
+    choose(joints_, Reduced::joints, {Reduced::joint_friction, Reduced::joint_cohesion, Reduced::joint_tension});
+    choose(zones_, Reduced::zones, {Reduced::zone_friction, Reduced::zone_cohesion, Reduced::zone_tension});
 }
 
 std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<double> values, double factor,
@@ -56,7 +65,7 @@ std::optional<std::vector<double>> reduced(const JointModel& joint, std::vector<
     bool any = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto found = std::ranges::find(weakenings, strength_part(joint.properties[i].role), &Weakening::part);
-        if (found == weakenings.end() || !asked(found->kind)) continue;
+        if (found == weakenings.end() || !asked.of_joints(found->kind)) continue;
         values[i] = found->divided(values[i], factor);
         any = true;
     }

@@ -6,6 +6,7 @@
 #include "lang/commands/commands.hpp"
 #include "model/tables/model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -18,10 +19,18 @@ using Reduced = lang::Solve::Reduced;
 class Asked {
 public:
     explicit Asked(const lang::Solve& command);
-    bool operator()(Reduced word) const { return asked_[static_cast<std::size_t>(word)]; }
+    /// Whether friction, cohesion or tension of joints, or of zones, is divided.
+    bool of_joints(Reduced part) const { return joints_[index_of(part)]; }
+    bool of_zones(Reduced part) const { return zones_[index_of(part)]; }
+    bool joints() const { return std::ranges::find(joints_, true) != joints_.end(); }
+    bool zones() const { return std::ranges::find(zones_, true) != zones_.end(); }
 
 private:
-    std::array<bool, 5> asked_{};
+    static constexpr std::array parts{Reduced::friction, Reduced::cohesion, Reduced::tension};
+    static std::size_t index_of(Reduced part) {
+        return static_cast<std::size_t>(std::ranges::find(parts, part) - parts.begin());
+    }
+    std::array<bool, parts.size()> joints_{}, zones_{};
 };
 
 /// Values of a joint model with the strength divided; none when it has no strength.

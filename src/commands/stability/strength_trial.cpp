@@ -61,12 +61,12 @@ public:
     void lower(double factor) {
         auto& sets = model_.joint_properties;
         while (whole_.size() < sets.size()) whole_.push_back(sets[whole_.size()].values);
-        if (bench_.asked(Reduced::joints))
+        if (bench_.asked.joints())
             for (std::size_t i = 0; i < sets.size(); ++i)
                 if (const auto values =
                         reduced(bench_.session.engine.joints.get(sets[i].model), whole_[i], factor, bench_.asked))
                     sets[i].values = *values;
-        model_.settings.strength_factor = bench_.asked(Reduced::zones) ? factor : 1;
+        model_.settings.strength_factor = bench_.asked.zones() ? factor : 1;
         ModelEdit(model_, Change::properties);
     }
 
