@@ -23,6 +23,7 @@ namespace kaya::lang {
 struct CycleCommand {
     std::optional<std::int64_t> cycles;
     std::optional<double> time;
+    std::int64_t calm = 0; ///< all motion is stopped each time after so many cycles; 0: never
 };
 struct Solve {
     std::optional<double> ratio, maximum_ratio, local_ratio; ///< ratio: the average one
@@ -32,6 +33,8 @@ struct Solve {
     std::optional<double> total_time;
     bool all = false; ///< `and`: the run ends when all limits are reached, not at the first
     bool elastic = false;
+    bool only = false;     ///< of elastic: without the true joints
+    std::int64_t calm = 0; ///< see CycleCommand::calm
     bool factor_of_safety = false;
     bool still = false; ///< accept a ratio or a force only when no body gains displacement any more
     std::optional<std::array<double, 2>> bracket; ///< of the factor: a stable value and a failing value

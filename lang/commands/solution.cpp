@@ -81,16 +81,24 @@ CommandSpec damp() {
     return entry;
 }
 
+constexpr const char* calm_help = "stops all motion each time after so many cycles; 0: never";
+
 CommandSpec cycle() {
     Entry<CycleCommand> entry({"cycle", "step"});
     entry.help("runs a number of cycles or a span of time");
     entry.argument(integer("n").at_least(0).optional().help("number of cycles"), &CycleCommand::cycles);
     entry.keyword({"time"}, real("t").unit("time").at_least(0), &CycleCommand::time, "time to be covered");
+    entry.keyword({"calm"}, integer("n").at_least(0), &CycleCommand::calm, calm_help);
     entry.finish([](const Reader& reader, CycleCommand& c) {
         if (!c.cycles && !c.time)
             incomplete_line(reader, "cycle has no number of cycles", "write for example: cycle 1000");
     });
-    entry.right("cycle 1000").right("step 10").right("cyc 20000").right("cycle time 0.5").right("cycle @n");
+    entry.right("cycle 1000")
+        .right("step 10")
+        .right("cyc 20000")
+        .right("cycle time 0.5")
+        .right("cycle 200 calm 20")
+        .right("cycle @n");
     entry.wrong("cycle", "cycle has no number of cycles");
     entry.wrong("step 10.5", "step takes a whole number, not 10.5");
     entry.wrong("cycle -5", "cycle must be at least 0, not -5");
@@ -143,6 +151,9 @@ CommandSpec solve() {
         .action(
             {"elastic"}, [](Solve& s) { s.elastic = true; }, "first with unbreakable joints, then with the true ones")
         .action(
+            {"only"}, [](Solve& s) { s.only = true; }, "with elastic: the true joints do not follow")
+        .keyword({"calm"}, integer("n").at_least(0), &Solve::calm, calm_help)
+        .action(
             {"fos", "factor"}, [](Solve& s) { s.factor_of_safety = true; },
             "computes the factor of safety by strength reduction; the model is left unchanged")
         .keyword({"bracket"}, pair("f1 f2").above(0), &Solve::bracket, "with fos: a stable factor and a failing one")
@@ -167,13 +178,15 @@ CommandSpec solve() {
             if (last == "and" || last == "or")
                 incomplete_line(reader, fmt::format("a limit is missing after '{}'", last),
                                 "write for example: solve ratio 1e-5 and cycles 1000");
+            if (s.only && !s.elastic)
+                incomplete_line(reader, "only belongs to elastic", "write for example: solve elastic only");
             if (!s.factor_of_safety && (s.bracket || !s.file.empty() || s.keep || s.associated || s.extrapolate ||
                                         !s.included.empty() || !s.excluded.empty()))
                 incomplete_line(reader,
                                 "bracket, file, include, exclude, keep, associated and extrapolate belong to fos",
                                 "write for example: solve fos bracket 1 2");
             if (s.factor_of_safety &&
-                (s.elastic || s.force || s.time || s.clock || s.total_cycles || s.total_time || s.all))
+                (s.elastic || s.calm > 0 || s.force || s.time || s.clock || s.total_cycles || s.total_time || s.all))
                 incomplete_line(
                     reader,
                     "fos goes with a ratio, cycles, bracket, resolution, file, include, exclude, keep, associated and extrapolate only",
@@ -188,6 +201,9 @@ CommandSpec solve() {
         .right("solve ratio 1e-6 cyc 5000")
         .right("solve step 100")
         .right("solve elastic force 1e3")
+        .right("solve elastic only ratio 1e-4")
+        .right("solve ratio 1e-4 calm 100")
+        .wrong("solve only", "only belongs to elastic")
         .right("solve ratio 1e-5 still")
         .right("solve ratio-local 1e-4 time 2 clock 10")
         .right("solve ratio 1e-4 and cycles 100")

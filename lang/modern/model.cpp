@@ -131,11 +131,11 @@ CommandSpec model_cycle() {
         if (!command.cycles)
             incomplete_line(reader, "model cycle has no number of cycles", "write for example: model cycle 1000");
     });
-    const auto cycles = integer("n").at_least(0);
-    leaf.keyword(
-            {"calm"}, cycles, [](CycleCommand&, std::int64_t) {}, "cycles between two dampings of motion")
-        .ignored();
-    leaf.right("model cycle 10", "cycle 10").right("model step 10", "cycle 10").right("model cyc @n", "cycle @n");
+    leaf.word("calm", "calm");
+    leaf.right("model cycle 10 calm 5", "cycle 10 calm 5")
+        .right("model cycle 10", "cycle 10")
+        .right("model step 10", "cycle 10")
+        .right("model cyc @n", "cycle @n");
     leaf.wrong("model cycle", "model cycle has no number of cycles");
     leaf.wrong("model cycle 10.5", "cycle takes a whole number, not 10.5");
     leaf.wrong("model step many", "'many' is not a keyword of model cycle");

@@ -14,13 +14,9 @@ namespace {
 void limits(Leaf<Solve>& leaf) {
     leaf.word("ratio|ratio-average", "ratio").word("ratio-local", "ratio-local").word("ratio-maximum", "ratio-maximum");
     leaf.word("unbalanced-maximum", "force").word("cycles", "cycles").word("time", "time").word("clock", "clock");
-    leaf.word("elastic", "elastic").no_effect("only", "of elastic: accepted, without effect");
+    leaf.word("elastic", "elastic").word("only", "only").word("calm", "calm");
     leaf.word("and", "and").word("or", "or").word("cycles-total", "cycles-total").word("time-total", "time-total");
     leaf.no_effect("dynamic|mechanical", "the limits that follow are those of motion, the only process");
-    const auto cycles = integer("n").at_least(0);
-    leaf.keyword(
-            {"calm"}, cycles, [](Solve&, std::int64_t) {}, "cycles between two dampings of motion")
-        .ignored();
     // The target of every gridpoint is the one that 3DEC has unless a deck changes it.
     constexpr double target = 1e-4;
     const auto multiple = real("c").above(0);
@@ -46,7 +42,8 @@ CommandSpec model_solve() {
     leaf.right("model solve dynamic time 0.01", "solve time 0.01");
     leaf.right("model solve convergence 1 or cycles 20", "solve ratio-local 1e-4 cycles 20");
     leaf.wrong("model solve convergence 0", "convergence must be greater than 0, not 0");
-    leaf.right("model solve elastic only ratio 1e-3 cycles 20", "solve elastic ratio 1e-3 cycles 20");
+    leaf.right("model solve elastic only ratio 1e-3 cycles 20", "solve elastic only ratio 1e-3 cycles 20");
+    leaf.right("model solve cycles 20 calm 5", "solve cycles 20 calm 5");
     leaf.wrong("model solve raito 1e-5", "'raito' is not a keyword of model solve");
     leaf.wrong("model solve ratio", "a number is missing after 'ratio'");
     leaf.wrong("model solve ratio 0", "ratio must be greater than 0, not 0");

@@ -12,6 +12,7 @@
 #include "mechanics/supports/held_directions.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "model/edit/links.hpp"
+#include "model/edit/stop_motion.hpp"
 #include "model/measure/measure.hpp"
 #include "model/kinds/nearest.hpp"
 
@@ -249,22 +250,6 @@ void reset_displacements(Session& session) {
     links::clear(session.engine.model.structures.member_nodes, {Role::displacement});
 }
 
-void reset_velocities(Session& session) {
-    // Prescribed components are left unchanged: a boundary condition is not an initial condition.
-    auto& points = session.engine.model.gridpoints;
-    for (std::size_t row = 0; row < points.size(); ++row)
-        for (int axis = 0; axis < 3; ++axis)
-            if ((points.fixed[row] & (fix_x << axis)) == 0) points.velocity[row][axis] = 0;
-    auto& blocks = session.engine.model.blocks;
-    for (std::size_t row = 0; row < blocks.size(); ++row)
-        for (int axis = 0; axis < 3; ++axis) {
-            if ((blocks.fixed[row] & (fix_x << axis)) == 0) blocks.velocity[row][axis] = 0;
-            if ((blocks.fixed[row] & (fix_rx << axis)) == 0) blocks.rotational_velocity[row][axis] = 0;
-        }
-    std::ranges::fill(blocks.angular_momentum, Vec3::Zero());
-    links::clear(session.engine.model.structures.member_nodes, {Role::motion});
-}
-
 void reset_joint_displacements(Session& session) {
     links::clear(session.engine.model.sub_contacts, {Role::displacement});
 }
@@ -285,7 +270,7 @@ void reset(Session& session, lang::Reset::What what) {
     case time: return reset_time(session);
     case histories: return reset_histories(session);
     case displacements: return reset_displacements(session);
-    case velocities: return reset_velocities(session);
+    case velocities: return stop_motion(session.engine.model);
     case joint_displacements: return reset_joint_displacements(session);
     case energy: return reset_energy(session);
     case damping: return reset_damping(session);

@@ -16,6 +16,7 @@
 #include "commands/run/time_step.hpp"
 #include "laws/property_roles.hpp"
 #include "mechanics/contact/take_over.hpp"
+#include "model/edit/stop_motion.hpp"
 #include "model/kinds/nearest.hpp"
 #include "model/measure/time_step_fraction.hpp"
 
@@ -396,6 +397,8 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
         }
         if (progress.advanced()) session.autosave->advanced();
         if (monitor) monitor->sample();
+        if (limits.calm > 0 && (session.engine.model.clock.cycle - start.cycle) % limits.calm == 0)
+            stop_motion(session.engine.model);
         if (limits.ends) end.why = limits.ends();
         if (end.why.empty()) end = stops(progress.seconds());
     }

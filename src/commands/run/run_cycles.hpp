@@ -23,6 +23,7 @@ struct Limits {
     std::optional<double> clock;            ///< seconds
     bool still = false;                     ///< ratios and force count only when no body gains displacement any more
     bool all = false;                       ///< all limits must be reached
+    std::int64_t calm = 0;                  ///< all motion is stopped each time after so many cycles; 0: never
     std::function<std::string()> ends = {}; ///< called after each cycle: the reason to stop there, empty to continue
 };
 

@@ -99,6 +99,7 @@ void run(Session& session, const lang::CycleCommand& command) {
     Limits limits;
     limits.cycles = command.cycles;
     limits.time = command.time;
+    limits.calm = command.calm;
     session.engine.world.stopped_by = advance_until(session, limits).why;
     if (command.cycles.value_or(0) >= some_cycles) doubt_gone_blocks(session, session.deck.interpreter.current_place());
 }
@@ -106,9 +107,8 @@ void run(Session& session, const lang::CycleCommand& command) {
 void run(Session& session, const lang::Solve& command) {
     doubt_empty_model(session, command.place);
     session.engine.run_hooks(script::Moment::solve_start);
-    Limits limits{
-        command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio, command.force, {},
-        command.still,  command.all};
+    Limits limits{command.cycles, command.time, command.ratio, command.maximum_ratio, command.local_ratio,
+                  command.force,  {},           command.still, command.all,           command.calm};
     if (command.clock) limits.clock = *command.clock * 60;
     count_from_now(limits, command, session.engine.model.clock);
     // `solve` looks for equilibrium unless a limit gives another end.
@@ -121,7 +121,13 @@ void run(Session& session, const lang::Solve& command) {
         if (!strong.strengthened())
             session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
                                     "'elastic' has no effect"));
-        session.program.output.say(end_text("solve elastic", advance_until(session, limits)));
+        const RunEnd end = advance_until(session, limits);
+        session.program.output.say(end_text("solve elastic", end));
+        if (command.only) {
+            session.engine.world.stopped_by = end.why;
+            session.engine.run_hooks(script::Moment::solve_complete);
+            return;
+        }
     }
     doubt_idle_model(session, command.place);
     if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
