@@ -42,6 +42,9 @@ CommandSpec set() {
                   "on: small strain, the geometry is not updated; off: large strain, the default");
     entry.keyword({"log"}, on_off(), &Set::log, "also writes the output to the log file");
     entry.keyword({"logfile"}, text("file"), &Set::log_file, "name of the log file");
+    entry.action(
+        {"truncate"}, [](Set& set) { set.empty_log = true; },
+        "with log or logfile: the log file begins empty; without it, it is continued");
     entry.keyword({"jcondf"}, integer("n").at_least(1), &Set::default_joint_constitutive,
                   "constitutive number of new contacts");
     entry.keyword({"jmatdf"}, integer("n").at_least(1), &Set::default_joint_material,
@@ -101,13 +104,15 @@ CommandSpec set() {
     entry.values(Parts<Set>().in(next_of(&Set::fish), fish_variable(true)),
                  [](Reader& reader, Set&) { return reader.peek()->kind == WordKind::symbol; },
                  {text("@name value").optional().spec});
-    entry.finish([](const Reader& reader, Set&) {
+    entry.finish([](const Reader& reader, Set& set) {
+        if (set.empty_log && !set.log && !set.log_file)
+            incomplete_line(reader, "truncate belongs to log and logfile", "write for example: set log on truncate");
         if (reader.statement().words.size() == 1)
             incomplete_line(reader, "set has no setting", "write for example: set dyn on");
     });
     entry.right("set dyn on")
         .right("set jcondf 1 jmatdf 2")
-        .right("set log on logfile run.log")
+        .right("set log on logfile run.log truncate")
         .right("set @load = 5e6");
     entry.right("set dt 1e-5").right("set autosave 30").right("set report on");
     entry.right("set gravity 0 0 -9.81 random 7")

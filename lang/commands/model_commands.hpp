@@ -44,6 +44,7 @@ struct Set {
     std::optional<bool> small;                              ///< small on|off
     std::optional<bool> log;                                ///< log on|off
     std::optional<std::string> log_file;                    ///< logfile f
+    bool empty_log = false;                                 ///< of log and logfile: the file begins empty
     std::optional<std::int64_t> default_joint_constitutive; ///< jcondf
     std::optional<std::int64_t> default_joint_material;     ///< jmatdf
     std::optional<double> time_step_fraction;               ///< fraction

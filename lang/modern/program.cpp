@@ -18,20 +18,22 @@ CommandSpec call() {
     return leaf;
 }
 
-CommandSpec log(std::string_view words, std::string_view example, std::string_view wrong, std::string_view message) {
-    Leaf<Set> leaf(words);
+CommandSpec log(std::string_view words, std::string_view example, std::string_view emptied, std::string_view wrong,
+                std::string_view message) {
+    Leaf<Set> leaf(words, "set");
     leaf.means("set log").help("also writes the output to the log file");
     leaf.argument(on_off(), &Set::log);
-    leaf.no_effect("append", "accepted, without effect").no_effect("truncate", "the file is replaced, as always");
-    leaf.right(example, "set log on");
+    leaf.no_effect("append", "the file is continued, as without the word").word("truncate", "truncate");
+    leaf.right(example, "set log on").right(emptied, "set log on truncate");
     leaf.wrong(wrong, message);
     return leaf;
 }
 
 CommandSpec log_file(std::string_view words, std::string_view example, std::string_view wrong) {
-    Leaf<Set> leaf(words);
+    Leaf<Set> leaf(words, "set");
     leaf.means("set logfile").help("name of the log file");
     leaf.argument(text("file"), &Set::log_file);
+    leaf.word("truncate", "truncate");
     leaf.right(example, "set logfile run.log");
     leaf.wrong(wrong, "a word is missing after 'log-file'");
     return leaf;
@@ -125,8 +127,9 @@ Family program_family() {
                 call(),
                 flow_line<Return>("program return", "return", Flow::leave_file, "ends the file"),
                 flow_line<Quit>("program exit|quit|stop", "quit", Flow::leave_all, "ends the program"),
-                log("program log", "program log on", "program log", "a word is missing after 'log'"),
-                log("log", "log on truncate", "log onn", "expected on or off, found 'onn'"),
+                log("program log", "program log on", "program log on truncate", "program log",
+                    "a word is missing after 'log'"),
+                log("log", "log on append", "log on truncate", "log onn", "expected on or off, found 'onn'"),
                 log_file("program log-file", "program log-file 'run.log'", "program log-file"),
                 log_file("log-file", "log-file 'run.log'", "log-file"),
                 automatic_threads(),

@@ -67,6 +67,15 @@ void set_compatibility(Model& model, bool with_3dec) {
     ModelEdit(model, Change::surfaces);
 }
 
+void set_log(Session& session, const lang::Set& command) {
+    Output& output = session.program.output;
+    const bool on = command.log.value_or(output.logging());
+    if (command.log_file) session.program.log_file = *command.log_file;
+    if (command.empty_log) output.empty_log(session.program.output_file(session.program.log_file));
+    if (on) output.start_log(session.program.output_file(session.program.log_file));
+    else output.stop_log();
+}
+
 } // namespace
 
 void run(Session& session, const lang::New&) { session.clear(); }
@@ -123,15 +132,7 @@ void run(Session& session, const lang::Set& command) {
         doubt_units(session);
     }
     if (command.seed) session.engine.scripts->seed(static_cast<std::uint64_t>(*command.seed));
-    if (command.log_file) {
-        session.program.log_file = *command.log_file;
-        if (session.program.output.logging())
-            session.program.output.start_log(session.program.output_file(session.program.log_file));
-    }
-    if (command.log) {
-        if (*command.log) session.program.output.start_log(session.program.output_file(session.program.log_file));
-        else session.program.output.stop_log();
-    }
+    if (command.log_file || command.log) set_log(session, command);
     for (const auto& [name, value] : command.fish) {
         const auto scripted = std::visit([](const auto& v) { return script::Value(v); }, value);
         session.engine.scripts->set(name, scripted, session.deck.interpreter.current_place());

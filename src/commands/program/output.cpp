@@ -103,12 +103,19 @@ void Output::end_refresh() {
     refreshed_ = 0;
 }
 
-void Output::start_log(const std::string& file) {
+void Output::open_log(const std::string& file, const char* mode) {
     stop_log();
-    log_ = door::open_stream(file, Use::write, "a");
+    log_ = door::open_stream(file, Use::write, mode);
     if (!log_)
         throw Diagnostic(fmt::format("cannot open the log file '{}': {}", file, std::strerror(errno)), {}, Fault::run);
     log_name_ = file;
+}
+
+void Output::start_log(const std::string& file) { open_log(file, "a"); }
+
+void Output::empty_log(const std::string& file) {
+    open_log(file, "w");
+    stop_log();
 }
 
 void Output::stop_log() {

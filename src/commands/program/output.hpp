@@ -52,6 +52,8 @@ public:
 
     /// Copies all that follows to a file, which is appended to. Throws Diagnostic when it cannot.
     void start_log(const std::string& file);
+    /// Empties a file for it, and stops a present log.
+    void empty_log(const std::string& file);
     void stop_log();
     bool logging() const { return static_cast<bool>(log_); }
 
@@ -78,6 +80,7 @@ public:
     bool quiet = false;
 
 private:
+    void open_log(const std::string& file, const char* mode);
     void write(std::FILE* stream, std::string_view text, const std::string& name);
 
     std::FILE* results_;

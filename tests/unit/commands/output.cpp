@@ -75,6 +75,17 @@ TEST_F(OutputTest, ALogIsAppendedTo) {
     EXPECT_EQ(log_text(), "again\nagain\n");
 }
 
+TEST_F(OutputTest, ALogCanBeginEmpty) {
+    output.start_log(log);
+    output.print("earlier");
+    output.empty_log(log);
+    EXPECT_FALSE(output.logging());
+    output.start_log(log);
+    output.print("now");
+    output.stop_log();
+    EXPECT_EQ(log_text(), "now\n");
+}
+
 TEST_F(OutputTest, ALogInAMissingFolderIsRefused) {
     EXPECT_THROW(output.start_log(testing::TempDir() + "no_such_folder/kaya.log"), Diagnostic);
     EXPECT_FALSE(output.logging());
