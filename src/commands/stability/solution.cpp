@@ -88,6 +88,18 @@ void count_from_now(Limits& limits, const lang::Solve& command, const Clock& clo
     if (command.total_time) take(limits.time, *command.total_time - clock.time);
 }
 
+/// Runs with joints that cannot fail; they have their own strength again afterwards.
+void solve_elastic(Session& session, const Limits& limits) {
+    session.engine.cycle->prepare(); // contacts must have their properties before these can be made strong
+    const ElasticJoints strong(session);
+    if (!strong.strengthened())
+        session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
+                                "'elastic' has no effect"));
+    const RunEnd end = advance_until(session, limits);
+    session.engine.world.stopped_by = end.why;
+    session.program.output.say(end_text("solve elastic", end));
+}
+
 } // namespace
 
 /// Fewer cycles are run to inspect the model, not to move a boundary.
@@ -115,28 +127,17 @@ void run(Session& session, const lang::Solve& command) {
     const bool seeks_rest = command.ratio || command.maximum_ratio || command.local_ratio || command.force;
     if (!seeks_rest && !limits.time && !command.all) limits.ratio = 1e-5;
     if (command.factor_of_safety) return find_factor_of_safety(session, command, limits);
-    if (command.elastic) {
-        session.engine.cycle->prepare(); // contacts must have their properties before these can be made strong
-        const ElasticJoints strong(session);
-        if (!strong.strengthened())
-            session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
-                                    "'elastic' has no effect"));
-        const RunEnd end = advance_until(session, limits);
-        session.program.output.say(end_text("solve elastic", end));
-        if (command.only) {
-            session.engine.world.stopped_by = end.why;
-            session.engine.run_hooks(script::Moment::solve_complete);
-            return;
-        }
+    if (command.elastic) solve_elastic(session, limits);
+    if (!command.only) {
+        doubt_idle_model(session, command.place);
+        if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
+        warn_of(session, doubts_of(command));
+        RestMonitor monitor(session.engine.model);
+        const RunEnd end = advance_until(session, limits, &monitor);
+        session.engine.world.stopped_by = end.why;
+        session.program.output.say(end_text("solve", end));
+        tell_rest(session, monitor, end, command.still, command.place);
     }
-    doubt_idle_model(session, command.place);
-    if (seeks_rest || limits.ratio) doubt_undamped_search(session, command.place);
-    warn_of(session, doubts_of(command));
-    RestMonitor monitor(session.engine.model);
-    const RunEnd end = advance_until(session, limits, &monitor);
-    session.engine.world.stopped_by = end.why;
-    session.program.output.say(end_text("solve", end));
-    tell_rest(session, monitor, end, command.still, command.place);
     session.engine.run_hooks(script::Moment::solve_complete);
 }
 

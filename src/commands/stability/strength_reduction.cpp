@@ -34,22 +34,17 @@ constexpr std::array<Weakening, 3> weakenings{{
 } // namespace
 
 Asked::Asked(const lang::Solve& command) {
-    using Words = std::vector<Reduced>;
-    const auto names = [](const Words& words, Reduced word) { return std::ranges::find(words, word) != words.end(); };
-    const auto any_of = [&](std::initializer_list<Reduced> group) {
-        return std::ranges::any_of(group, [&](Reduced word) { return names(command.included, word); });
+    const auto names = [](const std::vector<Reduced>& words, std::initializer_list<Reduced> group) {
+        return std::ranges::find_first_of(words, group) != words.end();
     };
-    const bool of_bodies = any_of({Reduced::joints, Reduced::zones}),
-               of_parts = any_of({Reduced::friction, Reduced::cohesion, Reduced::tension});
-    const bool of_all = of_bodies || of_parts || command.included.empty();
+    const auto& in = command.included;
+    const bool by_body = names(in, {Reduced::joints, Reduced::zones}),
+               by_part = names(in, {Reduced::friction, Reduced::cohesion, Reduced::tension});
+    const bool by_group = by_body || by_part || in.empty();
     const auto choose = [&](auto& chosen, Reduced body, const decltype(parts)& own) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto named = [&](const Words& words) {
-                return names(words, body) || names(words, parts[i]) || names(words, own[i]);
-            };
-            const bool general = of_all && (!of_bodies || names(command.included, body)) &&
-                                 (!of_parts || names(command.included, parts[i]));
-            chosen[i] = (general || names(command.included, own[i])) && !named(command.excluded);
+            const bool in_groups = by_group && (!by_body || names(in, {body})) && (!by_part || names(in, {parts[i]}));
+            chosen[i] = (in_groups || names(in, {own[i]})) && !names(command.excluded, {body, parts[i], own[i]});
         }
     };
     choose(joints_, Reduced::joints, {Reduced::joint_friction, Reduced::joint_cohesion, Reduced::joint_tension});
