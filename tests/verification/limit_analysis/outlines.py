@@ -34,7 +34,6 @@ def footing(soil, rough, width, depth, cells, pressure=0.0, growth=4.0, sides=24
     """A strip footing of half width 1 on the surface: half of it, with `cells` below it, smaller towards its edge."""
     mesh = Mesh()
     down = 1 - graded(1, growth, round(1.2 * cells * depth / np.sqrt(growth)))[::-1]
-    down = 1 - down[::-1] if down[1] < 1 - down[-2] else down
     mesh.patch([(0, -depth), (1, -depth), (1, 0), (0, 0)], graded(2, 1, cells), down, "soil")
     beside = graded(1, growth, round(cells * (width - 1) / np.sqrt(growth)))
     mesh.patch([(1, -depth), (width, -depth), (width, 0), (1, 0)], beside, down, "soil")

@@ -14,8 +14,8 @@ class Soil:
     faces: tuple = (0.0,)  # without tension: inclinations of free faces, in degrees, along which soil is to carry
 
     def reduced(self, factor):
-        t = math.tan(math.radians(self.friction)) / factor
-        return replace(self, cohesion=self.cohesion / factor, friction=math.degrees(math.atan(t)))
+        friction = math.degrees(math.atan(self.tangent / factor))
+        return replace(self, cohesion=self.cohesion / factor, friction=friction)
 
     @property
     def tangent(self):
