@@ -89,20 +89,30 @@ bool FailureMode::turns_backward(const Model& model, const std::vector<Motion>& 
     return model.settings.gravity.cross(shift).dot(turn) > 0;
 }
 
+/// The motion of what moves: its mean over the volume, weighted with the motion itself. Loose zones at a surface, which go farthest, count by
+/// their volume, and zones at rest do not.
+double FailureMode::typical_shift(const Model& model) const {
+    double sum = 0, squares = 0;
+    for (std::size_t z = 0; z < model.zones.size(); ++z) {
+        Vec3 mean = Vec3::Zero();
+        for (const Row g : model.zones.gridpoints[z]) mean += 0.25 * shift(model, static_cast<std::size_t>(g));
+        sum += model.zones.volume[z] * mean.norm();
+        squares += model.zones.volume[z] * mean.squaredNorm();
+    }
+    return sum > 0 ? squares / sum : 0;
+}
+
 void FailureMode::count_zones(const Model& model, Shares& shares) const {
-    constexpr double far = 1.0 / 3; // of the greatest motion
+    const double far = typical_shift(model) / 3;
     const auto distance = [&](Row g) { return shift(model, static_cast<std::size_t>(g)).norm(); };
     const Vec3& gravity = model.settings.gravity;
     const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(0, 0, 1);
-    double most = 0;
-    for (const auto& corners : model.zones.gridpoints)
-        for (const Row g : corners) most = std::max(most, distance(g));
     Reach whole;
     double sizes = 0;
     std::int64_t count = 0, cells = 0;
     for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z) {
         const auto& corners = model.zones.gridpoints[z];
-        if (std::ranges::any_of(corners, [&](Row g) { return distance(g) < far * most; })) continue;
+        if (std::ranges::any_of(corners, [&](Row g) { return distance(g) < far; })) continue;
         // The four corners of a zone of a cell include two opposite ones of the cell.
         Reach own;
         double edges = 0;
@@ -142,7 +152,8 @@ FailureMode::Shares FailureMode::shares(const Model& model, const Cycle& cycle) 
     shares.backward = turns_backward(model, motions);
     const double in_joints = std::max(0.0, lost_in_joints(model) - joint_loss_),
                  zones = std::max(0.0, lost_in_zones(model, cycle) - zone_loss_);
-    shares.zones = in_joints + zones > 0 ? zones / (in_joints + zones) : 0;
+    // Zones without cohesion that dilate as much as they have friction lose no work.
+    shares.zones = !shares.joints_move ? 1 : in_joints + zones > 0 ? zones / (in_joints + zones) : 0;
     if (shares.zones > some) count_zones(model, shares);
     return shares;
 }

@@ -34,6 +34,7 @@ private:
     };
     Vec3 shift(const Model& model, std::size_t gridpoint) const; ///< since the start
     Motion motion(const Model& model, Row block) const;
+    double typical_shift(const Model& model) const;
     void count_zones(const Model& model, Shares& shares) const;
     static bool turns_backward(const Model& model, const std::vector<Motion>& motions);
 
