@@ -8,13 +8,15 @@ set(KAYA_SANITIZE "" CACHE STRING "value of -fsanitize, e.g. address,undefined")
 add_library(kaya_flags INTERFACE)
 target_compile_features(kaya_flags INTERFACE cxx_std_20)
 # No contraction to fused multiply-add: the result of a row must not depend on its position in a
-# vector, nor on the machine. errno and traps are not used; without them loops vectorise.
+# vector, nor on the machine. gcc 12 contracts in spite of -ffp-contract=off where it vectorises straight code, and Eigen calls
+# such instructions itself where the machine has them (determinism.fused). errno and traps are not used; without them loops vectorise.
 target_compile_options(kaya_flags INTERFACE
   -Wall -Wextra -Wpedantic
   # Not for files compiled together: a local name may equal that of a function in another file.
   $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   -Wnon-virtual-dtor
-  -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno -fno-trapping-math)
+target_compile_definitions(kaya_flags INTERFACE EIGEN_DONT_VECTORIZE)
 if(KAYA_ARCH)
   target_compile_options(kaya_flags INTERFACE -march=${KAYA_ARCH})
 endif()

@@ -125,7 +125,7 @@ Lines lines_of(const BuildOrder& order, const std::string& text, const fs::path&
     lines.of_user = order.flags;
     const auto add = [&](std::initializer_list<std::string> more) { lines.flags.insert(lines.flags.end(), more); };
     add({fmt::format("-std={}", native ? "gnu++20" : order.standard), "-O3", "-march=native", "-ffp-contract=off",
-         "-fno-math-errno", "-fno-trapping-math", "-fPIC", "-fvisibility=hidden"});
+         "-fno-tree-slp-vectorize", "-fno-math-errno", "-fno-trapping-math", "-fPIC", "-fvisibility=hidden"});
     std::set<fs::path> folders;
     for (const auto& source : order.sources) folders.insert(source.has_parent_path() ? source.parent_path() : ".");
     for (const auto& folder : folders) lines.of_sources.insert(lines.of_sources.end(), {"-I", folder.string()});
