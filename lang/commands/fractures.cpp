@@ -99,16 +99,24 @@ CommandSpec combine_fractures() {
     entry.action(
         {"merge"}, [](FractureChange& c) { c.joining = Joining::merge; },
         "moves those that overlap the larger one in its plane, and makes one fracture of both");
-    entry.not_yet({"merge-convex"}, "convex hulls of fractures in one plane: write merge");
+    entry.action(
+        {"merge-convex"}, [](FractureChange& c) { c.joining = Joining::hull; },
+        "moves those that overlap the larger one in its plane, and makes the convex hull of both");
+    entry.keyword({"sides"}, integer("n").at_least(3).at_most(64), &FractureChange::sides,
+                  "of merge-convex: of the regular polygon, equal in area, that stands for a disc; 12 if not given");
     add_choice(entry);
     entry.finish([](const Reader& reader, FractureChange& command) {
         if (!command.angle || !command.distance)
             incomplete_line(reader, "combine needs an angle and a distance", "write: angle 10 distance 0.5");
+        if (command.sides && command.joining != Joining::hull)
+            incomplete_line(reader, "sides belongs to merge-convex", "write: merge-convex sides 24");
     });
     entry.right("fracture combine angle 10 distance 0.5")
         .right("fracture combine angle 5 distance 1 merge dfn 'faults'");
-    entry.right("fracture combine angle 5 distance 1 collapse sizes 0 9");
+    entry.right("fracture combine angle 5 distance 1 collapse sizes 0 9")
+        .right("fracture combine angle 5 distance 1 merge-convex sides 32");
     entry.wrong("fracture combine angle 10", "combine needs an angle and a distance");
+    entry.wrong("fracture combine angle 5 distance 1 merge sides 32", "sides belongs to merge-convex");
     entry.wrong("fracture combine angle 91 distance 1", "angle must be at most 90, not 91");
     return entry;
 }

@@ -298,11 +298,11 @@ struct FractureChange {
     std::optional<std::array<double, 6>> box; ///< remove: those that do not reach it; truncate: nothing is left outside
     double share = 1;                         ///< remove: chance of each
     std::int64_t seed = 1;
-    std::int64_t sides = 12;               ///< truncate: of the polygon for a disc
+    std::optional<std::int64_t> sides;     ///< truncate, combine: of the polygon for a disc, 12 if not given
     std::string name;                      ///< copy: network; group: name or slot=name; cluster: slot
     bool out = false;                      ///< group remove
     std::optional<double> angle, distance; ///< combine; degrees
-    enum class Joining { turn, collapse, merge } joining = Joining::turn;
+    enum class Joining { turn, collapse, merge, hull } joining = Joining::turn;
     Place place;
 };
 /// fracture template create|delete: orientations and sizes to draw fractures from.

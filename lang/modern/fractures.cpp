@@ -61,11 +61,13 @@ CommandSpec truncate_fractures() {
 CommandSpec combine_fractures() {
     Leaf<FractureChange> leaf("fracture combine", "fracture combine");
     leaf.word("angle", "angle").word("distance", "distance").word("collapse", "collapse").word("merge", "merge");
+    leaf.word("merge-convex", "merge-convex").word("sides", "sides");
     add_choice(leaf);
     leaf.checks_of_meaning();
-    leaf.not_yet({"merge-convex"}, "convex hulls of fractures in one plane: write merge");
     refuse_range(leaf);
     leaf.right("fracture combine angle 10 distance 0.5 merge", "fracture combine angle 10 distance 0.5 merge");
+    leaf.right("fracture combine angle 10 distance 0.5 merge-convex sides 24",
+               "fracture combine angle 10 distance 0.5 merge-convex sides 24");
     leaf.wrong("fracture combine angle 10", "combine needs an angle and a distance");
     return leaf;
 }

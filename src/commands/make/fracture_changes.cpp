@@ -54,12 +54,15 @@ void copy_fractures(Session& session, const lang::FractureChange& command) {
     session.program.output.say(fractures_text(copies.size()) + " copied");
 }
 
+/// Of the polygon for a disc.
+int sides_of(const lang::FractureChange& command) { return static_cast<int>(command.sides.value_or(12)); }
+
 void truncate_fractures(Session& session, const lang::FractureChange& command) {
     const Box box = box_given(session, command.box, "box", command.place);
     std::size_t cut = 0;
     const std::size_t deleted = change_chosen(session, command, [&](Fracture& fracture) {
         const bool was_disc = fracture.corners.empty();
-        const bool left = cut_to_box(fracture, box.low, box.high, static_cast<int>(command.sides));
+        const bool left = cut_to_box(fracture, box.low, box.high, sides_of(command));
         cut += left && was_disc && !fracture.corners.empty();
         return left;
     });
@@ -72,8 +75,8 @@ void combine_fractures(Session& session, const lang::FractureChange& command) {
     for (Network* network : networks_of(session.deck.surface_sets, command.choice, command.place))
         for (Fracture& fracture : *network)
             if (chosen(command.choice, fracture)) fractures.push_back(&fracture);
-    const Combined combined =
-        combine(fractures, {*command.angle, *command.distance, static_cast<Combining::Joining>(command.joining)});
+    const Combined combined = combine(fractures, {*command.angle, *command.distance,
+                                                  static_cast<Combining::Joining>(command.joining), sides_of(command)});
     std::set<std::int64_t> taken_up;
     for (const Fracture* fracture : combined.taken_up) taken_up.insert(fracture->id);
     change_chosen(session, command, [&](const Fracture& fracture) { return !taken_up.contains(fracture.id); });

@@ -1,11 +1,13 @@
 #include "geometry/fractures/combine.hpp"
 
 #include "base/stop_point.hpp"
+#include "geometry/polyhedra/plan_hull.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace kaya {
 namespace {
@@ -54,6 +56,31 @@ void grow(Fracture& fracture, double more) {
     for (Vec3& corner : fracture.corners) corner = fracture.disc.centre + factor * (corner - fracture.disc.centre);
 }
 
+/// Corners of a convex outline in the plan without those that change its area by no more than rounding.
+std::vector<Vec3> without_flat_corners(const std::vector<Vec3>& hull) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec3 &before = kept.empty() ? hull.back() : kept.back(), &next = hull[(i + 1) % hull.size()];
+        if (plan_cross(before, hull[i], next) > rounding * (next - before).squaredNorm()) kept.push_back(hull[i]);
+    }
+    return kept;
+}
+
+/// Makes a fracture the convex hull of itself and another one in its plane.
+void extend(Fracture& fracture, const Fracture& other, int sides) {
+    const Vec3 centre = fracture.disc.centre;
+    const auto level = Eigen::Quaterniond::FromTwoVectors(plane_of(fracture).normal, Vec3::UnitZ());
+    std::vector<Vec3> points;
+    for (const Fracture* given : {&std::as_const(fracture), &other})
+        for (const Vec3& corner : outline_of(*given, sides)) points.push_back(level * (corner - centre));
+    points = without_flat_corners(plan_hull(std::move(points)));
+    for (Vec3& point : points) point = centre + level.inverse() * Vec3(point.x(), point.y(), 0);
+    Fracture hull = polygon_fracture(points);
+    fracture.corners = std::move(hull.corners);
+    fracture.disc.centre = hull.disc.centre;
+    fracture.disc.diameter = hull.disc.diameter;
+}
+
 } // namespace
 
 Combined combine(const std::vector<Fracture*>& fractures, const Combining& how) {
@@ -80,12 +107,13 @@ Combined combine(const std::vector<Fracture*>& fractures, const Combining& how) 
             const bool moves = how.joining == Joining::collapse;
             put_into(smaller, larger, moves ? Vec3(-height * plane.normal) : Vec3(Vec3::Zero()));
             result.moved += moves;
-            if (how.joining != Joining::merge) continue;
+            if (how.joining != Joining::merge && how.joining != Joining::hull) continue;
             Fracture moved = smaller;
             put_into(moved, larger, -height * plane.normal);
             const Relation to_larger = relation(moved, larger);
             if (to_larger == Relation::apart) continue;
-            if (to_larger == Relation::overlap) grow(larger, area_of(moved));
+            if (to_larger == Relation::overlap && how.joining == Joining::merge) grow(larger, area_of(moved));
+            if (to_larger == Relation::overlap && how.joining == Joining::hull) extend(larger, moved, how.sides);
             result.taken_up.push_back(&smaller);
         }
     }

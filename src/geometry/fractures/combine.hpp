@@ -15,17 +15,19 @@ struct Combining {
     enum class Joining {
         turn,     ///< it gets the direction of the larger one
         collapse, ///< and its plane
-        merge     ///< it is turned, and moved if it then overlaps the larger one, which takes up its area
+        merge,    ///< it is turned, and moved if it then overlaps the larger one, which takes up its area
+        hull      ///< as merge, but the larger one becomes the convex hull of both
     } joining = Joining::turn;
+    int sides = 12; ///< hull: of the regular polygon, equal in area, that stands for a disc
 };
 
 struct Combined {
     std::size_t turned = 0, moved = 0;          ///< `moved` are also turned
-    std::vector<const Fracture*> taken_up = {}; ///< by merge: they are to be deleted
+    std::vector<const Fracture*> taken_up = {}; ///< by merge and hull: they are to be deleted
 };
 
 /// From the largest fracture to the smallest, of equal ones by number: each that was not turned itself collects smaller ones that were
-/// neither. A merge leaves a fracture that lies inside as it is; otherwise the larger one grows about its centre to the area of both.
+/// neither. A fracture that takes up one inside of it stays as it is. Otherwise, with merge, it grows about its centre to the area of both.
 Combined combine(const std::vector<Fracture*>& fractures, const Combining& how);
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 #include "geometry/ground/ground_cuts.hpp"
 
 #include "base/diagnostic.hpp"
+#include "geometry/polyhedra/plan_hull.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,28 +18,6 @@ constexpr std::size_t most_pieces = 2'000'000;
 constexpr double worth_a_level = 0.5;
 
 using Polygon = std::vector<Vec3>;
-
-double plan_cross(const Vec3& o, const Vec3& a, const Vec3& b) {
-    return (a.x() - o.x()) * (b.y() - o.y()) - (b.x() - o.x()) * (a.y() - o.y());
-}
-
-/// Convex outline in the plan, anticlockwise (Andrew's chain).
-Polygon outline_of(const Polyhedron& body) {
-    Polygon points = body.vertices, hull;
-    std::ranges::sort(points,
-                      [](const Vec3& a, const Vec3& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-    const auto chain = [&](auto first, auto last) {
-        const std::size_t kept = hull.size();
-        for (auto p = first; p != last; ++p) {
-            while (hull.size() >= kept + 2 && plan_cross(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
-            hull.push_back(*p);
-        }
-        hull.pop_back();
-    };
-    chain(points.begin(), points.end());
-    chain(points.rbegin(), points.rend());
-    return hull;
-}
 
 /// The part of a triangle over a convex outline.
 Polygon clipped(Polygon polygon, const Polygon& outline) {
@@ -96,7 +75,7 @@ public:
 
 private:
     std::vector<Patch> patches_over(const Polyhedron& body) const {
-        const Polygon outline = outline_of(body);
+        const Polygon outline = plan_hull(body.vertices);
         std::vector<Patch> patches;
         if (outline.size() < 3) return patches;
         Span x, y;
@@ -212,7 +191,7 @@ private:
             Vec3 from, along;
         };
         std::vector<Edge> edges;
-        const Polygon outline = outline_of(body);
+        const Polygon outline = plan_hull(body.vertices);
         for (const Patch& patch : patches) {
             const auto& corners = ground_.triangles()[static_cast<std::size_t>(patch.triangle)];
             for (std::size_t k = 0; k < 3; ++k) {
