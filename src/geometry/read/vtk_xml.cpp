@@ -2,6 +2,7 @@
 #include "base/base64.hpp"
 #include "base/deflate.hpp"
 #include "base/lower_case.hpp"
+#include "base/lz4_block.hpp"
 #include "base/stop_point.hpp"
 #include "geometry/read/binary_numbers.hpp"
 #include "geometry/read/text_lines.hpp"
@@ -55,11 +56,13 @@ public:
         big_ = value_of(document.file, "byte_order") == "BigEndian";
         long_header_ = value_of(document.file, "header_type") == "UInt64";
         const std::string_view compressor = value_of(document.file, "compressor");
-        packed_ = !compressor.empty();
-        if (packed_ && compressor != "vtkZLibDataCompressor")
+        if (compressor == "vtkZLibDataCompressor") unpack_ = inflated;
+        else if (compressor == "vtkLZ4DataCompressor") unpack_ = from_lz4;
+        else if (!compressor.empty())
             mesh_.fail(0,
-                       fmt::format("it is compressed by {}; vtkZLibDataCompressor is read", compressor.substr(0, 40)),
-                       "save it with the compressor ZLib, or with none");
+                       fmt::format("it is compressed by {}; vtkZLibDataCompressor and vtkLZ4DataCompressor are read",
+                                   compressor.substr(0, 40)),
+                       "save it with the compressor ZLib or LZ4, or with none");
     }
 
     VtkArray array(const XmlArray& given) {
@@ -154,7 +157,7 @@ private:
     /// stream, and the streams.
     std::string unpacked(XmlBytes source, int line) {
         const std::size_t first = header_number(source, line);
-        if (!packed_) {
+        if (unpack_ == nullptr) {
             spend(first, line);
             auto bytes = source.take(first);
             if (!bytes) cut_off(line);
@@ -170,7 +173,7 @@ private:
             const std::size_t size = k + 1 == first && last > 0 ? last : full;
             spend(size, line);
             const auto stream = source.take(sizes[k]);
-            const auto bytes = stream ? inflated(*stream, size) : std::nullopt;
+            const auto bytes = stream ? unpack_(*stream, size) : std::nullopt;
             if (!bytes) cut_off(line);
             result += *bytes;
         }
@@ -198,7 +201,8 @@ private:
     /// Of all data to the file: meshes stay below 50, a stream of zeros reaches 1,000, and arrays may name the same data.
     static constexpr std::size_t greatest_ratio = 256;
     std::size_t file_size_, bytes_left_;
-    bool big_ = false, long_header_ = false, packed_ = false;
+    bool big_ = false, long_header_ = false;
+    std::optional<std::string> (*unpack_)(std::string_view stream, std::size_t size) = nullptr; ///< of packed arrays
 };
 
 /// Lists of cells of polygonal data in the order in which cells are numbered, with their type.

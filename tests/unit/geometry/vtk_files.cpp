@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <lz4.h>
 
 using namespace kaya;
 
@@ -36,14 +37,25 @@ std::string piece(const std::string& data, const std::string& ends = "4 8") {
            array("types", "10 10", "UInt8") + "</Cells>\n<CellData>\n" + data + "</CellData>\n</Piece>\n";
 }
 
+enum class Packed { no, zlib, lz4 };
+
+std::string packed_by(Packed packed, const std::string& bytes) {
+    if (packed == Packed::zlib) return deflated(bytes);
+    const int length = static_cast<int>(bytes.size());
+    std::string block(static_cast<std::size_t>(LZ4_compressBound(length)), '\0');
+    block.resize(static_cast<std::size_t>(
+        LZ4_compress_default(bytes.data(), block.data(), length, static_cast<int>(block.size()))));
+    return block;
+}
+
 /// The same mesh with its numbers in binary: inline or appended, packed or not.
-std::string binary_xml(bool appended, bool packed) {
+std::string binary_xml(bool appended, Packed packed) {
     std::string data;
     const auto number = [](std::uint32_t n) { return std::string(reinterpret_cast<const char*>(&n), sizeof n); };
     const auto add = [&](const char* name, const char* type, const std::string& bytes, int components) {
         std::string coded, raw;
-        if (packed) {
-            const std::string stream = deflated(bytes);
+        if (packed != Packed::no) {
+            const std::string stream = packed_by(packed, bytes);
             const std::string header = number(1) + number(static_cast<std::uint32_t>(bytes.size())) + number(0) +
                                        number(static_cast<std::uint32_t>(stream.size()));
             raw = header + stream;
@@ -68,7 +80,8 @@ std::string binary_xml(bool appended, bool packed) {
     text += add("Points", "Float64", bytes_of(points), 3) + "</Points>\n<Cells>\n";
     text += add("connectivity", "Int32", bytes_of(ids), 1) + add("offsets", "Int32", bytes_of(ends), 1);
     text += add("types", "UInt8", "\x0a\x0a", 1) + "</Cells>\n</Piece>\n";
-    text = xml(text, packed ? " compressor=\"vtkZLibDataCompressor\"" : "");
+    const std::array compressors{"", " compressor=\"vtkZLibDataCompressor\"", " compressor=\"vtkLZ4DataCompressor\""};
+    text = xml(text, compressors[static_cast<std::size_t>(packed)]);
     if (!appended) return text;
     return text.replace(text.find("</VTKFile>"), 0,
                         "<AppendedData encoding=\"raw\">\n_" + data + "\n</AppendedData>\n");
@@ -101,8 +114,11 @@ constexpr double two_volumes = 1. / 6 + 1. / 3;
 } // namespace
 
 TEST(VtkFiles, ZonesAreTheSameInAllEncodings) {
-    for (const std::string& text : {legacy(two_cells), xml(piece("")), binary_xml(false, false),
-                                    binary_xml(false, true), binary_xml(true, false), binary_xml(true, true)}) {
+    std::vector<std::string> texts{legacy(two_cells), xml(piece(""))};
+    for (const bool appended : {false, true})
+        for (const Packed packed : {Packed::no, Packed::zlib, Packed::lz4})
+            texts.push_back(binary_xml(appended, packed));
+    for (const std::string& text : texts) {
         const Grid3d grid = read_vtk_blocks(text, "a");
         ASSERT_EQ(grid.blocks.size(), 1U);
         EXPECT_EQ(grid.blocks[0].zones.size(), 2U);
@@ -191,8 +207,9 @@ TEST(VtkFiles, MessagesNameLineOrCell) {
     EXPECT_EQ(message_of(legacy(two_cells, "CELL_DATA 2\nSCALARS region int\n1\n")),
               "a.vtk, line 16: the file ends after 1 of 2 numbers");
     EXPECT_EQ(message_of(legacy("")), "a.vtk: there is no cell and no face in it");
-    EXPECT_EQ(message_of(xml(piece(""), " compressor=\"vtkLZ4DataCompressor\"")),
-              "a.vtk: it is compressed by vtkLZ4DataCompressor; vtkZLibDataCompressor is read");
+    EXPECT_EQ(
+        message_of(xml(piece(""), " compressor=\"vtkLZMADataCompressor\"")),
+        "a.vtk: it is compressed by vtkLZMADataCompressor; vtkZLibDataCompressor and vtkLZ4DataCompressor are read");
     EXPECT_EQ(message_of(xml(piece("", "4 x"))), "a.vtk, line 15: 'x' is not a number");
     EXPECT_EQ(message_of(xml(piece("", "4"))), "a.vtk, line 14: there are 1 numbers, and the cells need 2");
     EXPECT_EQ(message_of(xml(piece(array("region", "1 2 3")))), "a.vtk, line 22: 'region' has 3 values for 2 cells");
@@ -206,13 +223,23 @@ TEST(VtkFiles, MessagesNameLineOrCell) {
 
 TEST(VtkFiles, ClaimsBeyondTheFileTakeNoMemory) {
     // A stream that says that it stands for gigabytes, and arrays that all name the same data.
-    std::string claim = binary_xml(true, true);
-    const std::size_t data = claim.find("\n_") + 2;
-    const std::uint32_t huge = 0xfffffff0;
-    std::memcpy(claim.data() + data + 4, &huge, sizeof huge);
-    EXPECT_EQ(message_of(claim), "a.vtk, line 6: the arrays claim more data than the file can hold");
-    std::memcpy(claim.data() + data, &huge, sizeof huge);
-    EXPECT_EQ(message_of(claim), "a.vtk, line 6: its data are cut off or damaged");
+    for (const Packed packed : {Packed::zlib, Packed::lz4}) {
+        const std::string text = binary_xml(true, packed);
+        const std::size_t data = text.find("\n_") + 2;
+        const auto claims = [&](std::size_t at, std::uint32_t number) {
+            std::string claim = text;
+            std::memcpy(claim.data() + data + at, &number, sizeof number);
+            return message_of(claim);
+        };
+        constexpr std::uint32_t huge = 0xfffffff0, more_than_a_stream = 100'000; // which the file could hold
+        const std::string damaged = "a.vtk, line 6: its data are cut off or damaged";
+        EXPECT_EQ(claims(0, huge), damaged);
+        EXPECT_EQ(claims(4, huge), "a.vtk, line 6: the arrays claim more data than the file can hold");
+        EXPECT_EQ(claims(4, more_than_a_stream), damaged);
+        EXPECT_EQ(claims(4, 121), damaged); // of 120 bytes
+        EXPECT_EQ(claims(12, huge), damaged);
+        EXPECT_EQ(claims(12, 10), damaged);
+    }
     EXPECT_EQ(message_of(xml(piece(array("region", "1 2") + array("region", "1 2")))),
               "a.vtk, line 25: CellData has two arrays 'region'");
     std::string deep;
@@ -224,10 +251,12 @@ TEST(VtkFiles, CutOffAndDamagedFilesEndInAMessageNeverInACrash) {
     const std::vector<std::string> files{
         legacy(two_cells, "CELL_DATA 2\nFIELD FieldData 2\nmaterial 1 2 int\n2 5\ngroup 1 2 string\nleft%20wall\n\n"),
         xml(piece(array("region", "1 2"))),
-        binary_xml(false, false),
-        binary_xml(false, true),
-        binary_xml(true, false),
-        binary_xml(true, true)};
+        binary_xml(false, Packed::no),
+        binary_xml(false, Packed::zlib),
+        binary_xml(false, Packed::lz4),
+        binary_xml(true, Packed::no),
+        binary_xml(true, Packed::zlib),
+        binary_xml(true, Packed::lz4)};
     Random random(71);
     int refused = 0;
     const auto read = [&](const std::string& bytes) {
