@@ -53,6 +53,7 @@ public:
           follower_(model_, command), damped_at_start_(model_.energy.damped) {
         paced_damped_ = damped_at_start_;
         motion_ = motion();
+        model_.clock.peak_load = model_.clock.peak_displacement = 0;
         if (push_->is_boundary()) push_->advance(0, wanted()); // a boundary moves from the first cycle
     }
 
@@ -140,6 +141,10 @@ private:
         if (follower_.follows()) follow(counted() - counted_at_row_);
         travelled_at_row_ = travelled_, counted_at_row_ = counted();
         curve_.add(row, std::max(share, row.ratio) <= command_.damped);
+        if (curve_.peak_is_at_rest()) {
+            model_.clock.peak_load = curve_.peak().load;
+            model_.clock.peak_displacement = curve_.peak().displacement;
+        }
         push_->renew();
         constexpr std::size_t few = 64;
         if (curve_.size() >= few && std::has_single_bit(curve_.size())) store(); // what a run leaves that is cut off

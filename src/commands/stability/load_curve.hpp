@@ -28,6 +28,8 @@ public:
     const CurveRow& back() const { return rows_.back(); }
     /// Row of the greatest load; there must be one.
     const CurveRow& peak() const { return rows_[peak_]; }
+    /// Whether the peak is a row at rest, and not only the greatest load of a model that moves.
+    bool peak_is_at_rest() const { return peak_at_rest_; }
     /// Whether the load was at most `load` in the last rows, also with what motion takes: it has not only jumped there.
     bool stays_below(double load) const;
 

@@ -68,6 +68,7 @@ struct Clock {
     double unbalanced_force = 0; ///< largest of the last cycle
     double average_ratio = 0, maximum_ratio = 0, local_ratio = 0; ///< docs/theory/motion.md
     double factor_of_safety = 0;                                  ///< of the last `solve fos`; 0: none yet
+    double peak_load = 0, peak_displacement = 0; ///< of the last `solve control`; 0: no row at rest yet
 
     /// From the middle of the last step, the time of the velocities, to the middle of this one: the time during which forces act.
     double kick() const { return last_step > 0 ? 0.5 * (last_step + time_step) : time_step; }

@@ -47,7 +47,7 @@ void visit_state(Archive& archive, Settings& settings) {
 
 void visit_state(Archive& archive, Clock& clock) {
     auto& [time, cycle, time_step, last_step, global_viscosity, unbalanced_force, average_ratio, maximum_ratio,
-           local_ratio, factor_of_safety] = clock;
+           local_ratio, factor_of_safety, peak_load, peak_displacement] = clock;
     archive.value("time", time);
     archive.value("cycle", cycle);
     archive.value("time_step", time_step);
@@ -57,7 +57,11 @@ void visit_state(Archive& archive, Clock& clock) {
     archive.value("average_ratio", average_ratio);
     archive.value("maximum_ratio", maximum_ratio);
     archive.value("local_ratio", local_ratio);
-    archive.aside([&] { archive.value("factor_of_safety", clock.factor_of_safety); });
+    archive.aside([&] {
+        archive.value("factor_of_safety", clock.factor_of_safety);
+        archive.value("peak_load", clock.peak_load);
+        archive.value("peak_displacement", clock.peak_displacement);
+    });
 }
 
 void visit_state(Archive& archive, Energy& energy) {

@@ -731,6 +731,12 @@ class Quantities:
     def factor_of_safety(self) -> float:
         """found last by solve fos, limit equilibrium or list stability (then the least of the blocks); 0 when there was none"""
     @property
+    def peak_load(self) -> float:
+        """greatest load of the last solve control, of its rows at rest; a force where a boundary was driven; 0 when there was none"""
+    @property
+    def peak_displacement(self) -> float:
+        """displacement of the last solve control at its peak load; 0 when there was none"""
+    @property
     def global_viscosity(self) -> float:
         """viscosity of adaptive global damping [1/time]"""
     @property
