@@ -50,9 +50,8 @@ class LoadControl {
 public:
     LoadControl(Session& session, const lang::SolveControl& command)
         : session_(session), model_(session.engine.model), command_(command), push_(push_of(session, command)),
-          follower_(model_, command), damped_at_start_(model_.energy.damped) {
+          follower_(model_, command), damped_at_start_(model_.energy.damped), row_(begun()), part_(row_) {
         paced_damped_ = damped_at_start_;
-        motion_ = motion();
         model_.clock.peak_load = model_.clock.peak_displacement = 0;
         if (push_->is_boundary()) push_->advance(0, wanted()); // a boundary moves from the first cycle
     }
@@ -63,11 +62,15 @@ public:
         const double velocity = push_->velocity(), load = push_->load(), moved = velocity * model_.clock.time_step;
         travelled_ += moved;
         work_ += load * push_->force() * moved;
-        load_sum_ += load;
         if (follower_.is_gone()) return "the loss of the block whose point is followed";
-        displacement_sum_ += counted();
+        for (Span* span : {&row_, &part_}) {
+            span->load_sum += load;
+            span->displacement_sum += counted();
+            ++span->cycles;
+        }
         std::string why;
         if (++cycles_ % command_.every == 0) why = add_row();
+        else if (part_.cycles == part_cycles() && command_.every - row_.cycles >= part_cycles()) end_part();
         pace();
         if (why.empty()) push_->advance(velocity, wanted());
         return why;
@@ -80,10 +83,10 @@ public:
         const CurveRow &peak = curve_.peak(), &last = curve_.back();
         output.say(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
                                number_text(peak.displacement), number_text(last.load), number_text(last.displacement)));
-        constexpr double steep = 0.01, much = 0.05;
-        if (const double step = curve_.doubt_of_peak(); step > steep)
+        constexpr double much = 0.05;
+        if (const double step = curve_.doubt_of_peak(); step > LoadCurve::much_doubt)
             session_.warn(Diagnostic(fmt::format("the peak lies between rows, and may be {:.0f} % higher", 100 * step),
-                                     "the load rises that fast up to it: take `every` smaller, or go slower")
+                                     "the load rises that fast up to it: go slower, or take `every` below 10")
                               .at(command_.place));
         if (const double share = damped_share(); share > much)
             session_.warn(
@@ -121,33 +124,58 @@ private:
     double wanted() const { return command_.speed * speed_ratio_ * pace_; }
     double counted() const { return follower_.follows() ? follower_.displacement() : travelled_; }
 
-    std::string add_row() {
-        const auto mean = [&](double& sum) { return std::exchange(sum, 0) / static_cast<double>(command_.every); };
-        CurveRow row{mean(displacement_sum_), mean(load_sum_), model_.clock.time};
-        const double gained = motion() - motion_;
-        const double damped = model_.energy.damped - (curve_.empty() ? damped_at_start_ : curve_.back().damped);
-        const double work = push_->force() * (travelled_ - travelled_at_row_); // of a load of 1
+    /// Cycles of a row, or of a part of it, and what the model had when they began.
+    struct Span {
+        double travelled, damped, motion;
+        double load_sum = 0, displacement_sum = 0;
+        std::int64_t cycles = 0;
+    };
+    Span begun() const { return {travelled_, model_.energy.damped, motion()}; }
+
+    /// Of a part of a row: half of the cycles that the control of the load takes (equation (2)), so that its mean is steady.
+    std::int64_t part_cycles() const {
+        constexpr std::int64_t shortest = 10, most_parts = 100;
+        return std::max(shortest, (command_.every + most_parts - 1) / most_parts);
+    }
+    void end_part() {
+        parts_.push_back(row_of(part_));
+        part_ = begun();
+    }
+
+    CurveRow row_of(const Span& span) const {
+        const auto cycles = static_cast<double>(span.cycles);
+        CurveRow row{span.displacement_sum / cycles, span.load_sum / cycles, model_.clock.time};
+        const double gained = motion() - span.motion, damped = model_.energy.damped - span.damped;
+        const double work = push_->force() * (travelled_ - span.travelled); // of a load of 1
         row.pushed = row.load;
         const double share = (std::abs(gained) + std::abs(damped)) / std::abs(row.load * work);
         constexpr double jump = 0.1; // of a crack or the like: the boundary feels nothing of its energy
         if (work != 0 && (share < jump || !push_->is_boundary())) row.load -= (gained + damped) / work; // equation (4)
-        motion_ += gained;
         row.reaction = push_->reaction();
         row.lost = model_.energy.joint_friction;
         row.damped = model_.energy.damped;
         row.ratio = model_.clock.average_ratio;
         row.stored = model_.energy.joint_stored();
         row.zone_work = model_.energy.zone_work;
+        row.at_rest = std::max(share, row.ratio) <= command_.damped;
+        return row;
+    }
+
+    std::string add_row() {
+        const CurveRow row = row_of(row_);
+        if (!parts_.empty()) end_part();
         if (follower_.follows()) follow(counted() - counted_at_row_);
-        travelled_at_row_ = travelled_, counted_at_row_ = counted();
-        curve_.add(row, std::max(share, row.ratio) <= command_.damped);
+        row_ = part_ = begun();
+        counted_at_row_ = counted();
+        curve_.add(row, std::exchange(parts_, {}));
         if (curve_.peak_is_at_rest()) {
             model_.clock.peak_load = curve_.peak().load;
             model_.clock.peak_displacement = curve_.peak().displacement;
         }
         push_->renew();
-        constexpr std::size_t few = 64;
-        if (curve_.size() >= few && std::has_single_bit(curve_.size())) store(); // what a run leaves that is cut off
+        constexpr std::uint64_t few = 64;
+        const auto rows = static_cast<std::uint64_t>(cycles_ / command_.every);
+        if (rows >= few && std::has_single_bit(rows)) store(); // what a run leaves that is cut off
         return reason(row);
     }
 
@@ -165,7 +193,7 @@ private:
     /// The loads move as fast as the followed displacement needs, by the ratio of both in the last row.
     void follow(double gained) {
         constexpr double most = 16;
-        const double travelled = travelled_ - travelled_at_row_;
+        const double travelled = travelled_ - row_.travelled;
         if (gained > 0 && travelled > 0) speed_ratio_ = std::clamp(travelled / gained, 1 / most, most);
     }
 
@@ -179,9 +207,11 @@ private:
     std::unique_ptr<Push> push_;
     Follower follower_;
     double damped_at_start_;
-    double travelled_ = 0, travelled_at_row_ = 0, counted_at_row_ = 0, speed_ratio_ = 1, work_ = 0, load_sum_ = 0,
-           displacement_sum_ = 0, pace_ = slowest, paced_work_ = 0, paced_damped_ = 0, change_ = 1, motion_ = 0;
+    double travelled_ = 0, counted_at_row_ = 0, speed_ratio_ = 1, work_ = 0, pace_ = slowest, paced_work_ = 0,
+           paced_damped_ = 0, change_ = 1;
     std::int64_t cycles_ = 0;
+    Span row_, part_;
+    std::vector<CurveRow> parts_; ///< of the row that has begun
     LoadCurve curve_;
 };
 

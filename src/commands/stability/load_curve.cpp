@@ -6,31 +6,63 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace kaya {
 
-void LoadCurve::add(const CurveRow& row, bool at_rest) {
+namespace {
+
+constexpr std::size_t last_rows = 4; // the one before the peak, the peak, and two behind it
+
+} // namespace
+
+void LoadCurve::add(const CurveRow& row, std::vector<CurveRow> parts) {
     rows_.push_back(row);
-    const bool greater = row.load > rows_[peak_].load, first_at_rest = at_rest && !peak_at_rest_;
-    if (first_at_rest || (greater && at_rest == peak_at_rest_)) peak_ = rows_.size() - 1;
-    peak_at_rest_ = peak_at_rest_ || at_rest;
+    if (is_peak(row)) peak_ = rows_.size() - 1;
+    if (last_.size() == last_rows) last_.erase(last_.begin());
+    last_.push_back({row, std::move(parts), rows_.size() - 1});
+    // How the load rose to the first row is unknown.
+    const bool is_doubtful = peak_ == 0 || doubt_of_peak() > much_doubt;
+    if (peak_ >= last_.front().first && drops_after_peak() && is_doubtful) divide_last();
+}
+
+bool LoadCurve::drops_after_peak() const {
+    constexpr double flat = 0.01; // of the peak
+    const double top = peak().load;
+    const auto falls = [&](std::size_t row) { return row < rows_.size() && top - rows_[row].load >= flat * top; };
+    // A row that holds the true peak and what follows it may move, and have the greater load.
+    return top > 0 && (falls(peak_ + 1) || (falls(peak_ + 2) && peak().at_rest && !rows_[peak_ + 1].at_rest));
+}
+
+/// Puts parts in the place of the last rows, unless none of them is as high a peak as the row that is it now.
+void LoadCurve::divide_last() {
+    const CurveRow whole = peak();
+    LoadCurve divided;
+    divided.rows_.assign(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(last_.front().first));
+    for (Added added : last_) {
+        added.first = divided.rows_.size();
+        const auto& rows = added.parts.empty() ? std::vector{added.row} : added.parts;
+        divided.rows_.insert(divided.rows_.end(), rows.begin(), rows.end());
+        divided.last_.push_back(std::move(added));
+    }
+    for (std::size_t row = 0; row < divided.rows_.size(); ++row)
+        if (divided.is_peak(divided.rows_[row])) divided.peak_ = row;
+    if (divided.peak().at_rest == whole.at_rest && divided.peak().load >= whole.load) *this = std::move(divided);
 }
 
 bool LoadCurve::stays_below(double load) const {
-    constexpr std::size_t last = 3;
-    return rows_.size() >= last && std::all_of(rows_.end() - last, rows_.end(), [&](const CurveRow& row) {
-               return std::max(row.load, row.pushed) <= load;
+    constexpr std::size_t wanted = 3;
+    return last_.size() >= wanted && std::all_of(last_.end() - wanted, last_.end(), [&](const Added& added) {
+               return std::max(added.row.load, added.row.pushed) <= load;
            });
 }
 
 double LoadCurve::doubt_of_peak() const {
-    constexpr double flat = 0.01; // of the peak, in the row behind it
-    const double top = peak().load;
-    if (!(top > 0) || peak_ + 1 == rows_.size() || top - rows_[peak_ + 1].load < flat * top) return 0;
+    if (!drops_after_peak()) return 0;
     double step = 0;
     for (std::size_t row = peak_; row > 0 && row + 2 > peak_; --row)
         step = std::max(step, rows_[row].load - rows_[row - 1].load);
-    return 1.5 * step / top; // a mean is half a step below its end, and the next one may have stopped at once
+    return 1.5 * step / peak().load; // a mean is half a step below its end, and the next one may have stopped at once
 }
 
 void LoadCurve::store(Session& session, const lang::SolveControl& command) const {
