@@ -1,7 +1,6 @@
 #include "geometry/mesh/edge_field.hpp"
 
 #include "base/diagnostic.hpp"
-#include "geometry/polyhedra/box_pairs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +13,9 @@ namespace {
 constexpr double least_growth = 0.25; ///< of an edge with the distance, beyond that of the field
 constexpr int steps = 256;            ///< of the integrals over an edge
 
-/// How far the nearest and the farthest place of a box around a block are from a place.
-std::array<double, 2> distances_of_box(const Polyhedron& block, const Vec3& place) {
-    const auto [low, high] = box_around(block.vertices);
+/// How far the nearest and the farthest place of a box are from a place.
+std::array<double, 2> distances_of_box(const Box& box, const Vec3& place) {
+    const auto& [low, high] = box;
     return {(low - place).cwiseMax(place - high).cwiseMax(0).norm(),
             (low - place).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm()};
 }
@@ -33,9 +32,9 @@ double EdgeField::at_radius(double r) const {
     return at_distance < edge ? std::min(edge, at_distance + growth) : std::max(edge, at_distance - growth);
 }
 
-double EdgeField::least_in(const Polyhedron& block) const {
+double EdgeField::least_in(const Box& box) const {
     if (even()) return edge;
-    const auto [near, far] = distances_of_box(block, center);
+    const auto [near, far] = distances_of_box(box, center);
     return std::min({at_radius(near), at_radius(far), at_radius(std::clamp(distance, near, far))});
 }
 
@@ -43,7 +42,7 @@ double EdgeField::cubes_in(const Polyhedron& block) const {
     const double volume = mass_properties(block).volume;
     if (even()) return volume / (edge * edge * edge);
     // The mean over shells around the centre, from the nearest place of a box around the block to the farthest one.
-    const auto [near, far] = distances_of_box(block, center);
+    const auto [near, far] = distances_of_box(box_around(block.vertices), center);
     double cubes = 0, whole = 0;
     for (int i = 0; i < steps; ++i) {
         const auto radius = [near = near, far = far](double t) { return near + t * t * (far - near); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/polyhedra/polyhedron.hpp"
 
 #include <algorithm>
@@ -25,8 +26,7 @@ struct EdgeField {
     double at(const Vec3& x) const { return even() ? edge : at_radius((x - center).norm()); }
     double least() const { return even() ? edge : std::min({edge, at_center, at_distance}); }
     double change() const; ///< with the distance, at most
-    /// In a box around a block.
-    double least_in(const Polyhedron& block) const;
+    double least_in(const Box& box) const;
     /// Volume over the cube of the edge, about: a sixth of the zones that cells make.
     double cubes_in(const Polyhedron& block) const;
     /// Throws Diagnostic when an edge is not a number above 0.

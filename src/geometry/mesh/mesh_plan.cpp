@@ -71,6 +71,20 @@ std::vector<int> loop_around(const std::vector<Triangle>& triangles) {
     return loop;
 }
 
+/// Whether no cell is much longer than the field wants it. The edges of their block divide cells, and may be far from a fine place inside.
+bool follows(const TetMesh& cells, const EdgeField& field) {
+    constexpr double longest = 2; // times the field
+    return field.even() || std::ranges::all_of(cells.tetrahedra, [&](const std::array<int, 4>& t) {
+               std::vector<Vec3> corners;
+               double mean = 0;
+               for (const int v : t) {
+                   for (const Vec3& x : corners) mean += (x - cells.points[v]).norm() / 6;
+                   corners.push_back(cells.points[v]);
+               }
+               return mean <= longest * (field.least_in(box_around(corners)) + 0.5 * field.change() * mean);
+           });
+}
+
 } // namespace
 
 struct MeshPlan::Parts {
@@ -85,7 +99,7 @@ struct MeshPlan::Parts {
 
     void take_face(const MeshedFace& face);
     bool good_for_cells(std::size_t block) const;
-    bool stays_good(std::size_t block) const;
+    bool suits(std::size_t block, const TetMesh& cells_of_block) const;
     std::map<SharedEdge, std::vector<double>> divisions_along() const;
     void choose_cells();
     std::vector<std::vector<int>> outlines(std::size_t block) const;
@@ -296,7 +310,7 @@ bool MeshPlan::Parts::cells_fit(std::size_t block, const TetMesh& mesh) const {
     return true;
 }
 
-/// Cells are for blocks with a suitable shape, or for which other tetrahedra are no better.
+/// Cells are for six-faced blocks.
 bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
     const Polyhedron& p = blocks[block];
     const auto corner = hexahedron_corners(p);
@@ -309,16 +323,13 @@ bool MeshPlan::Parts::good_for_cells(std::size_t block) const {
                 parts.add({field, p.vertices[(*corner)[c]], p.vertices[(*corner)[c | 1 << axis]]}, false);
         places_of_grid[axis] = parts.division(whole_parts(parts.mean()));
     }
-    const double angle = worst_angle(grid_mesh(p, *corner, places_of_grid));
-    if (angle >= good_cell_angle) return true;
-    try {
-        return worst_angle(fill_surface(p, surface(block), field)) <= angle;
-    } catch (const Diagnostic&) { return true; }
+    return suits(block, grid_mesh(p, *corner, places_of_grid));
 }
 
-/// Whether cells continued from other blocks are as good for the block as its own would be.
-bool MeshPlan::Parts::stays_good(std::size_t block) const {
-    const double angle = worst_angle(grid_mesh(blocks[block], cells[block]->corner, cells[block]->places));
+/// Whether cells are as good for the block as its tetrahedra would be.
+bool MeshPlan::Parts::suits(std::size_t block, const TetMesh& cells_of_block) const {
+    if (!follows(cells_of_block, field)) return false;
+    const double angle = worst_angle(cells_of_block);
     if (angle >= good_cell_angle) return true;
     try {
         return worst_angle(fill_surface(blocks[block], surface(block), field)) <= angle;
@@ -351,9 +362,10 @@ void MeshPlan::Parts::choose_cells() {
     const bool any_there = !divisions.empty();
     std::set<std::vector<int>> of_others; // faces of blocks that are not cut in cells
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        if (cells[b] && !stays_good(b)) cells[b].reset();
-        if (cells[b] && any_there && !cells_fit(b, grid_mesh(blocks[b], cells[b]->corner, cells[b]->places)))
-            cells[b].reset();
+        if (cells[b]) { // continued from other blocks
+            const TetMesh grid = grid_mesh(blocks[b], cells[b]->corner, cells[b]->places);
+            if (!suits(b, grid) || (any_there && !cells_fit(b, grid))) cells[b].reset();
+        }
         if (cells[b]) continue;
         for (const auto& outline : outlines(b)) of_others.insert(outline);
     }

@@ -119,8 +119,8 @@ void check_mesh_size(const Polyhedron& polyhedron, const EdgeField& field) {
             "use longer edges");
     // Places on an edge of the block would be too coarse for edges that shrink further.
     constexpr double least_part = 5e-5;
-    const auto [low, high] = box_around(polyhedron.vertices);
-    const double size = (high - low).norm(), least = field.least_in(polyhedron);
+    const Box box = box_around(polyhedron.vertices);
+    const double size = (box.high - box.low).norm(), least = field.least_in(box);
     if (!field.even() && least < least_part * size)
         throw Diagnostic(
             fmt::format("edges of {:.3g} are too short for zones that grow in a block of a size of {:.3g}", least,

@@ -81,8 +81,20 @@ TEST(GradedMesh, PointsOfARodAcrossTheAxes) {
 
 } // namespace
 
+/// Far from all edges of a brick, which divide its cells, a field may be fine: tetrahedra follow it then.
+TEST(GradedMesh, EdgesFollowAFieldInsideOfABrick) {
+    const std::vector<Polyhedron> brick{make_brick({0, 0, 0}, {10, 10, 10})};
+    for (const Vec3& center : {Vec3(5, 5, 5), Vec3(3, 4, 10), Vec3(10, 10, 5), Vec3(10, 0, 0)}) {
+        const EdgeField field(2, center, 0.4, 2, 5);
+        const auto near = edges_over_field(meshes_of(MeshPlan(brick, field), 1), field, 1.5, 20)[0];
+        EXPECT_NEAR(near, 1, 0.35) << center.transpose();
+    }
+}
+
 TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    constexpr std::uint64_t seeds = 8;
+    double mean = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         std::vector<Polyhedron> blocks = rock(seed);
         const Vec3 way = seed % 2 ? Vec3(0, 0, 0) : Vec3(1e6, -1e6, 1e6);
         const Mat3& turn = turns()[seed % 3];
@@ -101,7 +113,8 @@ TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
                     EXPECT_NEAR(face_normal(blocks[b], face).dot(from_corner), 0, 1e-8);
                 }
         const auto [near, far] = edges_over_field(meshes, field, 0.8, 1.6);
-        EXPECT_NEAR(near, 1, 0.2) << seed;
+        mean += near / seeds;
+        EXPECT_NEAR(near, 1, 0.3) << seed;
         EXPECT_LT(far, 1.2) << seed; // blocks themselves are smaller there
         std::vector<Polyhedron> reversed(blocks.rbegin(), blocks.rend());
         const MeshPlan other(reversed, field);
@@ -111,6 +124,7 @@ TEST(GradedMesh, EdgesFollowAFieldInRockOfAnyShape) {
             EXPECT_EQ(meshes[b].tetrahedra, same[blocks.size() - 1 - b].tetrahedra);
         }
     }
+    EXPECT_NEAR(mean, 1, 0.2);
 }
 
 TEST(GradedMesh, RefusesEdgesThatNoBlockOfTheSizeCanGrowFrom) {
