@@ -40,7 +40,7 @@ public:
         if (rows_ == lane_count) return Eigen::Map<const Lanes>(column);
         Lanes lanes = Lanes::Zero();
 #if defined(__AVX512VL__)
-        _mm256_store_pd(lanes.data(), _mm256_maskz_loadu_pd(mask(), column));
+        _mm256_storeu_pd(lanes.data(), _mm256_maskz_loadu_pd(mask(), column));
 #else
         for (std::ptrdiff_t i = 0; i < rows_; ++i) lanes[i] = column[i];
 #endif
@@ -56,7 +56,7 @@ public:
             return;
         }
 #if defined(__AVX512VL__)
-        _mm256_mask_storeu_pd(column, mask(), _mm256_load_pd(lanes.data()));
+        _mm256_mask_storeu_pd(column, mask(), _mm256_loadu_pd(lanes.data()));
 #else
         for (std::ptrdiff_t i = 0; i < rows_; ++i) column[i] = lanes[i];
 #endif
