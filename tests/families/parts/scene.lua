@@ -122,10 +122,10 @@ end
 function scene.energy(moving, driven, every)
     local result = { excess = -math.huge, error = 0, stored = math.huge, largest = 0, put_in = 0, fastest = 0 }
     -- Heights are relative to the initial position of each block, so that numbers are small relative to the differences.
-    local from, weight, start = {}, {}, 0
+    local from, weight, first, start = {}, {}, {}, 0
     local g = model.gravity
     for i, b in ipairs(moving) do
-        from[i], weight[i] = b.position, g * (scene.density * b.volume)
+        from[i], weight[i], first[i] = b.position, g * (scene.density * b.volume), b.velocity
         start = start + scene.kinetic(b)
     end
     -- Springs with an initial force may return their energy.
@@ -141,8 +141,13 @@ function scene.energy(moving, driven, every)
     local pushed = {}
     for i, b in ipairs(driven or {}) do pushed[i] = scene.contact_force(b) end
     result.deepest_potential = 0
+    local earlier -- potential half a step before the start, where the first velocities belong
     scene.watch(function()
         local dt = last_step()
+        if not earlier then
+            earlier = 0
+            for i, v in ipairs(first) do earlier = earlier + weight[i]:dot(v) * (0.5 * dt) end
+        end
         local potential, drivers = 0.0, 0.0
         for i, b in ipairs(moving) do
             local v = b.velocity
@@ -158,7 +163,7 @@ function scene.energy(moving, driven, every)
         end
         local kinetic = model.kinetic_energy - drivers
         if potential < result.deepest_potential then result.deepest_potential = potential end
-        local excess = kinetic + potential - start - result.preload - result.put_in
+        local excess = kinetic + potential - start - earlier - result.preload - result.put_in
         if not (excess <= result.excess) then result.excess = excess end
         if kinetic > result.largest then result.largest = kinetic end
         local stored = result.preload + model.joint_work - model.frictional_energy - model.touch_energy
