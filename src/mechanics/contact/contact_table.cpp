@@ -21,7 +21,7 @@ Row nearest(const Model& model, Row contact, const ContactPoint& point) {
     constexpr double one_place = 1e-4; // of the contact's size
     const SubContacts& s = model.sub_contacts;
     const Span span = contact == no_row ? Span{} : model.contacts.sub_contacts[contact];
-    const Lanes3 to = Lanes3::of(point.position);
+    const Lanes3 to = four_times(point.position);
     Row best = no_row;
     double least = std::numeric_limits<double>::infinity();
     for (Row row = span.first; row < span.end(); row += lane_count) {

@@ -20,17 +20,10 @@
 namespace kaya {
 
 using Eight [[gnu::vector_size(64)]] = double;
-using Four [[gnu::vector_size(32)]] = double;
+using Four = Lanes;
 using Two [[gnu::vector_size(16)]] = double;
 constexpr std::ptrdiff_t eight = 8;
 using Eight3 = LaneVector<Eight>;
-
-template <class Vector> Vector load_as(const double* from) {
-    Vector v;
-    std::memcpy(&v, from, sizeof v);
-    return v;
-}
-template <class Vector> void store(double* to, const Vector& v) { std::memcpy(to, &v, sizeof v); }
 
 inline Eight eights(double value) { return Eight{value, value, value, value, value, value, value, value}; }
 
@@ -350,9 +343,8 @@ inline Eight sums_of(const std::array<Eight, 8>& e) {
 
 /// Adds the eight to sums of four in a fixed order: the first four, then the others.
 inline void add_to(Lanes& sum, const Eight& e) {
-    const Four low = low_half(e), high = high_half(e);
-    sum += Eigen::Map<const Lanes, Eigen::Aligned32>(reinterpret_cast<const double*>(&low));
-    sum += Eigen::Map<const Lanes, Eigen::Aligned32>(reinterpret_cast<const double*>(&high));
+    sum += low_half(e);
+    sum += high_half(e);
 }
 
 } // namespace kaya

@@ -6,7 +6,6 @@
 #include "model/measure/roller.hpp"
 
 #include <cstdint>
-#include <type_traits>
 
 namespace kaya {
 
@@ -16,9 +15,9 @@ inline void store(Vec3& v, const Lanes& lanes) { LaneGroup(3).store(v.data(), la
 
 /// The sums of MotionSums, lane by lane: lanes are the components of one body, or components of eight.
 template <class L> struct MotionSumsIn {
-    L kinetic_before = zero(), kinetic = zero();
-    L gravity = zero(), boundary = zero(), damped = zero();
-    L inner_power = zero(), inner_power_size = zero(), inner_power_gain = zero();
+    L kinetic_before{}, kinetic{};
+    L gravity{}, boundary{}, damped{};
+    L inner_power{}, inner_power_size{}, inner_power_gain{};
 
     /// Power of a force of joints and zones at the velocities before and after the step.
     void add_power(const L& force, const L& before, const L& after) {
@@ -31,12 +30,6 @@ template <class L> struct MotionSumsIn {
         return {sum(kinetic_before), sum(kinetic),     sum(gravity),          sum(boundary),
                 sum(damped),         sum(inner_power), sum(inner_power_size), sum(inner_power_gain)};
     }
-
-private:
-    static L zero() {
-        if constexpr (std::is_same_v<L, Lanes>) return Lanes::Zero();
-        else return L{};
-    }
 };
 using MotionLanes = MotionSumsIn<Lanes>;
 using MotionEights = MotionSumsIn<Eight>;
@@ -45,7 +38,7 @@ using MotionEights = MotionSumsIn<Eight>;
 inline Lanes prescribed(unsigned bits) {
     alignas(32) static constexpr double of[8][lane_count] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
                                                              {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0}};
-    return Eigen::Map<const Lanes, Eigen::Aligned32>(of[bits & 7u]);
+    return load_as<Lanes>(of[bits & 7u]);
 }
 
 /// The force of a roller that leaves a resultant along its free direction. Combined damping is proportional to the force and must not see
@@ -63,7 +56,7 @@ inline void advance_velocity(Vec3& velocity, const Vec3& force, const Vec3& load
                              double step, unsigned held_bits, const DampingFactors& damping, Vec3& last_force,
                              MotionLanes& sums, const Roller* roller = nullptr) {
     const Lanes before = lanes(velocity), loads = lanes(load), inner = lanes(force), whole = inner + loads + weight;
-    Lanes support = Lanes::Zero();
+    Lanes support{};
     if (roller != nullptr && damping.combined != 0) {
         Vec3 sum;
         store(sum, whole);

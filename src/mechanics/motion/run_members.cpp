@@ -171,7 +171,7 @@ MotionSums move_members(Model& model, const MemberLists& lists) {
         [&](std::size_t first, std::size_t last) {
             MotionLanes sums;
             const Vec3 none = Vec3::Zero();
-            const Lanes no_weight = Lanes::Zero(); // it is part of the force
+            const Lanes no_weight = Lanes{}; // it is part of the force
             for (std::size_t i = first; i < last; ++i) {
                 const Hold hold = lists.holds[i];
                 if (hold == Hold::clamped) continue;

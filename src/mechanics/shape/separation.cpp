@@ -33,7 +33,7 @@ bool cross(const Arc& one, const Arc& two) {
 /// The face of a block that points most along a direction.
 void find_opposite(const Model& model, const Surfaces& surfaces, Row block, const Vec3& direction, Separation& s) {
     s.cosine = -2;
-    const Lanes3 along = Lanes3::of(direction);
+    const Lanes3 along = four_times(direction);
     const Span faces = model.blocks.faces[block];
     Row f = faces.first;
     for (const auto& four : surfaces.planes(block)) {
@@ -82,10 +82,10 @@ public:
     }
     /// The bounds of a block's faces, from index `first` on; returns the face with the highest one.
     std::size_t bound(const Surfaces& surfaces, Row own, const Vec3& centre, std::size_t first) {
-        const Lanes3 there = Lanes3::of(centre);
+        const Lanes3 there = four_times(centre);
         double* next = distances_.data() + first;
         for (const auto& four : surfaces.planes(own)) {
-            Eigen::Map<Lanes>{next} = four.normal.dot(there) - four.reach;
+            store(next, four.normal.dot(there) - four.reach);
             next += lane_count;
         }
         double* const begin = distances_.data() + first;

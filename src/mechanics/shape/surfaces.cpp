@@ -148,7 +148,7 @@ void Surfaces::take_planes(const Model& model, Row block) {
     const Span span = model.blocks.faces[block];
     FourPlanes* group = four_planes_.data() + first_planes_[block];
     for (Row f = span.first; f < span.end(); f += lane_count, ++group) {
-        *group = {Lanes3::of(Vec3::Zero()), Lanes::Constant(infinity)};
+        *group = {four_times(Vec3(Vec3::Zero())), four_times(infinity)};
         for (Row i = 0; i < std::min<Row>(lane_count, span.end() - f); ++i) {
             Plane& plane = planes_[f + i];
             plane.normal = current_normal(model, f + i);

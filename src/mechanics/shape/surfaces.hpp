@@ -18,9 +18,12 @@ Vec3 current_normal(const Model& model, Row face);
 
 /// Where a block begins along a direction: the least x . direction of its vertices.
 inline double lowest(std::span<const Lanes3> vertices, const Vec3& direction) {
-    const Lanes3 n = Lanes3::of(direction);
-    Lanes low = Lanes::Constant(std::numeric_limits<double>::infinity());
-    for (const auto& four : vertices) low = low.min(n.dot(four));
+    const Lanes3 n = four_times(direction);
+    Lanes low = four_times(std::numeric_limits<double>::infinity());
+    for (const auto& four : vertices) {
+        const Lanes heights = n.dot(four);
+        low = heights < low ? heights : low;
+    }
     return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
 }
 

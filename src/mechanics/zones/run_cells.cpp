@@ -38,7 +38,7 @@ public:
           batch_(model, law) {}
 
     ZoneSums run() {
-        Lanes work = Lanes::Zero(), damped = Lanes::Zero();
+        Lanes work = Lanes{}, damped = Lanes{};
         const Row whole = cells_in_batch * zones_of_cell;
         for (Row first = tile_.first; first < tile_.last; first += whole) {
             const Row last = std::min(first + whole, tile_.last);

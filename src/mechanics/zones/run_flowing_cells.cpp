@@ -376,7 +376,7 @@ private:
     TileForces forces_;
     StagedZones<groups_in_batch * zones_of_group> batch_;
     std::array<FlowGroup, groups_in_batch> groups_;
-    Lanes work_ = Lanes::Zero(), damped_work_ = Lanes::Zero();
+    Lanes work_ = Lanes{}, damped_work_ = Lanes{};
 };
 
 } // namespace

@@ -93,7 +93,7 @@ private:
     double finish(ZoneColumns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
         const bool are_final = !averages_ && !shares_ && !damped_;
-        Lanes whole = Lanes::Zero();
+        Lanes whole = Lanes{};
         for (Row i = 0; i < count; i += eight) {
             const Eight pressure = ZoneColumns::at(columns.pressure + i);
             Eight work{}, change{}, both{};

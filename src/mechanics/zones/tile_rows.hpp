@@ -29,8 +29,8 @@ public:
         const LaneGroup three(3);
         for (Row i = 0; i < tile.points.count; ++i) {
             const Row g = tiles.gridpoints[tile.points.first + i];
-            as_lanes(place_[i]) = three.load(model.gridpoints.position[g].data());
-            as_lanes(shift_[i]) = step * three.load(model.gridpoints.velocity[g].data());
+            store(place_[i].value.data(), three.load(model.gridpoints.position[g].data()));
+            store(shift_[i].value.data(), step * three.load(model.gridpoints.velocity[g].data()));
             if (wet) place_[i].value[3] = pressure[g];
         }
         tail_.fill(tiles.corners[tile.last - 1]);
@@ -56,10 +56,6 @@ public:
     const PointRow* shifts() const { return shift_; } ///< of the step
 
 private:
-    static Eigen::Map<Lanes, Eigen::Aligned32> as_lanes(PointRow& row) {
-        return Eigen::Map<Lanes, Eigen::Aligned32>(row.value.data());
-    }
-
     const ZoneTiles& tiles_;
     const ZoneTile& tile_;
     PointRow place_[most_points_in_tile], shift_[most_points_in_tile];

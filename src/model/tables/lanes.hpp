@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #if defined(__AVX512VL__)
 #include <immintrin.h>
 #endif
@@ -15,14 +16,22 @@
 
 namespace kaya {
 
-using Lanes = Eigen::Array4d;
+using Lanes [[gnu::vector_size(32)]] = double;
 constexpr std::ptrdiff_t lane_count = 4;
+
+template <class Vector> Vector load_as(const double* from) {
+    Vector v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+template <class Vector> void store(double* to, const Vector& v) { std::memcpy(to, &v, sizeof v); }
+
+inline Lanes four_times(double value) { return Lanes{value, value, value, value}; }
 
 /// A vector quantity of several rows.
 template <class L> struct LaneVector {
     L x, y, z;
 
-    static LaneVector of(const Vec3& v) { return {L::Constant(v.x()), L::Constant(v.y()), L::Constant(v.z())}; }
     L dot(const LaneVector& o) const { return x * o.x + y * o.y + z * o.z; }
     LaneVector cross(const LaneVector& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
     LaneVector operator+(const LaneVector& o) const { return {x + o.x, y + o.y, z + o.z}; }
@@ -30,6 +39,7 @@ template <class L> struct LaneVector {
     LaneVector operator*(const L& s) const { return {x * s, y * s, z * s}; }
 };
 using Lanes3 = LaneVector<Lanes>;
+inline Lanes3 four_times(const Vec3& v) { return {four_times(v.x()), four_times(v.y()), four_times(v.z())}; }
 
 /// Up to four rows of a column. Rows that are not there read as 0 and are not written.
 class LaneGroup {
@@ -37,27 +47,24 @@ public:
     explicit LaneGroup(std::ptrdiff_t rows) : rows_(rows < lane_count ? rows : lane_count) {}
 
     Lanes load(const double* column) const {
-        if (rows_ == lane_count) return Eigen::Map<const Lanes>(column);
-        Lanes lanes = Lanes::Zero();
 #if defined(__AVX512VL__)
-        _mm256_storeu_pd(lanes.data(), _mm256_maskz_loadu_pd(mask(), column));
+        return _mm256_maskz_loadu_pd(mask(), column);
 #else
+        if (rows_ == lane_count) return load_as<Lanes>(column);
+        Lanes lanes{};
         for (std::ptrdiff_t i = 0; i < rows_; ++i) lanes[i] = column[i];
-#endif
         return lanes;
+#endif
     }
     Lanes3 load(const VectorColumn& column, std::ptrdiff_t first) const {
         const auto& c = column.component;
         return {load(c[0].data() + first), load(c[1].data() + first), load(c[2].data() + first)};
     }
     void store(double* column, const Lanes& lanes) const {
-        if (rows_ == lane_count) {
-            Eigen::Map<Lanes>{column} = lanes;
-            return;
-        }
 #if defined(__AVX512VL__)
-        _mm256_mask_storeu_pd(column, mask(), _mm256_loadu_pd(lanes.data()));
+        _mm256_mask_storeu_pd(column, mask(), lanes);
 #else
+        if (rows_ == lane_count) return kaya::store(column, lanes);
         for (std::ptrdiff_t i = 0; i < rows_; ++i) column[i] = lanes[i];
 #endif
     }
@@ -76,7 +83,7 @@ private:
     std::ptrdiff_t rows_;
 };
 
-inline Lanes size_of(const Lanes& lanes) { return lanes.abs(); }
+inline Lanes size_of(const Lanes& lanes) { return lanes < 0 ? -lanes : lanes; }
 
 /// In an order that is always the same.
 inline double sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }

@@ -85,7 +85,7 @@ TEST(Eight, NaNIsNotAboveZero) {
 }
 
 TEST(Eight, SumsOfFourTakeTheFirstHalfFirst) {
-    Lanes sum = Lanes::Zero();
+    Lanes sum = Lanes{};
     Eight e = eights(1);
     e[0] = 1e16; // 1 is below its precision
     e[4] = -1e16;
