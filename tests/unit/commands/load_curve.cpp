@@ -55,7 +55,7 @@ TEST(LoadCurve, DividesRowsAroundASharpPeak) {
         EXPECT_TRUE(curve.peak_is_at_rest());
         EXPECT_GT(curve.size(), 20u);
         EXPECT_LE(curve.size(), 38u) << "rows far from the peak stay whole";
-        // What is left of the doubt covers the true peak.
+        // The true peak lies within the remaining doubt.
         EXPECT_GE(curve.peak().load * (1 + curve.doubt_of_peak()), 1) << at;
         LoadCurve whole;
         for (int k = 0; k < 10; ++k) whole.add(mean(sharp(at), k * cycles_of_row, cycles_of_row), {});
