@@ -3,7 +3,7 @@ import math
 from dataclasses import dataclass
 from typing import Callable
 
-from outlines import bench, footing
+from outlines import bench, footing, pit
 from soil import Soil
 from weak_layer import weak_layer
 
@@ -38,6 +38,9 @@ KNOWN = [
     Case("N_γ, friction 20, rough", lambda: footing(Soil(0, 20, 1), True, 3, 1.2, 10), 2.839, "Martin (2005)"),
     Case("N_γ, friction 20, smooth", lambda: footing(Soil(0, 20, 1), False, 3, 1.2, 10), 1.579, "Martin (2005)"),
     Case("bench of 45 degrees without friction, γH/c = 6", lambda: _bench(45, 0, 6, 10), 0.921, "limit analysis, 0.911 to 0.931", True),
+    Case("N_c of a smooth round footing, no friction", lambda: footing(Soil(1), False, 2.4, 1.2, 5, axial=True), 5.69, "Shield (1955)"),
+    Case("N_c of a rough round footing, no friction", lambda: footing(Soil(1), True, 2.6, 1.2, 5, axial=True), 6.05, "Eason and Shield (1960)"),
+    Case("γH/c of a round pit, radius 100 H, no friction", lambda: pit(Soil(1, 0, 1), 100, 0, 1.5, 8), 3.776, "the vertical cut"),
     chen(45, 20, 16.16),
     chen(60, 20, 10.39),
     chen(60, 10, 7.26),
@@ -55,6 +58,12 @@ def cracked(tension):
     return Case(name, lambda: bench(soil, 1, 2, 0.5, 1, 1.6, 9), 1.65, "Giam and Donald (1989)", True)
 
 
+def round_pit(radius, friction, stability, cells=12):
+    """Of radius H; friction in degrees."""
+    name = f"round pit, radius {radius} H, friction {friction}, γH/c = {stability}"
+    return Case(name, lambda: pit(Soil(1 / stability, friction, 1), radius, 0, 1.3, cells), 1, "", True)
+
+
 WANTED = [
     layered(1, 1.47),
     layered(0.6, 1.4),
@@ -64,4 +73,6 @@ WANTED = [
     cracked(False),
     Case("bench of 75 degrees without friction, γH/c = 4.5", lambda: _bench(75, 0, 4.5, 12), 1, "", True),
     Case("bench of 75 degrees, friction 20, γH/c = 7.5", lambda: _bench(75, 20, 7.5, 12), 1, "", True),
+    round_pit(1, 0, 5.13),
+    round_pit(1, 20, 8, 8),
 ]

@@ -37,14 +37,19 @@ def equilibrium(problem, rows, multiplier):
             rows.add(upright[0] + [multiplier], upright[1] + [-weight])
 
 
-def sides(problem, rows, objective):
-    """Tractions are continuous between triangles and given on the boundary; those of a footing are the objective."""
+def joints(problem, rows, at=at):
+    """Tractions are continuous between triangles."""
     mesh = problem.mesh
     for e, k, other, j in mesh.inner:
         *_, normal, tangent = mesh.side(e, k)
         for own, its in ((k, (j + 1) % 3), ((k + 1) % 3, j)):
             for part in traction(normal, tangent):
                 rows.add(at(e, own) + at(other, its), part + [-v for v in part])
+
+
+def surfaces(problem, rows, objective):
+    """Tractions are given on the boundary; those of a footing are the objective."""
+    mesh = problem.mesh
     for e, k, kind, pressure in problem.outer():
         if kind == FIXED:
             continue
@@ -76,19 +81,10 @@ def yields(problem):
     return (row, column, value, count), np.concatenate(right)
 
 
-def lower_bound(problem):
-    """The load; None where every load is carried, 0 where none is. The dual program is solved, which is faster."""
-    columns = 9 * len(problem.mesh.soils) + 1
-    multiplier = None if problem.footed else columns - 1
-    rows, objective = Rows(), np.zeros(columns)
-    equilibrium(problem, rows, multiplier)
-    sides(problem, rows, objective)
-    if multiplier is not None:
-        objective[multiplier] = -1
-    (row, column, value, count), limit = yields(problem)
-    equal, right = rows.matrix(columns)
-    within = coo_matrix((value, (row, column)), shape=(count, columns))
-    bounds = [(0, None)] * count + [(None, None)] * len(right)
+def solve(within, limit, equal, objective):
+    """The dual program is solved, which is faster; None where every load is carried, 0 where none is."""
+    equal, right = equal
+    bounds = [(0, None)] * len(limit) + [(None, None)] * len(right)
     matrix = hstack([within.T, equal.T]).tocsr()
     found = linprog(np.concatenate([limit, right]), None, None, matrix, -objective, bounds, method="highs-ipm")
     if found.status in (2, 4):
@@ -98,3 +94,18 @@ def lower_bound(problem):
     if found.status != 0:
         raise RuntimeError("lower bound: " + found.message)
     return found.fun
+
+
+def lower_bound(problem):
+    """The load; None where every load is carried, 0 where none is."""
+    columns = 9 * len(problem.mesh.soils) + 1
+    multiplier = None if problem.footed else columns - 1
+    rows, objective = Rows(), np.zeros(columns)
+    equilibrium(problem, rows, multiplier)
+    joints(problem, rows)
+    surfaces(problem, rows, objective)
+    if multiplier is not None:
+        objective[multiplier] = -1
+    (row, column, value, count), limit = yields(problem)
+    within = coo_matrix((value, (row, column)), shape=(count, columns))
+    return solve(within, limit, rows.matrix(columns), objective)

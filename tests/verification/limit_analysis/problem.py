@@ -16,6 +16,7 @@ class Problem:
     boundary: Callable
     pressure: Callable = field(default=lambda x, y: 0.0)
     sides: int = 24
+    axial: bool = False  # a body of revolution about x = 0
 
     def outer(self):
         """Outer sides with their kind and pressure: (triangle, side, kind, pressure)."""

@@ -68,17 +68,15 @@ def sides(problem, columns, rows, power):
             elif kind == SMOOTH:
                 rows.add(place, normal)
             else:
-                rows.add([place[1]], [1.0], -1.0)
+                rows.add([place[1]], [1.0], -mesh.corners[e][corner][0] if problem.axial else -1.0)
                 if kind == FOOTING:
                     rows.add([place[0]], [1.0])
 
 
-def upper_bound(problem):
-    """The load, or None where every load is carried."""
+def solve(problem, columns, rows):
+    """The load, or None where every load is carried; `rows` has the strains. Of bodies of revolution velocities are times r."""
     mesh = problem.mesh
-    columns, rows = Columns(len(mesh.soils)), Rows()
     power, weights = np.zeros(columns.velocities), np.zeros(columns.velocities)
-    strains(problem, columns, rows)
     sides(problem, columns, rows, power)
     for e, name in enumerate(mesh.soils):
         weights[6 * e + 1 : 6 * e + 6 : 2] -= mesh.area[e] * problem.soils[name].weight / 3
@@ -97,3 +95,10 @@ def upper_bound(problem):
     if found.status != 0:
         raise RuntimeError("upper bound: " + found.message)
     return found.fun
+
+
+def upper_bound(problem):
+    """The load, or None where every load is carried."""
+    columns, rows = Columns(len(problem.mesh.soils)), Rows()
+    strains(problem, columns, rows)
+    return solve(problem, columns, rows)
