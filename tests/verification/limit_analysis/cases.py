@@ -73,6 +73,6 @@ WANTED = [
     cracked(False),
     Case("bench of 75 degrees without friction, γH/c = 4.5", lambda: _bench(75, 0, 4.5, 12), 1, "", True),
     Case("bench of 75 degrees, friction 20, γH/c = 7.5", lambda: _bench(75, 20, 7.5, 12), 1, "", True),
-    round_pit(1, 0, 5.13),
-    round_pit(1, 20, 8, 8),
+    round_pit(1, 0, 5.12),
+    round_pit(1, 20, 8.4),
 ]
