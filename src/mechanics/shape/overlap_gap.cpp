@@ -45,15 +45,6 @@ double gap_along(const Model& model, Row block1, Row block2, const Vec3& n, cons
     return low2 - high1 - offset.closure * n.dot(offset.along);
 }
 
-double rounding_of_gap(const Model& model, Row block1, Row block2) {
-    constexpr double precision = 0x1p-47; // of the farthest coordinate: a sum of some thirty steps loses as much
-    constexpr double least = 1e-12;       // of the margin
-    const auto& blocks = model.blocks;
-    const Vec3 &one = blocks.centroid[block1], &two = blocks.centroid[block2];
-    const double far = one.cwiseAbs().cwiseMax(two.cwiseAbs()).maxCoeff();
-    return std::max(precision * far, least * std::min(blocks.margin[block1], blocks.margin[block2]));
-}
-
 double gap_of_overlap(const Model& model, Row c) {
     const auto& contacts = model.contacts;
     if (contacts.depth[c] > 0) return 0;

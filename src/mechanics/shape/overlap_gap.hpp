@@ -18,9 +18,6 @@ Between nearest_corners(const Model& model, Row block1, Row block2, const Vec3& 
 /// Distance of two blocks along a direction, including the offset; a lower bound of their distance.
 double gap_along(const Model& model, Row block1, Row block2, const Vec3& n, const ClosureOffset& offset);
 
-/// Overlaps up to this depth may come from the rounding of coordinates: blocks that were made to touch.
-double rounding_of_gap(const Model& model, Row block1, Row block2);
-
 /// Distance of the blocks of an overlap contact along its normal, including its offset; 0 where they overlap.
 double gap_of_overlap(const Model& model, Row contact);
 

@@ -109,6 +109,15 @@ struct Flatness {
 
 } // namespace
 
+double rounding_of_gap(const Model& model, Row block1, Row block2) {
+    constexpr double precision = 0x1p-47; // of the farthest coordinate: a sum of some thirty steps loses as much
+    constexpr double least = 1e-12;       // of the margin
+    const auto& blocks = model.blocks;
+    const Vec3 &one = blocks.centroid[block1], &two = blocks.centroid[block2];
+    const double far = one.cwiseAbs().cwiseMax(two.cwiseAbs()).maxCoeff();
+    return std::max(precision * far, least * std::min(blocks.margin[block1], blocks.margin[block2]));
+}
+
 double part_of_first(const Model& model, Row block1, Row block2) {
     constexpr double larger = 2;
     const auto& volume = model.blocks.volume;
@@ -243,6 +252,17 @@ bool clip_pair(const Model& model, const OverlapPair& pair, const Vec3& normal, 
     return !work.clip.empty();
 }
 
+/// Sheets and threads as thin as the rounding of coordinates have no direction that means anything.
+bool is_rounding(const Model& model, const OverlapPair& pair, double volume, double surface) {
+    return !(2 * volume > rounding_of_gap(model, pair.block1, pair.block2) * surface);
+}
+
+double surface_of(const ConvexClip& clip) {
+    double area = 0;
+    for (std::size_t f = 0; f < clip.face_count(); ++f) area += clip.area_vector(f).norm();
+    return area;
+}
+
 /// The common part of two blocks. False where nothing remains, or nothing carries.
 bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& normal, const Vec3& origin,
                   const ClosureOffset& offset, OverlapScratch& work, CommonPart& common) {
@@ -250,7 +270,7 @@ bool find_by_clip(const Model& model, const OverlapPair& pair, const Vec3& norma
     const double first = part_of_first(model, pair.block1, pair.block2), of_subject = second ? 1 - first : first;
     if (!clip_pair(model, pair, normal, origin, offset, of_subject > 0, work)) return false;
     common.moments = moments_of(work.clip);
-    if (!(common.moments.volume > 0)) return false;
+    if (is_rounding(model, pair, common.moments.volume, surface_of(work.clip))) return false;
     const Flatness flatness(model, pair);
     common.flatness = flatness.value;
     common.volume = common.moments.volume;
@@ -319,8 +339,10 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     CommonPart common;
     const Flat flat = find_flat(model, pair, origin, moved, work);
     if (flat == Flat::apart) return patch;
-    if (flat == Flat::found) common = {work.flat.volume().value, work.flat.depth(), work.flat.moments(), 1};
-    else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
+    if (flat == Flat::found) {
+        common = {work.flat.volume().value, work.flat.depth(), work.flat.moments(), 1};
+        if (is_rounding(model, pair, common.volume, 2 * work.flat.area())) return patch;
+    } else if (!find_by_clip(model, pair, normal, origin, moved, work, common)) return patch;
     patch.lies = common.flatness > 0.5;
     const auto volume_gradient_of = [&] {
         return flat == Flat::found ? work.flat.volume()
