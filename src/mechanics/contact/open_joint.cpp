@@ -270,7 +270,8 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
-    contacts.stiffness_area[c] = rung_above(std::max(patch.area, contacts.area[c]), contacts.least_area[c]);
+    contacts.shear_area[c] = std::max(patch.area, contacts.area[c]);
+    contacts.stiffness_area[c] = rung_above(contacts.shear_area[c], contacts.least_area[c]);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     contacts.energy_taken[c] = force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =

@@ -156,6 +156,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     const Eight3 places = spread.places();
     contacts.position[c] = patch.centre;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    contacts.shear_area[c] = std::max({contacts.shear_area[c], contacts.area[c], patch.area});
     contacts.depth[c] = patch.depth;
     contacts.twist[c] = patch.twist;
     change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
@@ -415,8 +416,8 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     write_rows(model, c, patch, closures, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
-    // It decreases only while the contact carries nothing, as it is the area of the shear springs too: on a smaller one they would hold more
-    // energy, or less force. And only when all bodies are checked; otherwise a rattling contact would need a check each time it closes.
+    // It decreases only while the contact carries nothing, and only when all bodies are checked; otherwise a rattling contact would need a check
+    // each time it closes.
     double& rung = contacts.stiffness_area[c];
     if (rung < stiff || (!(patch.carried > 0) && step_may_grow(model.clock) && rung > 1.18 * stiff))
         rung = rung_above(stiff, contacts.least_area[c]); // a rung is a factor of 1.189
@@ -448,7 +449,7 @@ OverlapEnd finish_overlap_contact(Model& model, Row c, const CarriedLoad& carrie
         contacts.offset_tilt[c].setZero();
         end.lost += contacts.energy_taken[c];
         contacts.energy_taken[c] = contacts.energy_length[c] = contacts.withheld[c] = 0;
-        contacts.energy_deep[c] = contacts.energy_shallow[c] = 0;
+        contacts.energy_deep[c] = contacts.energy_shallow[c] = contacts.shear_area[c] = 0;
     } else {
         if (slopes != nullptr) settle_curved(model, c, *slopes, carried, slips);
         else take_dilation(model, c, carried);

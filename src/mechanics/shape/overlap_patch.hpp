@@ -86,10 +86,10 @@ OverlapPair pair_of(const Contacts& contacts, Row contact);
 /// The next step above an area of a ladder with four steps per octave: the stiffness of a rolling contact does not change in each cycle.
 double rung_above(double area, double least);
 
-/// The area of the shear springs of an overlap, on a rung. It does not follow vibrations of the contact: a block at rest would creep, and gain
-/// energy from its weight.
+/// The area of the shear springs of an overlap. It does not follow vibrations of the contact: a block at rest would creep, and gain energy from
+/// its weight.
 inline double shear_area(const Contacts& contacts, Row contact) {
-    return std::max(contacts.stiffness_area[contact], contacts.area[contact]);
+    return std::max(contacts.shear_area[contact], contacts.area[contact]);
 }
 
 /// A unit vector in the plane of a normal: along `axis`, or along `wanted` where that has no direction.

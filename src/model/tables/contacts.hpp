@@ -56,9 +56,11 @@ public:
     Column<double>
         stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts
     // Of overlap contacts only.
-    Column<double> depth;         ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
-    Column<double> twist;         ///< moment of the overlap about the normal over its normal force: length
-    Column<double> offset;        ///< closure in addition to that of the positions of the blocks
+    Column<double>
+        shear_area;        ///< largest area on which it has touched since it last carried nothing: of its shear springs
+    Column<double> depth;  ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
+    Column<double> twist;  ///< moment of the overlap about the normal over its normal force: length
+    Column<double> offset; ///< closure in addition to that of the positions of the blocks
     Column<Vec3> offset_tilt;     ///< its slope in space, about the centroid of block1
     Column<Vec3> offset_normal;   ///< unit; its direction, which turns with the blocks and not with the normal
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
@@ -94,6 +96,7 @@ public:
         visit("kind", kind, Role::geometry);
         visit("least_area", least_area, Role::geometry);
         visit("stiffness_area", stiffness_area, Role::geometry);
+        visit("shear_area", shear_area, Role::geometry);
         visit("depth", depth, Role::state);
         visit("twist", twist, Role::state);
         visit("offset", offset, Role::geometry);
