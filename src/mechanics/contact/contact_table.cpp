@@ -115,8 +115,8 @@ void write_contact(Model& model, Row c, const ContactPlane& g) {
     auto& contacts = model.contacts;
     contacts.kind[c] = g.kind;
     contacts.least_area[c] = g.least_area;
-    contacts.stiffness_area[c] = contacts.shear_area[c] = contacts.depth[c] = contacts.twist[c] = contacts.offset[c] =
-        0;
+    contacts.stiffness_area[c] = contacts.shear_area[c] = contacts.grip[c] = contacts.depth[c] = contacts.twist[c] =
+        contacts.offset[c] = 0;
     contacts.offset_tilt[c].setZero();
     contacts.axis[c].setZero();
     contacts.face1[c] = g.face1;

@@ -349,9 +349,8 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     const Row b1 = contacts.block1[c], b2 = contacts.block2[c];
     const RelativeMotion motion(model, c);
     const bool idle = is_idle(model, c);
-    if (idle) {
-        add_friction_of(model, c, work);
-    } else {
+    if (idle) add_friction_of(model, c, work);
+    else {
         add_work_of(model, c, motion.at_start(), work);
         contacts.energy_taken[c] -= 0.5 * normal_work(model, c, motion.at_start()) +
                                     withheld_shear_work(model, c, 1 - contacts.withheld[c], motion.at_start());
@@ -412,6 +411,7 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     if (slopes != nullptr && patch.carried > 0) closures = press(model, c, patch, *slopes);
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
+    if (patch.lies) hold_by_grip(model, c, closures, patch.carrying_area(0));
     const double in_springs = idle ? 0 : shear_energy(model, c);
     write_rows(model, c, patch, closures, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;

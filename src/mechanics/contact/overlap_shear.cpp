@@ -37,60 +37,108 @@ namespace {
 
 constexpr double elastic = 1e-9; // of the forces
 
-/// The shear force of a row whose joint model has changed its shear stiffness, on the shear area. A falling stiffness takes its part of the
-/// force, as in the joint models that ship; a rising one adds none. What the joint model adds along the displacement is that of its area, of
-/// softer springs than it reports as well. Otherwise it has limited the force, which keeps its size and turns as the stiffer springs turn it.
-Vec3 stiffened(const Vec3& kept, const Vec3& step, const Vec3& now, double area, double whole, double size) {
-    const Vec3 added = now - kept, most = area * step;
-    const double square = most.squaredNorm(), part = square > 0 ? std::clamp(added.dot(most) / square, 0.0, 1.0) : 0;
-    if ((added - part * most).norm() <= elastic * size) return kept + part * whole * step;
-    const Vec3 stiffer = kept + whole * step;
-    const double trial = stiffer.norm();
-    return trial >= now.norm() && trial > 0 ? Vec3(now.norm() / trial * stiffer) : stiffer;
+/// One carrier in one step, before and after its joint model; `whole` is its shear area.
+struct CarrierStep {
+    Vec3 old, now, slip;
+    double stiffness_before, stiffness, area, whole;
+
+    /// A row without shear stiffness before, such as an open one, holds no force.
+    bool changes_stiffness() const { return stiffness_before != stiffness && stiffness_before > 0; }
+    double size() const { return old.norm() + now.norm(); }
+    /// Elastic increment per area.
+    Vec3 step() const { return -stiffness * slip; }
+};
+
+/// Shear force on the shear area, and whether the joint model has limited it.
+struct Stiffened {
+    Vec3 force;
+    bool limited;
+};
+
+/// The force keeps its size, and turns to the direction of slip as fast as the stiffer springs turn it.
+Stiffened turned(const Vec3& stiffer, const Vec3& now) {
+    const double size = now.norm(), trial = stiffer.norm();
+    return {trial >= size && trial > 0 ? Vec3(size / trial * stiffer) : stiffer, trial >= size && trial > 0};
 }
 
-/// The work (10f) is that of the force which acts, less the change of the energy (10a).
-void stiffen_changed(SubContacts& subs, Row s, double whole, const Vec3& old, double stiffness_before) {
-    const double area = subs.area[s], stiffness = subs.shear_stiffness[s];
-    const Vec3 now = subs.shear_force[s], slip = subs.shear_displacement_increment[s];
-    const Vec3 force = stiffened(std::min(1.0, stiffness / stiffness_before) * old, -stiffness * slip, now, area, whole,
-                                 old.norm() + now.norm());
-    const auto gain = [&](double squared, double on) {
-        return (squared / stiffness - old.squaredNorm() / stiffness_before) / (2 * on);
+Stiffened stiffened(const CarrierStep& c) {
+    const Vec3 stiffer = c.old + c.whole * c.step();
+    if ((c.old + c.area * c.step() - c.now).norm() > elastic * c.size()) return turned(stiffer, c.now);
+    return {stiffer, false};
+}
+
+/// The same for a joint model that has changed its shear stiffness. A falling one takes its part of the force, as in the joint models that ship;
+/// a rising one adds none. What the joint model adds along the displacement is that of its area, of softer springs than it reports as well.
+Stiffened stiffened_by_change(const CarrierStep& c) {
+    const Vec3 kept = std::min(1.0, c.stiffness / c.stiffness_before) * c.old;
+    const Vec3 added = c.now - kept, most = c.area * c.step();
+    const double square = most.squaredNorm(), part = square > 0 ? std::clamp(added.dot(most) / square, 0.0, 1.0) : 0;
+    if ((added - part * most).norm() <= elastic * c.size()) return {kept + part * c.whole * c.step(), false};
+    return turned(kept + c.whole * c.step(), c.now);
+}
+
+/// A joint model that limits a shear force shows the ratio that it grants; one that grants more than that ratio shows that it was another.
+void note_grip(double& grip, bool limited, double shear, double normal) {
+    if (!(normal > 0)) return;
+    if (limited) grip = shear / normal;
+    else if (shear > (1 + elastic) * grip * normal) grip = 0;
+}
+
+/// What (10b) and (10f) add to the work of the joint model: the work of the force that acts, less the change of the energy (10a).
+double more_friction(const CarrierStep& c, const Vec3& force) {
+    const double before = c.changes_stiffness() ? c.stiffness_before : c.stiffness;
+    const auto gain = [&](const Vec3& now, double on) {
+        return (now.squaredNorm() / c.stiffness - c.old.squaredNorm() / before) / (2 * on);
     };
-    subs.frictional_work[s] +=
-        0.5 * (now - force).dot(slip) + gain(now.squaredNorm(), area) - gain(force.squaredNorm(), whole);
-    subs.shear_force.set(s, force);
+    return 0.5 * (c.now - force).dot(c.slip) + gain(c.now, c.area) - gain(force, c.whole);
 }
 
 } // namespace
 
+void hold_by_grip(Model& model, Row c, const CarrierClosures& closures, double area) {
+    constexpr double margin =
+        2; // the joint model decides on the rest: closures of curved joints have other forces than straight springs
+    auto& subs = model.sub_contacts;
+    const double grip = model.contacts.grip[c], whole = shear_area(model.contacts, c) / carriers;
+    const Row first = model.contacts.sub_contacts[c].first;
+    for (Row k = 0; grip > 0 && k < carriers; ++k) {
+        const Row s = first + k;
+        const Vec3 force = subs.shear_force[s];
+        const double most =
+            margin * grip * subs.normal_stiffness[s] * area / carriers * closures[static_cast<std::size_t>(k)];
+        if (!(force.norm() > most && subs.shear_stiffness[s] > 0)) continue;
+        const double scale = most / force.norm();
+        subs.frictional_work[s] += (1 - scale * scale) * force.squaredNorm() / (2 * subs.shear_stiffness[s] * whole);
+        subs.shear_force.set(s, scale * force);
+    }
+}
+
 void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
     auto& subs = model.sub_contacts;
+    const double whole = shear_area(model.contacts, c) / carriers, grip = model.contacts.grip[c];
     const Row first = model.contacts.sub_contacts[c].first;
-    const double whole = shear_area(model.contacts, c) / carriers;
-    for (Row s = first; s < first + carriers; ++s) {
-        const double area = subs.area[s], stiffness = subs.shear_stiffness[s];
-        if (!(area > 0 && stiffness > 0 && whole > area)) continue;
-        const auto k = static_cast<std::size_t>(s - first);
-        if (before.shear_stiffness[k] != stiffness && before.shear_stiffness[k] > 0) {
-            stiffen_changed(subs, s, whole, before.shear[k], before.shear_stiffness[k]);
-            continue;
-        }
-        const Vec3 &old = before.shear[k], now = subs.shear_force[s];
-        const Vec3 step = -stiffness * Vec3(subs.shear_displacement_increment[s]), stiffer = old + whole * step;
-        const bool limited = (old + area * step - now).norm() > elastic * (old.norm() + now.norm());
-        if (const double size = now.norm(), trial = stiffer.norm(); limited && trial >= size && trial > 0) {
-            // The force turns to the direction of slip as fast as the stiffer springs turn it.
-            const Vec3 turned = size / trial * stiffer;
-            subs.frictional_work[s] +=
-                0.5 * (turned - now).dot(step) / stiffness +
-                (now.squaredNorm() - old.squaredNorm()) / (2 * stiffness) * (1 / area - 1 / whole);
-            subs.shear_force.set(s, turned);
-            continue;
-        }
-        subs.shear_force.set(s, stiffer);
-        subs.frictional_work[s] = before.worn_by_row[k];
+    for (Row k = 0; k < carriers; ++k) {
+        const Row s = first + k;
+        const auto i = static_cast<std::size_t>(k);
+        const CarrierStep step{before.shear[i],
+                               subs.shear_force[s],
+                               subs.shear_displacement_increment[s],
+                               before.shear_stiffness[i],
+                               subs.shear_stiffness[s],
+                               subs.area[s],
+                               whole};
+        if (!(step.area > 0 && step.stiffness > 0)) continue;
+        const bool changes = step.changes_stiffness();
+        Stiffened stiff = changes ? stiffened_by_change(step) : stiffened(step);
+        const double normal = subs.normal_force[s], size = step.now.norm();
+        note_grip(model.contacts.grip[c], stiff.limited, size, normal);
+        if (!(whole > step.area)) continue;
+        // The joint model has seen less of the force than its springs would have: friction that it has shown holds for the rest.
+        const double most = std::max(size, grip * normal), trial = stiff.force.norm();
+        if (grip > 0 && trial > most) stiff = {most / trial * stiff.force, true};
+        subs.shear_force.set(s, stiff.force);
+        if (stiff.limited || changes) subs.frictional_work[s] += more_friction(step, stiff.force);
+        else subs.frictional_work[s] = before.worn_by_row[i];
     }
 }
 

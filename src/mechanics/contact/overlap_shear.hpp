@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/contact/carried_load.hpp"
+#include "mechanics/contact/closed_halves.hpp"
 #include "mechanics/contact/contact_work.hpp"
 
 namespace kaya {
@@ -24,6 +25,10 @@ double pay_for_area(Model& model, Row contact, double before);
 /// increments are those of the shear area. Where the joint model limits the force, stiffer springs take less of the displacement and leave
 /// more to slip (10b).
 void stiffen_shear(Model& model, Row contact, const CarriedLoad& before);
+
+/// A contact whose area collapses in a step, such as one of faces that vibrate, has more shear force than friction can hold on what is left: it
+/// slips on its springs. The joint model would slip on that area's, which are far softer. `area` and `closures` are those after the collapse.
+void hold_by_grip(Model& model, Row contact, const CarrierClosures& closures, double area);
 
 /// Which carriers the joint model has let slip in this step.
 using SlippedCarriers = std::array<bool, carriers>;

@@ -58,6 +58,7 @@ public:
     // Of overlap contacts only.
     Column<double>
         shear_area;        ///< largest area on which it has touched since it last carried nothing: of its shear springs
+    Column<double> grip;   ///< shear over normal force where its joint model has limited it last; 0: not known
     Column<double> depth;  ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
     Column<double> twist;  ///< moment of the overlap about the normal over its normal force: length
     Column<double> offset; ///< closure in addition to that of the positions of the blocks
@@ -97,6 +98,7 @@ public:
         visit("least_area", least_area, Role::geometry);
         visit("stiffness_area", stiffness_area, Role::geometry);
         visit("shear_area", shear_area, Role::geometry);
+        visit("grip", grip, Role::state);
         visit("depth", depth, Role::state);
         visit("twist", twist, Role::state);
         visit("offset", offset, Role::geometry);
