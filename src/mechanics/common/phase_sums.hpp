@@ -42,10 +42,10 @@ struct HistorySums {
 struct JointSums {
     double work = 0;     ///< put into them
     double friction = 0; ///< of it, lost
-    double returned = 0; ///< of the energy that contact updates had taken from the contacts
-    double lost = 0;     ///< returned by contact updates from what they had taken
-    double fluid = 0;    ///< lost from springs where contacts changed their area or separated
-    double damped = 0;   ///< done on the blocks by pore pressure
+    double returned = 0; ///< by contact updates from what they had taken
+    double lost = 0;     ///< from springs where contacts changed their area or separated
+    double fluid = 0;    ///< done on the blocks by pore pressure
+    double damped = 0;   ///< taken up by dashpots
     bool stiffness_changed = false;
 };
 

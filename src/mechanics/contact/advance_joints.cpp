@@ -200,23 +200,34 @@ void add_change(double over_step, JointWork& after, JointSums& sums) {
     sums.lost -= 0.5 * over_step;
 }
 
+/// A joint that is open in part continues as an overlap.
+void follow_as_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch, JointWork& after,
+                       JointSums& sums) {
+    const double work_before = work_of_step(model, c), fluid_before = fluid_work(model, c);
+    sums.lost += follow_overlap(model, joint, c, scratch);
+    add_change(work_of_step(model, c) - work_before, after, sums);
+    after.fluid[0] += fluid_work(model, c) - fluid_before;
+}
+
 /// `number` is that of the batch.
 JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, JointForces& forces,
                         JointScratch& scratch) {
     JointSums sums;
-    auto& subs = model.sub_contacts;
-    auto& friction = scratch.friction;
     JointWork before;
-    friction.resize(batch.contacts.size());
+    Eight of_overlaps{}; // fluid work of it: their area changes in the step
+    auto& friction = scratch.friction;
     auto& carried = scratch.carried;
+    friction.resize(batch.contacts.size());
     carried.resize(batch.contacts.size());
     PairMotions pairs;
     for (std::size_t i = 0; i < batch.contacts.size(); ++i) {
         const Row c = batch.contacts[i];
         if (i % eight == 0) take_pairs(model, std::span(batch.contacts).subspan(i), pairs);
         if (follows_overlap(model, c)) {
+            const Eight fluid = before.fluid;
             const OverlapStart start =
                 move_overlap_contact(model, c, before, scratch.overlap, scratch.slopes_of(model, i, c));
+            of_overlaps += before.fluid - fluid;
             sums.lost += start.lost;
             turn_kept_vectors(model, c, batch.model->vectors);
             std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
@@ -232,7 +243,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
     std::optional<BatchDashpots> dashpots;
     if (joints_are_damped(model.settings)) dashpots.emplace(model, batch, scratch.row_friction);
     const Guard guard = guard_in_cycle(*batch.model, model.clock.cycle, number);
-    if (const auto failure = run_batch(*batch.model, columns, subs.number.data() + batch.first, guard))
+    if (const auto failure = run_batch(*batch.model, columns, model.sub_contacts.number.data() + batch.first, guard))
         throw joint_failure(model, batch, *failure);
     if (dashpots) sums.damped = dashpots->finish();
     JointWork after;
@@ -252,9 +263,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         }
         finish_contact(model, c, forces, after);
         if (opens_in_part(model, c)) {
-            const double work_before = work_of_step(model, c);
-            sums.lost += follow_overlap(model, *batch.model, c, scratch.overlap);
-            add_change(work_of_step(model, c) - work_before, after, sums);
+            follow_as_overlap(model, *batch.model, c, scratch.overlap, after, sums);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
             sums.stiffness_changed = true;
@@ -274,7 +283,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         if (const auto failure = unusable_output(*batch.model, columns)) throw joint_failure(model, batch, *failure);
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
     sums.friction = sum(after.friction) - sum(before.friction) - recovered;
-    sums.fluid = sum(before.fluid);
+    sums.fluid = sum(before.fluid) + 0.5 * (sum(after.fluid) - sum(of_overlaps));
     sums.damped -= 0.5 * (before.dashpots + after.dashpots);
     sums.stiffness_changed = sums.stiffness_changed || columns.stiffness_changed;
     return sums;

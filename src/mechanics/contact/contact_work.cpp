@@ -1,4 +1,5 @@
 #include "mechanics/contact/contact_work.hpp"
+#include "base/reduce.hpp"
 #include "mechanics/shape/overlap_patch.hpp"
 
 #include "model/measure/rayleigh.hpp"
@@ -45,28 +46,54 @@ double frictional_work(const Model& model, Row c) {
 
 namespace {
 
-double work_of_zones(const Model& model, Row c) {
-    const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
-    const Vec3 n = contacts.normal[c];
-    const Span span = contacts.sub_contacts[c];
-    double power = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        const Vec3 place = subs.position[s];
-        power += (subs.normal_force[s] * n + Vec3(subs.shear_force[s]))
-                     .dot(two.at(subs.side2[s], place) - one.at(subs.side1[s], place));
+/// Of the forces and of the pore pressure of a contact with zones.
+struct ZoneContactWork {
+    double force = 0, fluid = 0;
+
+    ZoneContactWork(const Model& model, Row c) {
+        const auto& subs = model.sub_contacts;
+        const auto& contacts = model.contacts;
+        const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
+        const Vec3 n = contacts.normal[c];
+        const Span span = contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) {
+            const Vec3 place = subs.position[s];
+            const Vec3 speed = two.at(subs.side2[s], place) - one.at(subs.side1[s], place);
+            force += (subs.normal_force[s] * n + Vec3(subs.shear_force[s])).dot(speed);
+            fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(speed);
+        }
+        force *= model.clock.time_step;
+        fluid *= model.clock.time_step;
     }
-    return power * model.clock.time_step;
+};
+
+JointWork work_of_rigid(const Model& model, Row c) {
+    JointWork work;
+    add_work_of(model, c, RelativeMotion(model, c), work);
+    return work;
 }
 
 } // namespace
 
 double work_of_step(const Model& model, Row c) {
-    if (!between_rigid(model, c)) return work_of_zones(model, c);
-    JointWork work;
-    add_work_of(model, c, RelativeMotion(model, c), work);
-    return sum(work.joint);
+    return between_rigid(model, c) ? sum(work_of_rigid(model, c).joint) : ZoneContactWork(model, c).force;
+}
+
+double fluid_work(const Model& model, Row c) {
+    return between_rigid(model, c) ? sum(work_of_rigid(model, c).fluid) : ZoneContactWork(model, c).fluid;
+}
+
+double fluid_work(const Model& model) {
+    if (model.settings.water == Water::none) return 0;
+    constexpr std::size_t grain = 256;
+    return reduce_chunks(
+        model.contacts.size(), grain, 0.0,
+        [&](std::size_t first, std::size_t last) {
+            double work = 0;
+            for (std::size_t i = first; i < last; ++i) work += fluid_work(model, static_cast<Row>(i));
+            return work;
+        },
+        [](double& sum, double part) { sum += part; });
 }
 
 } // namespace kaya

@@ -85,6 +85,10 @@ void add_work_of(const Model& model, Row contact, const RelativeMotion& motion, 
 /// Work of the present forces of any contact on the motion of the step.
 double work_of_step(const Model& model, Row contact);
 
+/// Work of the present pore pressure on the motion of the step, in one contact and in all that there are now.
+double fluid_work(const Model& model, Row contact);
+double fluid_work(const Model& model);
+
 /// Accumulated frictional work of a contact according to its joint model.
 double frictional_work(const Model& model, Row contact);
 

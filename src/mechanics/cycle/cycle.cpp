@@ -11,6 +11,7 @@
 #include "mechanics/assign/check_properties.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/contact/contact_search.hpp"
+#include "mechanics/contact/contact_work.hpp"
 #include "mechanics/common/crushed_zones.hpp"
 #include "mechanics/motion/damping_policy.hpp"
 #include "mechanics/step/energy.hpp"
@@ -173,6 +174,9 @@ void Cycle::advance() {
     model_.clock.time += model_.clock.time_step;
     ++model_.clock.cycle;
     const ContactChange change = refresh_contacts();
+    // Pore pressure that comes or goes with its contact acts for half a step.
+    if (change != ContactChange::none && model_.settings.energy)
+        sums.joints.fluid = 0.5 * (sums.joints.fluid + fluid_work(model_));
     gather(sums);
     close_account(sums);
     limit_step(sums, change, may_grow);
