@@ -163,7 +163,6 @@ void combine(JointSums& sum, const JointSums& part) {
     sum.friction += part.friction;
     sum.returned += part.returned;
     sum.lost += part.lost;
-    sum.fluid += part.fluid;
     sum.damped += part.damped;
     sum.stiffness_changed = sum.stiffness_changed || part.stiffness_changed;
 }
@@ -203,10 +202,9 @@ void add_change(double over_step, JointWork& after, JointSums& sums) {
 /// A joint that is open in part continues as an overlap.
 void follow_as_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch, JointWork& after,
                        JointSums& sums) {
-    const double work_before = work_of_step(model, c), fluid_before = fluid_work(model, c);
+    const double work_before = work_of_step(model, c);
     sums.lost += follow_overlap(model, joint, c, scratch);
     add_change(work_of_step(model, c) - work_before, after, sums);
-    after.fluid[0] += fluid_work(model, c) - fluid_before;
 }
 
 /// `number` is that of the batch.
@@ -214,7 +212,6 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
                         JointScratch& scratch) {
     JointSums sums;
     JointWork before;
-    Eight of_overlaps{}; // fluid work of it: their area changes in the step
     auto& friction = scratch.friction;
     auto& carried = scratch.carried;
     friction.resize(batch.contacts.size());
@@ -224,10 +221,8 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         const Row c = batch.contacts[i];
         if (i % eight == 0) take_pairs(model, std::span(batch.contacts).subspan(i), pairs);
         if (follows_overlap(model, c)) {
-            const Eight fluid = before.fluid;
             const OverlapStart start =
                 move_overlap_contact(model, c, before, scratch.overlap, scratch.slopes_of(model, i, c));
-            of_overlaps += before.fluid - fluid;
             sums.lost += start.lost;
             turn_kept_vectors(model, c, batch.model->vectors);
             std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
@@ -283,7 +278,6 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
         if (const auto failure = unusable_output(*batch.model, columns)) throw joint_failure(model, batch, *failure);
     sums.work = -0.5 * (sum(before.joint) + sum(after.joint));
     sums.friction = sum(after.friction) - sum(before.friction) - recovered;
-    sums.fluid = sum(before.fluid) + 0.5 * (sum(after.fluid) - sum(of_overlaps));
     sums.damped -= 0.5 * (before.dashpots + after.dashpots);
     sums.stiffness_changed = sums.stiffness_changed || columns.stiffness_changed;
     return sums;

@@ -28,7 +28,6 @@ void add_work_of(const Model& model, Row c, const RelativeMotion& motion, JointW
         if (i == span.first) aside = shift + apart_turn.cross(group.load(subs.shear_arm, i)); // only carriers have one
         own.joint += force * n.dot(shift) + group.load(subs.shear_force, i).dot(aside);
         own.friction += group.load(subs.frictional_work.data() + i);
-        own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * n.dot(shift);
         if (damped)
             of_dashpots += group.load(subs.dashpot_normal.data() + i) * n.dot(shift) +
                            group.load(subs.dashpot_shear, i).dot(aside);
@@ -46,51 +45,63 @@ double frictional_work(const Model& model, Row c) {
 
 namespace {
 
-/// Of the forces and of the pore pressure of a contact with zones.
-struct ZoneContactWork {
-    double force = 0, fluid = 0;
-
-    ZoneContactWork(const Model& model, Row c) {
-        const auto& subs = model.sub_contacts;
-        const auto& contacts = model.contacts;
-        const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
-        const Vec3 n = contacts.normal[c];
-        const Span span = contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) {
-            const Vec3 place = subs.position[s];
-            const Vec3 speed = two.at(subs.side2[s], place) - one.at(subs.side1[s], place);
-            force += (subs.normal_force[s] * n + Vec3(subs.shear_force[s])).dot(speed);
-            fluid += subs.pore_pressure[s] * subs.area[s] * n.dot(speed);
-        }
-        force *= model.clock.time_step;
-        fluid *= model.clock.time_step;
+double work_of_zones(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
+    const Vec3 n = contacts.normal[c];
+    const Span span = contacts.sub_contacts[c];
+    double power = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 place = subs.position[s];
+        power += (subs.normal_force[s] * n + Vec3(subs.shear_force[s]))
+                     .dot(two.at(subs.side2[s], place) - one.at(subs.side1[s], place));
     }
-};
+    return power * model.clock.time_step;
+}
 
-JointWork work_of_rigid(const Model& model, Row c) {
-    JointWork work;
-    add_work_of(model, c, RelativeMotion(model, c), work);
+/// Opening of the sub-contacts of a contact in the step, by pressure times area.
+double fluid_work_of(const Model& model, Row c, StepPlaces places) {
+    const auto& subs = model.sub_contacts;
+    const auto& contacts = model.contacts;
+    const Vec3 n = contacts.normal[c];
+    const Span span = contacts.sub_contacts[c];
+    double work = 0;
+    const auto add_all = [&](const auto& motion_of) {
+        for (Row s = span.first; s < span.end(); ++s)
+            work += subs.pore_pressure[s] * subs.area[s] * n.dot(motion_of(s));
+    };
+    if (between_rigid(model, c)) {
+        const RelativeMotion motion(model, c);
+        const bool moved = places == StepPlaces::start && model.settings.large_strain;
+        const RelativeMotion acts = moved ? motion.at_start() : motion;
+        add_all([&](Row s) { return acts.at(Vec3(subs.position[s])); });
+    } else {
+        const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
+        add_all([&](Row s) {
+            const Vec3 place = subs.position[s];
+            return Vec3(model.clock.time_step * (two.at(subs.side2[s], place) - one.at(subs.side1[s], place)));
+        });
+    }
     return work;
 }
 
 } // namespace
 
 double work_of_step(const Model& model, Row c) {
-    return between_rigid(model, c) ? sum(work_of_rigid(model, c).joint) : ZoneContactWork(model, c).force;
+    if (!between_rigid(model, c)) return work_of_zones(model, c);
+    JointWork work;
+    add_work_of(model, c, RelativeMotion(model, c), work);
+    return sum(work.joint);
 }
 
-double fluid_work(const Model& model, Row c) {
-    return between_rigid(model, c) ? sum(work_of_rigid(model, c).fluid) : ZoneContactWork(model, c).fluid;
-}
-
-double fluid_work(const Model& model) {
-    if (model.settings.water == Water::none) return 0;
+double fluid_work(const Model& model, StepPlaces places) {
     constexpr std::size_t grain = 256;
     return reduce_chunks(
         model.contacts.size(), grain, 0.0,
         [&](std::size_t first, std::size_t last) {
             double work = 0;
-            for (std::size_t i = first; i < last; ++i) work += fluid_work(model, static_cast<Row>(i));
+            for (std::size_t i = first; i < last; ++i) work += fluid_work_of(model, static_cast<Row>(i), places);
             return work;
         },
         [](double& sum, double part) { sum += part; });

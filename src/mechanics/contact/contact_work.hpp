@@ -12,13 +12,11 @@ inline Eight3 in_plane(const Eight3& v, const Eight3& normal) { return v - norma
 /// Rates of work on the blocks times the step, in eights of sub-contacts.
 struct JointWork {
     Eight joint{}, friction{};
-    Eight fluid{};       ///< of the pore pressure; a joint model does not change it
     double dashpots = 0; ///< of the viscous forces of overlaps
 
     void add(const JointWork& other) {
         joint += other.joint;
         friction += other.friction;
-        fluid += other.fluid;
         dashpots += other.dashpots;
     }
 };
@@ -85,9 +83,10 @@ void add_work_of(const Model& model, Row contact, const RelativeMotion& motion, 
 /// Work of the present forces of any contact on the motion of the step.
 double work_of_step(const Model& model, Row contact);
 
-/// Work of the present pore pressure on the motion of the step, in one contact and in all that there are now.
-double fluid_work(const Model& model, Row contact);
-double fluid_work(const Model& model);
+/// Work of the pore pressure in all contacts, as they are, on the motion of the step, after the bodies have moved: while sub-contacts have the
+/// places of its start, or those of its end.
+enum class StepPlaces { start, end };
+double fluid_work(const Model& model, StepPlaces places);
 
 /// Accumulated frictional work of a contact according to its joint model.
 double frictional_work(const Model& model, Row contact);

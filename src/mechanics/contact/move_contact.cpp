@@ -125,7 +125,6 @@ void move_between(Model& model, Row c, const Vec3& acted, const std::vector<std:
         const Vec3 increment = (v2 - v1) * step;
         work.joint[0] += (subs.normal_force[s] * acted + Vec3(subs.shear_force[s])).dot(increment);
         work.friction[0] += subs.frictional_work[s];
-        work.fluid[0] += subs.pore_pressure[s] * subs.area[s] * acted.dot(increment);
         const double opening = increment.dot(n);
         const Vec3 shear = increment - opening * n;
         subs.normal_displacement_increment[s] = opening;
@@ -197,7 +196,6 @@ void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size
         }
         own.joint += group.load(subs.normal_force.data() + i) * opening + force.dot(shear);
         own.friction += group.load(subs.frictional_work.data() + i);
-        own.fluid += group.load(subs.pore_pressure.data() + i) * group.load(subs.area.data() + i) * opening;
     }
     work.add(own);
     if (large) model.contacts.slip_since_update[c] += std::sqrt(largest(farthest));

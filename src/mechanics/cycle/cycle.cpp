@@ -174,9 +174,7 @@ void Cycle::advance() {
     model_.clock.time += model_.clock.time_step;
     ++model_.clock.cycle;
     const ContactChange change = refresh_contacts();
-    // Pore pressure that comes or goes with its contact acts for half a step.
-    if (change != ContactChange::none && model_.settings.energy)
-        sums.joints.fluid = 0.5 * (sums.joints.fluid + fluid_work(model_));
+    if (counts_water()) sums.joints.fluid += 0.5 * fluid_work(model_, StepPlaces::end);
     gather(sums);
     close_account(sums);
     limit_step(sums, change, may_grow);
@@ -218,12 +216,17 @@ double Cycle::run_structures(double step) {
     return run_cables(model_, s.cables, step) + run_members(model_, s.members, step);
 }
 
+/// The account needs the work of the pressure that has acted, and of the one that acts next: contacts come, go and change their areas between.
+bool Cycle::counts_water() const { return model_.settings.energy && model_.settings.water != Water::none; }
+
 /// The responses: joints, zones, ties, structures.
 void Cycle::strain(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::joints, [&] {
+        const double fluid = counts_water() ? 0.5 * fluid_work(model_, StepPlaces::start) : 0;
         put_water(model_);
         sums.joints = advance_joints(model_, s.batches, s.joints, s.joint_scratch);
+        sums.joints.fluid = fluid;
     });
     times_.timed(Phase::zones, [&] {
         if (!s.passed) sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);

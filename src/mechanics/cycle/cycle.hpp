@@ -64,6 +64,7 @@ private:
 
     void begin();
     void move(StepSums& sums);
+    bool counts_water() const;
     void strain(StepSums& sums);
     double run_structures(double step);
     ContactChange refresh_contacts();

@@ -1,0 +1,40 @@
+-- Cubes of rock of 10 m that random joint sets cut, and joint models for them.
+local rock = {}
+
+-- Somewhere in space, by one to four joint sets, some of whose joints end in the rock; the lower quarter is held. Gives its lowest corner.
+function rock.cut(draw)
+    local far = 10 ^ (3 * draw()) - 1
+    local x, y, z = far * draw(), -far * draw(), far * draw()
+    command(("poly brick %.17g %.17g %.17g %.17g %.17g %.17g"):format(x, x + 10, y, y + 10, z, z + 10))
+    for set = 1, 1 + math.floor(4 * draw()) do
+        local persistence = draw() < 0.3 and (" persistence %.2g"):format(0.3 + 0.6 * draw()) or ""
+        local line = "jset dip %.6g dd %.6g spacing %.6g num 8 origin %.6g %.6g %.6g id %d%s"
+        command(line:format(90 * draw(), 360 * draw(), 1.5 + 3 * draw(), x + 5 * draw(), y + 5, z + 5 * draw(), set, persistence))
+    end
+    command(("fix range z %.17g %.17g"):format(z, z + 2.5))
+    return x, y, z
+end
+
+-- `more` is completed by the angle of friction.
+local laws = {
+    { name = "softening-mohr", more = "fric=%g friction-residual=5 dc=1e-3 healing-time=0.1" },
+    { name = "continuously-yielding", more = "fric=%g jif=50 jr=3e-3" },
+    { name = "bilinear-mohr", more = "fric=%g coh=2e4 f2=10 c2=1e5" },
+    { name = "fracture-energy", more = "jten=2.5e4 g1=18 jcoh=3.5e4 g2=125 jfric=%g" },
+    { name = "power", more = "fric=%g constant-1=1e-9 exponent-1=3" },
+    { name = "nonlinear", more = "exponent-normal=0.5 exponent-shear=0.5 kn-maximum=1e13 fric=%g" },
+    { name = "velocity-weakening", more = "friction-static=%g friction-dynamic=8 reference-velocity=0.1" },
+    { name = "barton-bandis", more = "resfriction=%g jrco=8 jcso=100e6 sigmac=150e6 nj=0.8 lo=0.1 ln=0.2 mpa=1e6" },
+}
+
+-- Coulomb joints in rocks of odd numbers, the other joint models that ship in the others.
+function rock.joints(number, draw)
+    local kn = 10 ^ (8 + 3 * draw())
+    local ks, angle = kn * (0.2 + 0.8 * draw()), 10 + 40 * draw()
+    require("parts.scene").joints(kn, ks, angle)
+    if number % 2 == 1 then return end
+    local law = laws[number // 2 % #laws + 1]
+    command(("jmodel model %s\njmodel jkn=%.17g jks=%.17g %s"):format(law.name, kn, ks, law.more:format(angle)))
+end
+
+return rock
