@@ -10,9 +10,8 @@ import math
 import lower
 import numpy as np
 import upper
-from problem import FIXED, FOOTING, FREE, SMOOTH, SMOOTH_FOOTING
+from problem import FOOTING, FREE, SMOOTH, SMOOTH_FOOTING
 from rows import Rows
-from scipy.optimize import linprog
 
 FLOOR = 1e-9
 
@@ -47,15 +46,8 @@ def at(e, corner):
 def equilibrium(problem, rows):
     mesh = problem.mesh
     for e in range(len(mesh.soils)):
-        level, upright = [[hoop(e)], [-1.0]], [[], []]
-        for k in range(3):
-            x, y, xy = at(e, k)
-            dx, dy = mesh.gradient[e, k]
-            level[0] += [x, xy]
-            level[1] += [dx, dy]
-            upright[0] += [xy, y]
-            upright[1] += [dx, dy]
-        rows.add(*level)
+        level, upright = lower.divergence(mesh, e, at)
+        rows.add([hoop(e)] + level[0], [-1.0] + level[1])
         rows.add(*upright)
 
 

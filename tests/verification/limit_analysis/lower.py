@@ -18,18 +18,24 @@ def traction(normal, tangent):
     return [n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]], [n[0] * t[0], n[1] * t[1], n[0] * t[1] + n[1] * t[0]]
 
 
+def divergence(mesh, e, at=at):
+    """Columns and factors of the forces of the stresses in a triangle, level and upright."""
+    level, upright = [[], []], [[], []]
+    for k in range(3):
+        x, y, xy = at(e, k)
+        dx, dy = mesh.gradient[e, k]
+        level[0] += [x, xy]
+        level[1] += [dx, dy]
+        upright[0] += [xy, y]
+        upright[1] += [dx, dy]
+    return level, upright
+
+
 def equilibrium(problem, rows, multiplier):
     mesh = problem.mesh
     for e, soil in enumerate(mesh.soils):
         weight = problem.soils[soil].weight
-        level, upright = [[], []], [[], []]
-        for k in range(3):
-            x, y, xy = at(e, k)
-            dx, dy = mesh.gradient[e, k]
-            level[0] += [x, xy]
-            level[1] += [dx, dy]
-            upright[0] += [xy, y]
-            upright[1] += [dx, dy]
+        level, upright = divergence(mesh, e)
         rows.add(*level)
         if multiplier is None:
             rows.add(*upright, weight)
