@@ -12,7 +12,7 @@ end
 function scene.clear(damping)
     scene.forget()
     if count("block") > 0 then command "delete" end
-    command "reset time energy disp jdisp\ndamp none\ndamp contact 0\ngravity 0 0 -9.81"
+    command "set small off\nwater off\nreset time energy disp jdisp\ndamp none\ndamp contact 0\ngravity 0 0 -9.81"
     command("damp " .. (damping or "none"))
     -- -D fraction=0.05 shows the influence of the step on an error.
     if fraction then command(("fraction %.17g"):format(fraction)) end
