@@ -44,7 +44,6 @@ struct JointSums {
     double friction = 0; ///< of it, lost
     double returned = 0; ///< by contact updates from what they had taken
     double lost = 0;     ///< from springs where contacts changed their area or separated
-    double fluid = 0;    ///< done on the blocks by pore pressure
     double damped = 0;   ///< taken up by dashpots
     bool stiffness_changed = false;
 };
@@ -66,6 +65,7 @@ struct StepSums {
     MotionSums motion;
     JointSums joints;
     ZoneSums zones;
+    double fluid = 0;          ///< work of the pore pressure in joints on the blocks
     double structure_work = 0; ///< work on cables, beams and liners
     double inner_power = 0;    ///< of the forces of joints and zones after the step
 };

@@ -45,43 +45,41 @@ double frictional_work(const Model& model, Row c) {
 
 namespace {
 
-double work_of_zones(const Model& model, Row c) {
+/// Calls visit(row, relative velocity) for the sub-contacts of a contact with zones.
+template <class Visit> void each_speed_of_zones(const Model& model, Row c, const Visit& visit) {
     const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
-    const Vec3 n = contacts.normal[c];
-    const Span span = contacts.sub_contacts[c];
-    double power = 0;
+    const SideMotion one(model, model.contacts.block1[c]), two(model, model.contacts.block2[c]);
+    const Span span = model.contacts.sub_contacts[c];
     for (Row s = span.first; s < span.end(); ++s) {
         const Vec3 place = subs.position[s];
-        power += (subs.normal_force[s] * n + Vec3(subs.shear_force[s]))
-                     .dot(two.at(subs.side2[s], place) - one.at(subs.side1[s], place));
+        visit(s, two.at(subs.side2[s], place) - one.at(subs.side1[s], place));
     }
+}
+
+double work_of_zones(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Vec3 n = model.contacts.normal[c];
+    double power = 0;
+    each_speed_of_zones(model, c, [&](Row s, const Vec3& speed) {
+        power += (subs.normal_force[s] * n + Vec3(subs.shear_force[s])).dot(speed);
+    });
     return power * model.clock.time_step;
 }
 
 /// Opening of the sub-contacts of a contact in the step, by pressure times area.
 double fluid_work_of(const Model& model, Row c, StepPlaces places) {
     const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    const Vec3 n = contacts.normal[c];
-    const Span span = contacts.sub_contacts[c];
+    const Vec3 n = model.contacts.normal[c];
     double work = 0;
-    const auto add_all = [&](const auto& motion_of) {
-        for (Row s = span.first; s < span.end(); ++s)
-            work += subs.pore_pressure[s] * subs.area[s] * n.dot(motion_of(s));
-    };
+    const auto add = [&](Row s, const Vec3& motion) { work += subs.pore_pressure[s] * subs.area[s] * n.dot(motion); };
     if (between_rigid(model, c)) {
         const RelativeMotion motion(model, c);
         const bool moved = places == StepPlaces::start && model.settings.large_strain;
         const RelativeMotion acts = moved ? motion.at_start() : motion;
-        add_all([&](Row s) { return acts.at(Vec3(subs.position[s])); });
+        const Span span = model.contacts.sub_contacts[c];
+        for (Row s = span.first; s < span.end(); ++s) add(s, acts.at(Vec3(subs.position[s])));
     } else {
-        const SideMotion one(model, contacts.block1[c]), two(model, contacts.block2[c]);
-        add_all([&](Row s) {
-            const Vec3 place = subs.position[s];
-            return Vec3(model.clock.time_step * (two.at(subs.side2[s], place) - one.at(subs.side1[s], place)));
-        });
+        each_speed_of_zones(model, c, [&](Row s, const Vec3& speed) { add(s, Vec3(model.clock.time_step * speed)); });
     }
     return work;
 }

@@ -96,8 +96,8 @@ double more_friction(const CarrierStep& c, const Vec3& force) {
 } // namespace
 
 void hold_by_grip(Model& model, Row c, const CarrierClosures& closures, double area) {
-    constexpr double margin =
-        2; // the joint model decides on the rest: closures of curved joints have other forces than straight springs
+    // The joint model decides on the rest: closures of curved joints have other forces than straight springs.
+    constexpr double margin = 2;
     auto& subs = model.sub_contacts;
     const double grip = model.contacts.grip[c], whole = shear_area(model.contacts, c) / carriers;
     const Row first = model.contacts.sub_contacts[c].first;

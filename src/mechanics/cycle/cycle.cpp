@@ -174,7 +174,7 @@ void Cycle::advance() {
     model_.clock.time += model_.clock.time_step;
     ++model_.clock.cycle;
     const ContactChange change = refresh_contacts();
-    if (counts_water()) sums.joints.fluid += 0.5 * fluid_work(model_, StepPlaces::end);
+    if (counts_water()) sums.fluid += 0.5 * fluid_work(model_, StepPlaces::end);
     gather(sums);
     close_account(sums);
     limit_step(sums, change, may_grow);
@@ -223,10 +223,9 @@ bool Cycle::counts_water() const { return model_.settings.energy && model_.setti
 void Cycle::strain(StepSums& sums) {
     Lists& s = *lists_;
     times_.timed(Phase::joints, [&] {
-        const double fluid = counts_water() ? 0.5 * fluid_work(model_, StepPlaces::start) : 0;
+        if (counts_water()) sums.fluid += 0.5 * fluid_work(model_, StepPlaces::start);
         put_water(model_);
         sums.joints = advance_joints(model_, s.batches, s.joints, s.joint_scratch);
-        sums.joints.fluid = fluid;
     });
     times_.timed(Phase::zones, [&] {
         if (!s.passed) sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);

@@ -24,7 +24,7 @@ double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& 
 }
 
 void keep_account(Model& model, const StepSums& step) {
-    const auto& [prescribed, motion, joints, zones, structure_work, inner_power] = step;
+    const auto& [prescribed, motion, joints, zones, fluid, structure_work, inner_power] = step;
     Energy& energy = model.energy;
     // The energy of velocities set from outside since the last step is added to the initial energy of the account.
     energy.start += motion.kinetic_before - prescribed.kinetic - energy.kinetic;
@@ -41,7 +41,7 @@ void keep_account(Model& model, const StepSums& step) {
     if (std::abs(power_set) > rounding_of_sums * motion.inner_power_size)
         (opens ? energy.start : energy.boundary) += half_step_before * power_set;
     energy.gravity += prescribed.gravity + motion.gravity;
-    energy.boundary += prescribed.boundary + motion.boundary + joints.fluid;
+    energy.boundary += prescribed.boundary + motion.boundary + fluid;
     energy.damped += motion.damped + joints.damped + zones.damped;
     energy.joint_work += joints.work;
     energy.joint_friction += joints.friction;
