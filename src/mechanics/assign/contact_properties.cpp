@@ -9,6 +9,7 @@
 #include "mechanics/contact/take_over.hpp"
 #include "mechanics/ties/ties.hpp"
 #include "model/edit/bounded.hpp"
+#include "model/structures/structures.hpp"
 #include "system/memory.hpp"
 
 #include <algorithm>
@@ -58,7 +59,8 @@ bool are_all_joints(const Model& model, const std::vector<Row>& contacts) {
 void find_contacts(Model& model, JointRegistry& joints) {
     if (!model.stale.contacts()) return;
     require_bounded(model);
-    make_ties(model); // tied blocks have no contact
+    place_structures(model); // in the blocks that are there now
+    make_ties(model);        // tied blocks have no contact
     model.tables([](const char*, auto& table) { table.trim(); });
     ContactSearch{}.search(model, joints, false);
     give_back_memory(); // the search needs much temporary memory, and columns allocated meanwhile follow it on the heap

@@ -10,7 +10,8 @@
 
 namespace kaya {
 
-/// Updates the contacts of a changed model; needs no densities. New contacts get the default joint model and material of the settings.
+/// Updates the contacts of a changed model, and the places of its structures in the blocks; needs no densities. New contacts get the default
+/// joint model and material of the settings.
 void find_contacts(Model& model, JointRegistry& joints);
 
 /// `jmodel model NAME` on contact rows: a property set per jmat number, filled from `prop jmat`.

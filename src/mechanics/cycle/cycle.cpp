@@ -87,7 +87,6 @@ void Cycle::bring_up_to_date() const { lists_->zones.cells.give_back(model_, lis
 void Cycle::prepare() {
     Lists& s = *lists_;
     if (model_.stale.any()) bring_up_to_date();
-    if (model_.stale.contacts()) place_structures(model_);
     find_contacts(model_, joints_);
     if (model_.stale.properties()) {
         check_properties(model_, joints_);

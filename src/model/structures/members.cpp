@@ -71,14 +71,16 @@ Vec3 face_normal_at(const Model& model, const BlockFinder& finder, Row block, co
     const auto& faces = model.blocks.faces[block];
     for (Row face = faces.first; face < faces.end(); ++face) {
         if (distance_to(model, ObjectKind::face, face, place) > on_face) continue;
+        const Vec3 normal = face_area_vector(model, face).normalized();
         const Span triangles = model.faces.triangles[face];
+        // In front of the face by more than the tolerance, so that neighbours in its plane do not cover it.
         const auto covered = [&](const Vec3& centre) {
-            return finder.other_at(place + 0.01 * (centre - place), block, on_face);
+            return finder.other_at(place + 0.01 * (centre - place) + 2 * on_face * normal, block, on_face);
         };
         bool exposed = false;
         for (Row t = triangles.first; t < triangles.end() && !exposed; ++t)
             exposed = !covered(triangle_centroid(model, t));
-        if (exposed) sum += face_area_vector(model, face).normalized();
+        if (exposed) sum += normal;
     }
     return sum.norm() > 1e-6 ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());
 }
