@@ -103,6 +103,7 @@ void Cycle::prepare() {
         s.members = MemberLists(model_);
         if (!model_.stale.properties()) take_zone_laws();
         s.step.forget(); // properties may have changed
+        if (model_.stale.properties()) put_water(model_);
         make_lists();
         if (!model_.stale.properties())
             s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
@@ -155,7 +156,6 @@ void Cycle::make_lists() {
     s.step.take(model_, s.batches);
     note_curved(model_, s.batches);
     s.boundary_histories = list_boundary_histories(model_);
-    put_water(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.laws, s.zone_forces);
     s.pass = {};
@@ -244,6 +244,7 @@ ContactChange Cycle::refresh_contacts() {
         // A new contact may have its own joint material.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
         if (model_.stale.lists()) {
+            put_water(model_);
             make_lists();
             use_large_pages();
         } else {
