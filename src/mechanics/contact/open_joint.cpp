@@ -330,11 +330,13 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
     const double deep = -subs.normal_displacement[first],
                  stress = subs.area[first] > 0 ? subs.normal_force[first] / subs.area[first] : 0,
                  power = curved ? power_at({deep, stress}, subs.normal_stiffness[first]) : 1;
+    // Over the deepest closure, since a power of a small length may be 0.
+    double deepest = 0, whole = 0;
+    for (const auto& point : draft.points) deepest = std::max(deepest, closure(point));
     const auto share = [&](const ContactPoint& p) {
-        const double closed = std::max(0.0, closure(p));
+        const double closed = deepest > 0 ? std::max(0.0, closure(p)) / deepest : 0;
         return p.area * (curved ? std::pow(closed, power) : closed);
     };
-    double whole = 0;
     for (const auto& point : draft.points) whole += share(point);
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
         const ContactPoint& point = draft.points[i];
