@@ -48,6 +48,16 @@ namespace {
 /// Cycles between two checks of all bodies while stiffnesses change slowly.
 constexpr std::int64_t follow_interval = 10;
 
+/// Whether nothing has a velocity: then no step has led to the present one.
+bool at_rest(const Model& model) {
+    const auto none = [](const auto& column) {
+        return std::ranges::all_of(column, [](const Vec3& v) { return v.isZero(0); });
+    };
+    const auto& nodes = model.structures.member_nodes;
+    return none(model.blocks.velocity) && none(model.blocks.rotational_velocity) && none(model.gridpoints.velocity) &&
+           none(nodes.velocity) && none(nodes.spin);
+}
+
 } // namespace
 
 /// Derived data, never saved.
@@ -118,8 +128,9 @@ void Cycle::prepare() {
         // Computes the present forces, from which the first step starts.
         gather_forces(model_, s.point_forces, s.members);
         model_.clock.time_step = 0;
-        model_.clock.last_step = 0; // changes made by a command act from here on
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
+        // What a command has changed acts from here on, and not for longer before than after.
+        model_.clock.last_step = at_rest(model_) ? 0 : std::min(model_.clock.last_step, model_.clock.time_step);
         model_.stale.properties_computed();
     }
 }

@@ -43,7 +43,7 @@ void fill(const Model& model, const std::vector<std::int32_t>& functions, double
 }
 
 /// The effect of a velocity jump on the energy account. The phase that moves the body uses the new velocity on both sides of the step, so
-/// the work of every force is off by half a jump; this is corrected here.
+/// the work of every force is off by the jump in half of the step before; this is corrected here.
 struct Jump {
     double mass;
     double force; ///< of joints and zones, of one component
@@ -70,7 +70,7 @@ void spin_block(Model& model, Row b, int axis, double value, HistorySums& sums) 
     const double gain = 0.5 * spin.dot(momentum) - before;
     sums.kinetic += gain;
     sums.inner_power += jump * model.blocks.moment[b][axis];
-    sums.boundary += gain + 0.5 * jump * model.blocks.moment[b][axis] * model.clock.kick();
+    sums.boundary += gain + 0.5 * jump * model.blocks.moment[b][axis] * model.energy.step_before(model.clock.time_step);
 }
 
 void move_block(Model& model, Row b, int component, double value, HistorySums& sums) {
@@ -78,7 +78,7 @@ void move_block(Model& model, Row b, int component, double value, HistorySums& s
     if (component >= 3) return spin_block(model, b, component - 3, value, sums);
     const double weight = blocks.mass[b] * model.settings.gravity[component];
     const Jump jump{blocks.inertial_mass[b], blocks.force[b][component], weight};
-    jump.set(blocks.velocity[b][component], value, model.clock.kick(), sums);
+    jump.set(blocks.velocity[b][component], value, model.energy.step_before(model.clock.time_step), sums);
 }
 
 void move_gridpoint(Model& model, Row g, int component, double value, HistorySums& sums) {
@@ -86,7 +86,7 @@ void move_gridpoint(Model& model, Row g, int component, double value, HistorySum
     if (!(points.fixed[g] & (1 << component))) return;
     const double weight = points.mass[g] * model.settings.gravity[component];
     const Jump jump{points.inertial_mass[g], points.force[g][component], weight};
-    jump.set(points.velocity[g][component], value, model.clock.kick(), sums);
+    jump.set(points.velocity[g][component], value, model.energy.step_before(model.clock.time_step), sums);
 }
 
 } // namespace

@@ -27,6 +27,14 @@ local laws = {
     { name = "barton-bandis", more = "resfriction=%g jrco=8 jcso=100e6 sigmac=150e6 nj=0.8 lo=0.1 ln=0.2 mpa=1e6" },
 }
 
+-- Lines that give a random joint model, that of Coulomb in two of five, to all joints or to those of a range.
+function rock.law(draw, range)
+    local law = draw() < 0.4 and { name = "mohr", more = "fric=%g" } or laws[1 + math.floor(#laws * 0.999999 * draw())]
+    local kn = 10 ^ (8 + 3 * draw())
+    local values = ("jkn=%.5g jks=%.5g "):format(kn, kn * (0.2 + 0.8 * draw())) .. law.more:format(10 + 40 * draw())
+    return ("jmodel model %s%s\njmodel %s%s"):format(law.name, range, values, range)
+end
+
 -- Coulomb joints in rocks of odd numbers, the other joint models that ship in the others.
 function rock.joints(number, draw)
     local kn = 10 ^ (8 + 3 * draw())
