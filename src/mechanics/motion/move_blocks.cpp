@@ -197,7 +197,9 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     Vec3 velocity = Vec3::Zero(), spin = blocks.rotational_velocity[first];
     Vec3 force = Vec3::Zero(), load = Vec3::Zero(), moment = Vec3::Zero(), torque = Vec3::Zero();
     Mat3 arms = Mat3::Zero();
+    bool rests = true;
     for (const Row b : members) {
+        rests = rests && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0);
         // A component held on one block is held on all; the first held block gives the velocity.
         for (int k = 0; k < 3; ++k) {
             if ((blocks.fixed[b] & ~fixed) & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
@@ -218,7 +220,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
                 velocity[k] = blocks.velocity[b][k];
                 break;
             }
-    if (fixed == fix_all && velocity.isZero(0) && spin.isZero(0)) return;
+    if (fixed == fix_all && rests) return;
 
     const Roller roller = roller_of_body(model, members);
     const Quaternion before = blocks.orientation[first];
