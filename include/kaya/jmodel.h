@@ -86,6 +86,9 @@ typedef enum kaya_jrole {
         14 /* strength-factor [-]: the model divides its strength by it; no other property is then reduced */
 } kaya_jrole;
 
+/* The cohesion and tension that `solve elastic` gives to joints: nothing reaches them, and no stiffness may follow them. */
+#define KAYA_JMODEL_STRONG 1e30
+
 /* One property, in the order of the values that `run` gets. Only `name` must not be NULL. */
 typedef struct kaya_jproperty {
     const char* name;    /* "stiffness-normal": lower case, words joined by hyphens */

@@ -69,7 +69,8 @@ constexpr auto history =
 PowerSprings springs_of(const double* p) {
     PowerStiffness shear(p[stiffness_shear], p[exponent_shear], p[ks_minimum], p[ks_maximum]);
     // A bond that no normal stress acts on must resist shear with some stiffness, too.
-    if (std::isnan(p[ks_minimum]) && shear.exponent > 0 && p[cohesion] > 0)
+    const bool bonded = p[cohesion] > 0 && p[cohesion] < KAYA_JMODEL_STRONG;
+    if (std::isnan(p[ks_minimum]) && shear.exponent > 0 && bonded)
         shear.least = std::min(shear.at(p[cohesion]), shear.greatest);
     return {PowerSpring({p[stiffness_normal], p[exponent_normal], p[kn_minimum], p[kn_maximum]}), shear};
 }

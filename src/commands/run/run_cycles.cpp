@@ -409,13 +409,12 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
 ElasticJoints::ElasticJoints(Session& session) : session_(session) {
     session.autosave->hold(true);
     for (const auto& set : session.engine.model.joint_properties) true_values_.push_back(set.values);
-    constexpr double strong = 1e30;
     for (const Row row : property_sets_in_use(session.engine.model)) {
         auto& set = session.engine.model.joint_properties[row];
         const JointModel& model = session.engine.joints.get(set.model);
         for (const kaya_jrole role : {KAYA_JROLE_COHESION, KAYA_JROLE_TENSION})
             if (const auto index = find_role(model, role)) {
-                set.values[*index] = strong;
+                set.values[*index] = KAYA_JMODEL_STRONG;
                 strengthened_ = true;
             }
     }
