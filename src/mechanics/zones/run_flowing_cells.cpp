@@ -3,6 +3,7 @@
 #include "mechanics/contact/dashpots.hpp"
 #include "mechanics/zones/cell_forces.hpp"
 #include "mechanics/zones/staged_zones.hpp"
+#include "mechanics/zones/viscous_stress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -347,9 +348,10 @@ private:
     [[gnu::noinline]] void damp(const Place& at, const FlowGroup& g, const SixZones& after, MadeStress& now) {
         Zones& zones = model_.zones;
         const SixZones last = load_zones(zones.dashpot, at.zone, at.cells);
-        SixZones viscous = difference(after, g.before);
-        for (SixEights& zone : viscous)
-            for (Eight& s : zone) s *= damping_;
+        SixZones viscous;
+        for (Row z = 0; z < zones_of_cell; ++z)
+            viscous[z] = viscous_stress(difference(after[z], g.before[z]), rows_of(batch_.strain, at, z), law_.elastic,
+                                        damping_);
         store_zones(zones.dashpot, at.zone, at.cells, viscous);
         WarpStress fibres;
         load_warps(zones.warp_dashpot, at.zone, at.cells, fibres);

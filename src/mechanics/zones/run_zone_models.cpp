@@ -7,6 +7,7 @@
 #include "mechanics/zones/run_zone_models.hpp"
 #include "mechanics/zones/shared_faces.hpp"
 #include "mechanics/zones/tile_rows.hpp"
+#include "mechanics/zones/viscous_stress.hpp"
 #include "mechanics/zones/zone_columns.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 #include "model/measure/water.hpp"
@@ -135,18 +136,22 @@ private:
 
     /// Adds viscous stresses. Returns the work they dissipate.
     double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
-        double whole = 0;
-        for (Row i = 0; i < count; ++i) {
-            Stress& dashpot = model_.zones.dashpot[first + i];
-            double work = 0;
-            for (int k = 0; k < 6; ++k) {
-                const double after = damping * (columns.stress[k][i] - columns.before[k][i]);
-                work += (k < 3 ? 1 : 2) * (dashpot[k] + after) * columns.strain[k][i];
-                dashpot[k] = after;
+        Lanes whole = Lanes{};
+        for (Row i = 0; i < count; i += eight) {
+            const Row rows = std::min<Row>(count - i, eight);
+            SixEights change, strain;
+            for (std::size_t k = 0; k < 6; ++k) {
+                change[k] = ZoneColumns::at(columns.stress[k] + i) - ZoneColumns::at(columns.before[k] + i);
+                strain[k] = ZoneColumns::at(columns.strain[k] + i);
             }
-            whole += 0.5 * columns.volume[i] * work;
+            const SixEights last = load_stresses(model_.zones.dashpot, first + i, rows),
+                            now = viscous_stress(change, strain, law_.elastic, damping);
+            store_stresses(model_.zones.dashpot, first + i, rows, now);
+            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * product(sum(last, now), strain);
+            for (Row l = rows; l < eight; ++l) energy[l] = 0;
+            add_to(whole, energy);
         }
-        return whole;
+        return sum(whole);
     }
 
     /// Forces of the stresses of the zones and of their dashpots.
