@@ -1,6 +1,5 @@
 #include "mechanics/contact/dashpots.hpp"
 
-#include "mechanics/contact/contact_stiffness.hpp"
 #include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/contact/contact_work.hpp"
 
@@ -29,7 +28,7 @@ void drop_idle_dashpots(Model& model) {
     std::ranges::fill(model.ties.dashpot, Vec3::Zero());
 }
 
-Beta beta_of(const Model& model, Row c) {
+Beta beta_of(const Model& model, Row c, const std::vector<Springs>* foreseen) {
     const double rayleigh = stiffness_damping(model.settings);
     Beta beta{rayleigh, rayleigh};
     const double fraction = model.settings.contact_damping;
@@ -41,7 +40,8 @@ Beta beta_of(const Model& model, Row c) {
     double normal = 0, shear = 0;
     const NormalAreaFactor factor(model, c);
     for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
-        const Springs k = springs_of(model.sub_contacts, s, factor);
+        const Springs k =
+            foreseen ? (*foreseen)[static_cast<std::size_t>(s)] : springs_of(model.sub_contacts, s, factor);
         normal += k.normal;
         shear += k.shear;
     }
