@@ -113,8 +113,7 @@ void Cycle::prepare() {
         s.members = MemberLists(model_);
         if (!model_.stale.properties()) take_zone_laws();
         s.step.forget(); // properties may have changed
-        if (model_.stale.properties()) put_water(model_);
-        make_lists();
+        make_lists(model_.stale.properties() ? Since::changed : Since::restored);
         if (!model_.stale.properties())
             s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
         s.quiet = quiet_points(model_, s.elastic);
@@ -158,14 +157,17 @@ void Cycle::take_zone_laws() {
     s.step.take(s.elastic);
 }
 
-void Cycle::make_lists() {
+void Cycle::make_lists(Since since) {
     Lists& s = *lists_;
     bring_up_to_date();
     order_sub_contacts(model_);
     s.adjacency = make_adjacency(model_);
     s.batches = make_batches(model_, joints_);
     s.step.take(model_, s.batches);
-    note_curved(model_, s.batches);
+    if (since == Since::changed) {
+        note_curved(model_, s.batches);
+        put_water(model_);
+    }
     s.boundary_histories = list_boundary_histories(model_);
     joint_forces(model_, s.joints);
     zone_forces(model_, s.laws, s.zone_forces);
@@ -255,8 +257,7 @@ ContactChange Cycle::refresh_contacts() {
         // A new contact may have its own joint material.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
         if (model_.stale.lists()) {
-            put_water(model_);
-            make_lists();
+            make_lists(Since::changed);
             use_large_pages();
         } else {
             joint_forces_of_new(model_, s.joints);

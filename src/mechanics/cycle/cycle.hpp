@@ -58,7 +58,9 @@ public:
 private:
     struct Lists;
 
-    void make_lists();
+    /// What made the lists stale. A restored model keeps all that its last step has left.
+    enum class Since { restored, changed };
+    void make_lists(Since since);
     void use_large_pages();
     void take_zone_laws();
 
