@@ -33,7 +33,7 @@ void keep_account(Model& model, const StepSums& step) {
     const double power_set = motion.inner_power - prescribed.inner_power - energy.inner_power;
     const double half_step = 0.5 * model.clock.time_step;
     const bool opens = energy.lag == 0; // the half step before is unknown
-    const double half_step_before = 0.5 * energy.step_before(model.clock.time_step);
+    const double half_step_before = 0.5 * energy.step_before(model.clock.step_before());
     energy.inner_power = inner_power;
     energy.lag = half_step;
     if (!model.settings.energy) return;
@@ -52,7 +52,7 @@ void keep_account(Model& model, const StepSums& step) {
     if (!(clock.last_step > 0)) return;
     energy.step_made -= 0.25 * (clock.time_step - clock.last_step) * motion.inner_power_gain;
     // After a command that shortens the step forces act for less than half of the step before.
-    if (!opens) energy.step_made -= (half_step_before - 0.5 * clock.last_step) * motion.inner_power;
+    energy.step_made -= (half_step_before - 0.5 * clock.last_step) * motion.inner_power;
 }
 
 } // namespace kaya

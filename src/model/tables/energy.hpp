@@ -25,8 +25,8 @@ struct Energy {
     double supplied() const { return start + gravity + boundary + step_made; }
     double accounted() const { return kinetic + joint_work + zone_work + structure_work + damped; }
     /// Residual of the account. Joints and zones have completed the last step, bodies are at its middle.
-    /// The length of the step before this one of length `step`; the same if there was none.
-    double step_before(double step) const { return lag > 0 ? 2 * lag : step; }
+    /// The length of the step before, whose second half is not in the account yet; `otherwise` if the account starts.
+    double step_before(double otherwise) const { return lag > 0 ? 2 * lag : otherwise; }
     double error() const { return supplied() - accounted() - inner_power * lag; }
 };
 

@@ -70,8 +70,10 @@ struct Clock {
     double factor_of_safety = 0;                                  ///< of the last `solve fos`; 0: none yet
     double peak_load = 0, peak_displacement = 0; ///< of the last `solve control`; 0: no row at rest yet
 
+    /// The length of the step before this one; velocities of a start belong to the middle of a step as long as this one.
+    double step_before() const { return last_step > 0 ? last_step : time_step; }
     /// From the middle of the last step, the time of the velocities, to the middle of this one: the time during which forces act.
-    double kick() const { return last_step > 0 ? 0.5 * (last_step + time_step) : time_step; }
+    double kick() const { return 0.5 * (step_before() + time_step); }
 };
 
 } // namespace kaya
