@@ -69,6 +69,12 @@ public:
         if (held) add_held(block, reaction, weight);
     }
 
+    /// Beams and liners: all that holds them is rock.
+    void add_structures() {
+        for (const double mass : model_.structures.member_nodes.mass)
+            add_body(mass * model_.settings.gravity, Vec3::Zero());
+    }
+
     Reactions result() {
         for (auto& [group, reaction] : groups_) result_.groups.push_back(reaction);
         result_.unbalanced = result_.reaction + result_.weight + result_.load;
@@ -124,6 +130,7 @@ Reactions reactions_of(const Model& model, const std::function<bool(Row)>& picke
         if (model.blocks.deformable[b]) sum.add_zoned(b);
         else if (!in_body[b]) sum.add_rigid({&b, 1});
     }
+    sum.add_structures();
     return sum.result();
 }
 

@@ -20,7 +20,7 @@ struct Reaction {
 struct Reactions {
     std::vector<Reaction> groups;
     Vec3 reaction = Vec3::Zero();   ///< of all supports
-    Vec3 weight = Vec3::Zero();     ///< of all bodies
+    Vec3 weight = Vec3::Zero();     ///< of all bodies, beams and liners
     Vec3 load = Vec3::Zero();       ///< on all bodies
     Vec3 unbalanced = Vec3::Zero(); ///< sum of reactions, weights and loads: what moves the free bodies
 };
