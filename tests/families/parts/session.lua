@@ -62,7 +62,7 @@ local commands = {
     function(draw, at) return one(draw, { "delete", "excavate" }) .. sphere(draw, at, 2.5) end,
     function(draw, at) return "join" .. sphere(draw, at, 3) end,
     function(draw, at) return ("jset dip %.4g dd %.4g origin %.17g %.17g %.17g"):format(90 * draw(), 360 * draw(), at.x + 5, at.y + 5, at.z + 6) end,
-    function(draw, at) return ("gen edge %.3g range x %.17g %.17g"):format(between(draw, 2, 4), at.x, at.x + between(draw, 3, 10)) end,
+    function(draw) return ("gen edge %.3g"):format(between(draw, 2, 4)) end, -- of all: joined blocks have zones together
     function(draw) return "zone nmd " .. one(draw, { "on", "off" }) end,
     function(draw) return "set small " .. one(draw, { "on", "off" }) end,
     function(draw) return "set dyn " .. one(draw, { "on", "off" }) end,
@@ -73,7 +73,11 @@ local commands = {
     function() return "structure property 1 area 2e-3" end,
     function() return "reset disp jdisp" end,
     function() return "list contacts" end,
-    function() return "solve ratio 1e-3 cycles 100" end,
+    function(draw) return ("solve %sratio 1e-3 cycles 100"):format(one(draw, { "", "elastic " })) end,
+    function(draw, at)
+        local disc = "fracture create position %.6g %.6g %.6g dip %.4g dip-direction %.4g size %.3g dfn a"
+        return disc:format(at.x + 5, at.y + 5, at.z + 6, 90 * draw(), 360 * draw(), between(draw, 3, 9)) .. "\ncut dfn a limited"
+    end,
 }
 
 -- One or two of them.
