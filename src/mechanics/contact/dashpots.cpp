@@ -1,5 +1,6 @@
 #include "mechanics/contact/dashpots.hpp"
 
+#include "mechanics/contact/contact_stiffness.hpp"
 #include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/contact/contact_work.hpp"
 
@@ -28,7 +29,7 @@ void drop_idle_dashpots(Model& model) {
     std::ranges::fill(model.ties.dashpot, Vec3::Zero());
 }
 
-Beta beta_of(const Model& model, Row c, const std::vector<Springs>* foreseen) {
+Beta beta_of(const Model& model, Row c) {
     const double rayleigh = stiffness_damping(model.settings);
     Beta beta{rayleigh, rayleigh};
     const double fraction = model.settings.contact_damping;
@@ -40,13 +41,13 @@ Beta beta_of(const Model& model, Row c, const std::vector<Springs>* foreseen) {
     double normal = 0, shear = 0;
     const NormalAreaFactor factor(model, c);
     for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
-        const Springs k =
-            foreseen ? (*foreseen)[static_cast<std::size_t>(s)] : springs_of(model.sub_contacts, s, factor);
+        const Springs k = springs_of(model.sub_contacts, s, factor);
         normal += k.normal;
         shear += k.shear;
     }
     if (normal > 0) beta.normal += 2 * fraction / std::sqrt(normal * inverse);
-    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(shear * inverse);
+    // The multiple of a shear spring that vanishes with the normal force is that of a thousandth of the normal one.
+    if (shear > 0) beta.shear += 2 * fraction / std::sqrt(std::max(shear, 1e-3 * normal) * inverse);
     return beta;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mechanics/contact/batches.hpp"
-#include "mechanics/contact/contact_stiffness.hpp"
 #include "model/tables/model.hpp"
 #include "model/measure/rayleigh.hpp"
 
@@ -23,8 +22,8 @@ struct Beta {
     double normal = 0, shear = 0;
 };
 
-/// From the settings and the contact's own dashpots; with inertial masses, and present springs or those foreseen by sub-contact.
-Beta beta_of(const Model& model, Row contact, const std::vector<Springs>* foreseen = nullptr);
+/// From the settings and the contact's own dashpots; with present stiffness and inertial masses.
+Beta beta_of(const Model& model, Row contact);
 
 /// Dashpots of one batch in one step. Constructed when the increments are known, before the joint model runs; finish() is called after it.
 class BatchDashpots {

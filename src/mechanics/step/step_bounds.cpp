@@ -362,7 +362,7 @@ void StepBounds::find_resistances(const Model& model, const Adjacency& adjacency
     if (damped_) {
         beta_.resize(contacts.size());
         for_rows(contacts.size(), [&](Row c) {
-            if (near_[contacts.block1[c]] || near_[contacts.block2[c]]) beta_[c] = beta_of(model, c, foreseen);
+            if (near_[contacts.block1[c]] || near_[contacts.block2[c]]) beta_[c] = beta_of(model, c);
         });
     }
     find_matrices(model);
