@@ -98,7 +98,8 @@ void Cycle::prepare() {
     Lists& s = *lists_;
     if (model_.stale.any()) bring_up_to_date();
     find_contacts(model_, joints_);
-    if (model_.stale.properties()) {
+    const bool changed = model_.stale.properties(); // else restored: all is known
+    if (changed) {
         check_properties(model_, joints_);
         compute_masses(model_);
         take_zone_laws();
@@ -107,21 +108,20 @@ void Cycle::prepare() {
         zone_frequencies(model_, s.laws);
         add_tie_frequencies(model_, s.ties);
     }
-    if (model_.stale.lists() || model_.stale.properties()) {
+    if (changed || model_.stale.lists()) {
         take_structure_properties(model_);
-        if (model_.stale.properties()) compute_member_masses(model_);
+        if (changed) compute_member_masses(model_);
         s.members = MemberLists(model_);
-        if (!model_.stale.properties()) take_zone_laws();
+        if (!changed) take_zone_laws();
         s.step.forget(); // properties may have changed
-        make_lists(model_.stale.properties() ? Since::changed : Since::restored);
-        if (!model_.stale.properties())
-            s.joints.stiffness_changed.assign(model_.contacts.size(), 0); // restored: all is known
+        make_lists(changed ? Since::changed : Since::restored);
+        if (!changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0);
         s.quiet = quiet_points(model_, s.elastic);
         s.search = ContactSearch{}; // blocks may have changed
         model_.stale.lists_made();
         use_large_pages();
     }
-    if (model_.stale.properties()) {
+    if (changed) {
         apply_load_histories(model_, s.boundary_histories, hooks);
         if (model_.structures.stand()) model_.energy.structure_work += run_structures(0);
         // Computes the present forces, from which the first step starts.
