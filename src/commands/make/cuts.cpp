@@ -378,7 +378,7 @@ void run(Session& session, const lang::CutFractures& command) {
 }
 
 void run(Session& session, const lang::Densify& command) {
-    const std::vector<Row> rows = rigid_blocks(session, session.pick(ObjectKind::block, command.range), command.place);
+    const auto [rows, shapes, thinnest] = to_be_cut(session, command);
     if (rows.empty()) return;
     constexpr double most_pieces = 5e6;
     std::array<int, 3> parts{};
@@ -393,8 +393,8 @@ void run(Session& session, const lang::Densify& command) {
             .at(command.place);
     try {
         LongWork work(session, "densify");
-        const CutBlocks cut = densify(shapes_of(session.engine.model, rows), parts, 0, std::ref(work));
-        const std::vector<Row> pieces = apply(session, rows, cut, 0, "densify");
+        const CutBlocks cut = densify(shapes, parts, 0, thinnest, std::ref(work));
+        const std::vector<Row> pieces = apply(session, rows, cut, thinnest, "densify");
         if (command.join) join_pieces(session.engine.model, cut, pieces);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);

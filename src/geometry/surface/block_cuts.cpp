@@ -172,7 +172,7 @@ SidedBlocks cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutlin
     return result;
 }
 
-CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id,
+CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id, double thinnest,
                   const ProgressCallback& progress) {
     for (const int n : parts)
         if (n < 1) throw Diagnostic(fmt::format("a block cannot be cut into {} parts", n), "give 1 or more");
@@ -188,7 +188,7 @@ CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3
                 planes.push_back(plane);
             }
         const ProgressCallback of_block = [&](double done) { report_progress(progress, block, blocks.size(), done); };
-        cut_outside(pieces, planes, id, 0, result.slivers, of_block);
+        cut_outside(pieces, planes, id, thinnest, result.slivers, of_block);
         if (pieces.size() == 1) continue;
         result.parents.push_back(static_cast<int>(block));
         for (Piece& piece : pieces) result.pieces.push_back({std::move(piece.polyhedron), static_cast<int>(block)});

@@ -26,10 +26,10 @@ std::vector<std::vector<Vec3>> sections_along(const std::vector<Vec3>& section, 
 SidedBlocks cut_tunnel(const std::vector<Polyhedron>& blocks, const TunnelOutline& outline, double thinnest = 0,
                        const ProgressCallback& progress = {});
 
-/// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box.
+/// Cuts each block into n[0] x n[1] x n[2] parts of equal width along x, y and z of its own box; no piece is thinner than `thinnest`.
 /// Throws Diagnostic when a number is below 1.
 CutBlocks densify(const std::vector<Polyhedron>& blocks, const std::array<int, 3>& parts, int id = 0,
-                  const ProgressCallback& progress = {});
+                  double thinnest = 0, const ProgressCallback& progress = {});
 
 /// A polygon and its plane.
 struct CuttingPolygon {
