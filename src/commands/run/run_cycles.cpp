@@ -403,6 +403,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
         if (end.why.empty()) end = stops(progress.seconds());
     }
     progress.finish();
+    warn_of_fast_spin(session);
     return end;
 }
 

@@ -1,6 +1,7 @@
 #include "commands/run/time_step.hpp"
 
 #include "base/diagnostic.hpp"
+#include "commands/monitors/rest_monitor.hpp"
 #include "commands/program/text_table.hpp"
 #include "mechanics/step/step_bounds.hpp"
 #include "model/measure/time_step_fraction.hpp"
@@ -117,6 +118,26 @@ void warn_of_long_step(Session& session) {
         "shows that it is not");
     d.add(session.engine.cycle->time_step_report());
     session.warn(d);
+}
+
+void warn_of_fast_spin(Session& session) {
+    constexpr double resolved = 0.5; // radians, below which energy is kept to a thousandth
+    if (session.program.said_once.contains("fast spin")) return;
+    const Model& model = session.engine.model;
+    const auto& blocks = model.blocks;
+    Row fastest = no_row;
+    double most = resolved;
+    for (Row b = 0; b < static_cast<Row>(blocks.size()); ++b) {
+        if (blocks.deformable[b] || (blocks.fixed[b] & (fix_rx | fix_ry | fix_rz)) != 0) continue;
+        const double turn = blocks.rotational_velocity[b].norm() * model.clock.time_step;
+        if (turn > most) most = turn, fastest = b;
+    }
+    if (fastest == no_row) return;
+    session.program.said_once.insert("fast spin");
+    session.warn(Diagnostic(
+        fmt::format("{} turns by {:.3g} radians in a time step: its motion and its energy are not exact",
+                    body_text(model, {fastest}), most),
+        "a small block with a large load or moment spins like that: change its load, delete it, or give a lower `fraction`"));
 }
 
 void note_counted_cycles(Session& session) {

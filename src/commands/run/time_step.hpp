@@ -10,6 +10,9 @@ namespace kaya {
 /// Warns, once in a session, when the step of the deck exceeds the stable bound. The model must be prepared.
 void warn_of_long_step(Session& session);
 
+/// Warns, once in a session, about a free block that turns by so much in a step that its motion is not resolved.
+void warn_of_fast_spin(Session& session);
+
 /// Notes once that cycles are counted while a boundary moves at a velocity given by the deck.
 void note_counted_cycles(Session& session);
 
