@@ -128,7 +128,7 @@ void Cycle::prepare() {
         gather_forces(model_, s.point_forces, s.members);
         model_.clock.time_step = 0;
         s.step.limit(model_, s.adjacency, s.joints.stiffness_changed, TimeStep::Bodies::all_and_grow);
-        // What a command has changed acts from here on, and not for longer before than after.
+        // The present forces also act in the last half step, which counts as no longer than the next one: they may be new.
         model_.clock.last_step = at_rest(model_) ? 0 : std::min(model_.clock.last_step, model_.clock.time_step);
         model_.stale.properties_computed();
     }

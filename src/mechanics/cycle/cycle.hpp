@@ -58,7 +58,7 @@ public:
 private:
     struct Lists;
 
-    /// What made the lists stale. A restored model keeps all that its last step has left.
+    /// Why lists are made again. After a restore the columns of contacts keep their values.
     enum class Since { restored, changed };
     void make_lists(Since since);
     void use_large_pages();

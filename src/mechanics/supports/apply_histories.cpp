@@ -60,6 +60,8 @@ struct Jump {
     }
 };
 
+double step_before(const Model& model) { return model.energy.step_before(model.clock.step_before()); }
+
 void spin_block(Model& model, Row b, int axis, double value, HistorySums& sums) {
     Vec3& spin = model.blocks.rotational_velocity[b];
     Vec3& momentum = model.blocks.angular_momentum[b];
@@ -70,8 +72,7 @@ void spin_block(Model& model, Row b, int axis, double value, HistorySums& sums) 
     const double gain = 0.5 * spin.dot(momentum) - before;
     sums.kinetic += gain;
     sums.inner_power += jump * model.blocks.moment[b][axis];
-    sums.boundary +=
-        gain + 0.5 * jump * model.blocks.moment[b][axis] * model.energy.step_before(model.clock.step_before());
+    sums.boundary += gain + 0.5 * jump * model.blocks.moment[b][axis] * step_before(model);
 }
 
 void move_block(Model& model, Row b, int component, double value, HistorySums& sums) {
@@ -79,7 +80,7 @@ void move_block(Model& model, Row b, int component, double value, HistorySums& s
     if (component >= 3) return spin_block(model, b, component - 3, value, sums);
     const double weight = blocks.mass[b] * model.settings.gravity[component];
     const Jump jump{blocks.inertial_mass[b], blocks.force[b][component], weight};
-    jump.set(blocks.velocity[b][component], value, model.energy.step_before(model.clock.step_before()), sums);
+    jump.set(blocks.velocity[b][component], value, step_before(model), sums);
 }
 
 void move_gridpoint(Model& model, Row g, int component, double value, HistorySums& sums) {
@@ -87,7 +88,7 @@ void move_gridpoint(Model& model, Row g, int component, double value, HistorySum
     if (!(points.fixed[g] & (1 << component))) return;
     const double weight = points.mass[g] * model.settings.gravity[component];
     const Jump jump{points.inertial_mass[g], points.force[g][component], weight};
-    jump.set(points.velocity[g][component], value, model.energy.step_before(model.clock.step_before()), sums);
+    jump.set(points.velocity[g][component], value, step_before(model), sums);
 }
 
 } // namespace

@@ -24,9 +24,9 @@ struct Energy {
     double joint_stored() const { return joint_work - joint_friction - joint_lost; }
     double supplied() const { return start + gravity + boundary + step_made; }
     double accounted() const { return kinetic + joint_work + zone_work + structure_work + damped; }
-    /// Residual of the account. Joints and zones have completed the last step, bodies are at its middle.
     /// The length of the step before, whose second half is not in the account yet; `otherwise` if the account starts.
     double step_before(double otherwise) const { return lag > 0 ? 2 * lag : otherwise; }
+    /// Residual of the account. Joints and zones have completed the last step, bodies are at its middle.
     double error() const { return supplied() - accounted() - inner_power * lag; }
 };
 
