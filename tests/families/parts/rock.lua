@@ -31,13 +31,18 @@ local laws = {
     { name = "barton-bandis", more = "resfriction=%g jrco=8 jcso=100e6 sigmac=150e6 nj=0.8 lo=0.1 ln=0.2 mpa=1e6", powers = true },
 }
 
+-- The two lines that give a joint model and its values.
+local function lines(law, kn, ks, angle, range)
+    local values = ("jkn={stiffness %.17g} jks={stiffness %.17g} "):format(kn, ks) .. law.more:format(angle)
+    return ("jmodel model %s%s\njmodel %s%s"):format(law.name, range, values, range)
+end
+
 -- Lines that give a random joint model, that of Coulomb in two of five, to all joints or to those of a range. `powers`: of all models.
 function rock.law(draw, range, powers)
     local law = draw() < 0.4 and { name = "mohr", more = "fric=%g" } or laws[1 + math.floor(#laws * 0.999999 * draw())]
     if law.powers and not powers then law = laws[1] end
     local kn = 10 ^ (8 + 3 * draw())
-    local values = ("jkn={stiffness %.5g} jks={stiffness %.5g} "):format(kn, kn * (0.2 + 0.8 * draw())) .. law.more:format(10 + 40 * draw())
-    return ("jmodel model %s%s\njmodel %s%s"):format(law.name, range, values, range)
+    return lines(law, kn, kn * (0.2 + 0.8 * draw()), 10 + 40 * draw(), range)
 end
 
 -- Coulomb joints in rocks of odd numbers, the other joint models that ship in the others.
@@ -47,7 +52,7 @@ function rock.joints(number, draw)
     require("parts.scene").joints(kn, ks, angle)
     if number % 2 == 1 then return end
     local law = laws[number // 2 % #laws + 1]
-    command(units.text(("jmodel model %s\njmodel jkn=%.17g jks=%.17g %s"):format(law.name, kn, ks, law.more:format(angle)), units.own))
+    command(units.text(lines(law, kn, ks, angle, ""), units.own))
 end
 
 return rock

@@ -144,37 +144,31 @@ function session.play(number, how)
     command "cycle 20"
 end
 
+local energies = { "kinetic_energy", "gravity_work", "boundary_work", "joint_work", "zone_work", "damped_energy", "structure_work" }
+-- Objects, and their vectors with the dimensions.
+local moving = {
+    { blocks, { { "position", "length" }, { "velocity", "velocity" }, { "rotational_velocity", "frequency" } } },
+    { gridpoints, { { "position", "length" }, { "velocity", "velocity" } } },
+    { structure_nodes, { { "position", "length" }, { "velocity", "velocity" } } },
+    { sub_contacts, { { "shear_force_vector", "force" } } },
+}
+
 -- All that motion has changed, to the last bit, in the units of the texts.
 function session.digest(unit)
     unit = unit or units.own
     local bits = {}
     local function add(number, dimension) bits[#bits + 1] = ("%a"):format(number / unit[dimension]) end
-    local function add_vector(v, dimension)
-        add(v.x, dimension)
-        add(v.y, dimension)
-        add(v.z, dimension)
-    end
     add(model.time, "time")
-    for _, name in ipairs { "kinetic_energy", "gravity_work", "boundary_work", "joint_work", "zone_work", "damped_energy", "structure_work" } do
-        add(model[name], "energy")
+    for _, name in ipairs(energies) do add(model[name], "energy") end
+    for _, kind in ipairs(moving) do
+        for object in kind[1]() do
+            for _, field in ipairs(kind[2]) do
+                local v = object[field[1]]
+                for _, axis in ipairs { "x", "y", "z" } do add(v[axis], field[2]) end
+            end
+        end
     end
-    for b in blocks() do
-        add_vector(b.position, "length")
-        add_vector(b.velocity, "velocity")
-        add_vector(b.rotational_velocity, "frequency")
-    end
-    for g in gridpoints() do
-        add_vector(g.position, "length")
-        add_vector(g.velocity, "velocity")
-    end
-    for n in structure_nodes() do
-        add_vector(n.position, "length")
-        add_vector(n.velocity, "velocity")
-    end
-    for s in sub_contacts() do
-        add(s.normal_force, "force")
-        add_vector(s.shear_force_vector, "force")
-    end
+    for s in sub_contacts() do add(s.normal_force, "force") end
     return table.concat(bits, " ")
 end
 
