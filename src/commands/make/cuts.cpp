@@ -115,12 +115,12 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
         Model& model = session.engine.model;
         std::vector<Row> parents;
         for (const int parent : cut.parents) parents.push_back(rows[static_cast<std::size_t>(parent)]);
-        const auto given = given_joints(model, session.engine.joints, parents);
+        const auto whole = whole_joints(model, session.engine.joints, parents);
         pieces = replace_by_pieces(model, rows, cut);
         std::vector<BlockId> origin(model.blocks.id.begin(), model.blocks.id.end());
         for (std::size_t i = 0; i < pieces.size(); ++i)
             origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(cut.pieces[i].parent)]];
-        give_to_pieces(model, session.engine.joints, given, origin);
+        share_joints(model, session.engine.joints, whole, origin);
     }
     session.program.output.say(line);
     return pieces;

@@ -10,7 +10,8 @@ struct MotionSums {
     double damped = 0;                      ///< energy taken out by damping
     double inner_power = 0;                 ///< of the forces of joints and zones at the velocities before the step
     double inner_power_size = 0;            ///< the same with absolute values, to tell it from rounding
-    double inner_power_gain = 0;            ///< by how much it is greater at the velocities after the step
+    double inner_power_gain =
+        0; ///< by how much it is greater at the velocities after the step, with that of loads that turn with a block
 
     void add(const MotionSums& part) {
         kinetic_before += part.kinetic_before;

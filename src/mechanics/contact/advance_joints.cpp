@@ -174,18 +174,6 @@ bool is_pressed(const Model& model, Row c) {
     return false;
 }
 
-/// A dilating joint model adds its dilation to the depth of an overlap, and may report a closed joint between separated blocks.
-/// Re-initialise it without force; otherwise each new contact would be as stiff as the accumulated dilation makes the joint, and the blocks
-/// would keep bouncing.
-void begin_again(Model& model, const Batch& batch, Row c, BatchColumns& made) {
-    Batch rows = batch;
-    const Span span = model.contacts.sub_contacts[c];
-    rows.first = span.first, rows.count = span.count;
-    auto columns = columns_of(model, rows, model.clock.time_step, made);
-    if (const auto failure = initialise_batch(*batch.model, columns, model.sub_contacts.number.data() + rows.first))
-        throw joint_failure(model, rows, *failure);
-}
-
 /// Computes the pair motions of the next eight contacts, if one of them needs them.
 void take_pairs(Model& model, std::span<const Row> contacts, PairMotions& pairs) {
     const auto next = contacts.first(std::min<std::size_t>(eight, contacts.size()));
@@ -249,7 +237,11 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             const bool closed_by_law = model.contacts.depth[c] == 0 && is_pressed(model, c);
             const OverlapEnd end = finish_overlap_contact(model, c, carried[i], scratch.slopes_of(model, i, c), after);
             sums.lost += end.lost;
-            if (closed_by_law) begin_again(model, batch, c, scratch.of_contact);
+            // A dilating joint model adds its dilation to the depth of an overlap, and may report a closed joint between separated blocks. It
+            // begins again without force; otherwise each new contact would be as stiff as the accumulated dilation makes the joint, and the
+            // blocks would keep bouncing.
+            if (closed_by_law)
+                initialise_rows(model, *batch.model, c, model.contacts.sub_contacts[c].count, scratch.of_contact);
             if (end.idle && !closed_by_law) forces.of_contact[c] = forces.moment[c] = Vec3::Zero();
             else sum_contact(model, c, forces);
             note_stiffness(model, c, forces);
@@ -269,6 +261,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             recovered += energy.of_friction;
             sums.returned += energy.of_account;
             add_change(energy.over_step, after, sums);
+            initialise_rows(model, *batch.model, c, model.contacts.sub_contacts[c].count, scratch.of_contact);
             sum_contact(model, c, forces);
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);

@@ -31,7 +31,7 @@ struct JointForces {
 
 /// Scratch memory of a batch within a step; it is reused.
 struct JointScratch {
-    BatchColumns columns, of_contact; ///< of the batch, and of one contact that is re-initialised
+    BatchColumns columns, of_contact; ///< of the batch, and of one contact that is initialised
     std::vector<double> friction; ///< frictional work before the step, by contact of the batch; of those with overlap
     std::vector<double> row_friction;  ///< by row of the batch
     std::vector<CarriedLoad> carried;  ///< by contact of the batch; of those with overlap

@@ -111,6 +111,19 @@ kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, Batch
     return b;
 }
 
+void initialise_rows(Model& model, const JointModel& joint, Row c, Row count, BatchColumns& made) {
+    auto& subs = model.sub_contacts;
+    const Batch rows{&joint, model.contacts.properties[c], model.contacts.sub_contacts[c].first, count, {c}};
+    if (!joint.missing(model.joint_properties[static_cast<std::size_t>(rows.properties)].values).empty()) return;
+    for (Row s = rows.first; s < rows.first + count; ++s) {
+        subs.normal_displacement_increment[s] = 0;
+        subs.shear_displacement_increment.set(s, Vec3::Zero());
+    }
+    auto columns = columns_of(model, rows, model.clock.time_step, made);
+    if (const auto failure = initialise_batch(joint, columns, subs.number.data() + rows.first))
+        throw joint_failure(model, rows, *failure);
+}
+
 Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFailure& failure) {
     const Row row = batch.first + static_cast<Row>(failure.row);
     const auto& s = model.sub_contacts;

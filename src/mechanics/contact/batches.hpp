@@ -38,6 +38,10 @@ struct BatchColumns {
 /// The columns of rows [first, first + count) as a joint model sees them; valid until `made` is reused or destroyed.
 kaya_jbatch columns_of(Model& model, const Batch& batch, double time_step, BatchColumns& made);
 
+/// Lets the joint model of a contact make the history of its first rows agree with their forces and gaps, if it has all its properties.
+/// `made` is memory. Throws Diagnostic when it fails.
+void initialise_rows(Model& model, const JointModel& joint, Row contact, Row count, BatchColumns& made);
+
 /// Reports a joint model's error at a row, with the contact's number, its blocks, place, cycle and the deck line of its properties.
 Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFailure& failure);
 

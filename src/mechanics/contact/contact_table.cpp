@@ -1,6 +1,7 @@
 #include "mechanics/contact/contact_table.hpp"
 
 #include "mechanics/contact/batches.hpp"
+#include "mechanics/contact/changed_rows.hpp"
 #include "mechanics/contact/load_before.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
 #include "mechanics/shape/overlap_scratch.hpp"
@@ -46,6 +47,8 @@ Row nearest(const Model& model, Row contact, const ContactPoint& point) {
     return best;
 }
 
+bool any_of(const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
+
 template <class Call>
 void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>& marked, Call call) {
     BatchColumns made;
@@ -71,16 +74,8 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
     }
 }
 
-/// Changed sub-contacts that joint models do not know of yet.
-struct Changes {
-    std::vector<char> fresh; ///< that were not there before
-    std::vector<char> moved; ///< with a normal displacement increment that they have not seen
-
-    explicit Changes(std::size_t rows) : fresh(rows, 0), moved(rows, 0) {}
-};
-
 /// Initial overlap of blocks carries no force; overlap made by motion since the last search is closed in one step.
-void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bool moving) {
+void tell_joint_models(Model& model, JointRegistry& joints, ChangedRows& changes, bool moving) {
     auto& s = model.sub_contacts;
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.fresh[row] || s.normal_displacement[row] >= 0) continue;
@@ -92,22 +87,21 @@ void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bo
         s.normal_displacement_increment[row] = moving ? s.normal_displacement[row] : 0;
         s.normal_displacement[row] = 0;
     }
-    const auto any = [](const std::vector<char>& marks) {
-        return std::find(marks.begin(), marks.end(), 1) != marks.end();
-    };
-    if (any(changes.fresh)) initialise_sub_contacts(model, joints, changes.fresh);
-    if (!any(changes.moved)) return;
+    if (any_of(changes.fresh)) initialise_sub_contacts(model, joints, changes.fresh);
+    if (any_of(changes.given)) {
+        const auto increments = s.normal_displacement_increment; // joint models see none before they are run
+        for (std::size_t row = 0; row < s.size(); ++row)
+            if (changes.given[row]) {
+                s.normal_displacement_increment[row] = 0;
+                s.shear_displacement_increment.set(row, Vec3::Zero());
+            }
+        initialise_sub_contacts(model, joints, changes.given);
+        s.normal_displacement_increment = increments;
+    }
+    if (!any_of(changes.moved)) return;
     for (std::size_t row = 0; row < s.size(); ++row)
         if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
-    call_on_marked(model, joints, changes.moved,
-                   [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
-                       return run_batch(joint, rows, numbers, Guard::fenced);
-                   });
-    for (std::size_t row = 0; row < s.size(); ++row) {
-        if (!changes.moved[row]) continue;
-        s.normal_displacement[row] += s.normal_displacement_increment[row];
-        s.normal_displacement_increment[row] = 0;
-    }
+    move_sub_contacts(model, joints, changes.moved);
 }
 
 /// Writes the geometry of a draft to its row.
@@ -152,7 +146,7 @@ bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
 
 /// Writes a point to a row that holds the data of its old sub-contact, or is empty.
 void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, bool fresh, bool flat,
-                       Changes& changes) {
+                       ChangedRows& changes) {
     auto& subs = model.sub_contacts;
     double area = point.area;
     if (fresh) {
@@ -273,8 +267,8 @@ const JointModel& joint_of(const Model& model, JointRegistry& joints, Row c) {
 }
 
 /// Returns the energy in springs that is lost where joints become overlaps.
-double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts, Changes& changes,
-                        OverlapScratch& scratch) {
+double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                        ChangedRows& changes, OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
     for (const auto& draft : drafts) {
@@ -290,7 +284,7 @@ double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<C
         const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
         write_contact(model, draft.old, g);
         if (from_overlap) {
-            close_joint(model, draft, draft.old, span.first, before, offset, changes.moved);
+            close_joint(model, draft, draft.old, span.first, before, offset, changes);
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
@@ -332,7 +326,7 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
 /// Fills the tables row by row when they have been gathered from the old ones.
 class ContactWriter {
 public:
-    ContactWriter(Model& model, const RowSources& from, Changes& changes, std::size_t old_subs, bool moving,
+    ContactWriter(Model& model, const RowSources& from, ChangedRows& changes, std::size_t old_subs, bool moving,
                   OverlapScratch& scratch)
         : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), moving_(moving), scratch_(scratch) {}
 
@@ -372,7 +366,7 @@ public:
         if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
         if (!closing) return;
         const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
-        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset, changes_.moved);
+        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset, changes_);
     }
     /// Which of the old sub-contacts remain.
     const std::vector<char>& sub_kept() const { return sub_kept_; }
@@ -394,7 +388,7 @@ private:
 
     Model& model_;
     const RowSources& from_;
-    Changes& changes_;
+    ChangedRows& changes_;
     std::vector<char> sub_kept_;
     bool moving_;
     OverlapScratch& scratch_;
@@ -406,12 +400,26 @@ void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vec
     call_on_marked(model, joints, marked, initialise_batch);
 }
 
+void move_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked) {
+    auto& s = model.sub_contacts;
+    call_on_marked(model, joints, marked, [](const JointModel& joint, kaya_jbatch& rows, const std::int32_t* numbers) {
+        return run_batch(joint, rows, numbers, Guard::fenced);
+    });
+    for (std::size_t row = 0; row < s.size(); ++row) {
+        if (!marked[row]) continue;
+        s.normal_displacement[row] += s.normal_displacement_increment[row];
+        s.shear_displacement.set(row, Vec3(s.shear_displacement[row]) + Vec3(s.shear_displacement_increment[row]));
+        s.normal_displacement_increment[row] = 0;
+        s.shear_displacement_increment.set(row, Vec3::Zero());
+    }
+}
+
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                       OverlapScratch& scratch) {
     take_faces(model.contacts, drafts);
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
-    Changes changes(model.sub_contacts.size());
+    ChangedRows changes(model.sub_contacts.size());
     double lost = refresh_in_place(model, joints, drafts, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
@@ -444,7 +452,7 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     contacts.gather(from.contacts);
     subs.gather(from.subs);
 
-    Changes changes(subs.size());
+    ChangedRows changes(subs.size());
     ContactWriter writer(model, from, changes, old_sub_ids.size(), moving, scratch);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);

@@ -23,6 +23,9 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
 bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
                       OverlapScratch& scratch);
 
+/// Runs the joint models of the marked sub-contacts for their displacement increments, which are then parts of their displacements.
+void move_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked);
+
 /// Lets the joint models of the marked sub-contacts make their history consistent with the present forces and gap.
 void initialise_sub_contacts(Model& model, JointRegistry& joints, const std::vector<char>& marked);
 

@@ -138,19 +138,15 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
     contacts.energy_length[c] = force > 0 ? halves.energy(springs) / force : 0;
 }
 
-/// The carriers as a batch.
-Batch carriers_of(const Model& model, const JointModel& joint, Row c) {
-    return {&joint, model.contacts.properties[c], model.contacts.sub_contacts[c].first, carriers, {c}};
-}
-
-/// Runs or initialises the joint model of the carriers.
-template <class Call> void call_on_carriers(Model& model, const JointModel& joint, Row c, Call call) {
+/// Runs the joint model of the carriers for their normal displacement increments.
+void run_carriers(Model& model, const JointModel& joint, Row c) {
     auto& subs = model.sub_contacts;
-    const Batch rows = carriers_of(model, joint, c);
+    const Batch rows{&joint, model.contacts.properties[c], model.contacts.sub_contacts[c].first, carriers, {c}};
     for (Row s = rows.first; s < rows.first + rows.count; ++s) subs.shear_displacement_increment.set(s, Vec3::Zero());
     BatchColumns made;
     auto columns = columns_of(model, rows, model.clock.time_step, made);
-    if (const auto failure = call(columns, subs.number.data() + rows.first)) throw joint_failure(model, rows, *failure);
+    if (const auto failure = run_batch(joint, columns, subs.number.data() + rows.first, Guard::fenced))
+        throw joint_failure(model, rows, *failure);
     for (Row s = rows.first; s < rows.first + rows.count; ++s) {
         subs.normal_displacement[s] += subs.normal_displacement_increment[s];
         subs.normal_displacement_increment[s] = 0;
@@ -174,11 +170,9 @@ void begin_loaded(Model& model, const JointModel& joint, Row c, OverlapScratch& 
         const double closure = halves.closure((s - first) % 2);
         subs.normal_force[s] = stress * closure * subs.area[s];
         subs.normal_displacement[s] = -closure;
-        subs.normal_displacement_increment[s] = 0;
     }
-    call_on_carriers(model, joint, c, [&](kaya_jbatch& rows, const std::int32_t* numbers) {
-        return initialise_batch(joint, rows, numbers);
-    });
+    BatchColumns made;
+    initialise_rows(model, joint, c, carriers, made);
     contacts.energy_deep[c] = 0.5 * stress * halves.closure(0) * halves.closure(0);
     contacts.energy_shallow[c] = 0.5 * stress * halves.closure(1) * halves.closure(1);
     put_halves(model, c, slopes, halves);
@@ -260,15 +254,23 @@ void begin_curved(Model& model, const JointModel& joint, Row c, const OverlapSlo
         subs.shear_force.set(s, share * Vec3(subs.shear_force[s]));
         subs.normal_force[s] = from.stress * subs.area[s];
         subs.normal_displacement[s] = -from.closure;
-        subs.normal_displacement_increment[s] = from.closure - halves.closure((s - first) % 2);
     }
-    call_on_carriers(model, joint, c, [&](kaya_jbatch& rows, const std::int32_t* numbers) {
-        return run_batch(joint, rows, numbers, Guard::fenced);
-    });
+    close_halves(model, joint, c, slopes);
+}
+
+void close_halves(Model& model, const JointModel& joint, Row c, const OverlapSlopes& slopes) {
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const ClosedHalves halves(slopes, contacts.whole_area[c]);
+    const Row first = contacts.sub_contacts[c].first;
+    for (Row s = first; s < first + carriers; ++s)
+        subs.normal_displacement_increment[s] = -subs.normal_displacement[s] - halves.closure((s - first) % 2);
+    run_carriers(model, joint, c);
     contacts.depth[c] = slopes.closure.value;
     contacts.energy_deep[c] = TriedSpring(model, joint, first).returned(halves.closure(0));
     contacts.energy_shallow[c] = TriedSpring(model, joint, first + 1).returned(halves.closure(1));
     put_halves(model, c, slopes, halves);
+    contacts.energy_taken[c] = ContactLoad(model, c).normal * contacts.energy_length[c];
 }
 
 void note_curved(Model& model, const std::vector<Batch>& batches) {

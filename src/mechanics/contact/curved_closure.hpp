@@ -31,6 +31,10 @@ double power_at(const ClosedPlace& place, double stiffness);
 void begin_curved(Model& model, const JointModel& joint, Row contact, const OverlapSlopes& slopes,
                   const ClosedPlace& from);
 
+/// Runs the joint model from the state of each carrier to the closure of its half, with the force and energy that follow. Throws Diagnostic when
+/// it fails.
+void close_halves(Model& model, const JointModel& joint, Row contact, const OverlapSlopes& slopes);
+
 /// Marks the contacts of curved joint models. An overlap that carries a force keeps it when its joint model has become a curved one; one
 /// that is no more curved has two halves until it opens.
 void note_curved(Model& model, const std::vector<Batch>& batches);

@@ -10,28 +10,44 @@ namespace kaya {
 
 namespace {
 
+/// Scales the forces of a contact, and lets its joint model agree.
+ContactLoad scale_springs(Model& model, const JointModel* joint, Row c, double normal, double shear) {
+    auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s) {
+        subs.normal_force[s] *= normal;
+        subs.shear_force.set(s, shear * subs.shear_force[s]);
+    }
+    BatchColumns made;
+    if (joint != nullptr) initialise_rows(model, *joint, c, span.count, made);
+    return {model, c};
+}
+
 /// A geometry update must not create energy. It may return what it has taken from this contact before, and no more (Hannaford and Ryu 2002,
 /// IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. Returns the
 /// energy lost from the springs.
-double keep_passive(Model& model, Row c, const ContactLoad& before) {
+double keep_passive(Model& model, const JointModel* joint, Row c, const ContactLoad& before) {
+    // A curved spring has another stiffness at another force.
+    constexpr int most_often = 8;
+    constexpr double same = 1e-9;
     const ContactLoad after(model, c);
-    auto& subs = model.sub_contacts;
     double& account = model.contacts.withdrawn_energy[c];
     const double gain = after.energy - before.energy, allowed = std::min(gain, account);
+    const double most = before.energy + allowed;
     // Energy withdrawn in an impact is not returned to a contact at rest.
     account = std::min(account - allowed, before.energy);
-    const double normal = gain > allowed ? std::sqrt((before.energy + allowed) / after.energy) : 1;
-    const double shear = after.shear > before.shear ? before.shear / after.shear : 1;
-    if (normal != 1 || shear != 1) {
-        const Span span = model.contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) {
-            subs.normal_force[s] *= normal;
-            subs.shear_force.set(s, shear * subs.shear_force[s]);
-        }
-        // Mean closure of the force that is missing now.
-        if (after.normal > 0) model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
+    ContactLoad now = after;
+    if (after.shear > before.shear) now = scale_springs(model, joint, c, 1, before.shear / after.shear);
+    double normal = 1;
+    for (int i = 0; i < most_often && now.energy > (1 + same) * most; ++i) {
+        const double part = std::sqrt(most / now.energy);
+        now = scale_springs(model, joint, c, part, 1);
+        normal *= part;
     }
-    return before.stored() - normal * normal * after.energy - shear * shear * after.shear_energy;
+    // Mean closure of the force that is missing now.
+    if (normal < 1 && after.normal > 0)
+        model.contacts.unforced_overlap[c] += (1 - normal) * 2 * after.energy / after.normal;
+    return before.stored() - now.stored();
 }
 
 /// Limits the shear forces of a joint between rigid blocks to their former size when its places change; its normal force follows its
@@ -63,10 +79,10 @@ double LoadBefore::settle(Model& model, const JointRegistry& joints, Row c, bool
     double lost = 0;
     if (model.contacts.kind[c] != ContactKind::overlap) {
         ContactLoad after(model, c);
-        if (overlap_ && model.contacts.curved[c] != 0)
-            if (const JointModel* joint = joints.find(model.joint_properties[model.contacts.properties[c]].model))
-                after.energy = energy_of_rows(model, *joint, c);
-        lost = between_rigid(model, c) ? keep_shear(model, c, load, after) : keep_passive(model, c, load);
+        const JointModel* joint = joints.find(model.joint_properties[model.contacts.properties[c]].model);
+        if (overlap_ && model.contacts.curved[c] != 0 && joint != nullptr)
+            after.energy = energy_of_rows(model, *joint, c);
+        lost = between_rigid(model, c) ? keep_shear(model, c, load, after) : keep_passive(model, joint, c, load);
     }
     return moving ? lost + book_change(model, c, work_) : lost; // of the forces that are left
 }

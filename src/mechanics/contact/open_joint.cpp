@@ -1,5 +1,6 @@
 // Joints between rigid blocks that begin to open become overlap contacts.
 #include "mechanics/common/closure_search.hpp"
+#include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/lanes/eight.hpp"
@@ -239,7 +240,54 @@ struct RowState {
     }
 };
 
+/// Gives an overlap contact the geometry of a patch. Returns the places of its carriers.
+Eight3 lie_on(Contacts& contacts, Row c, const OverlapPatch& patch) {
+    const bool closed = patch.carried > 0;
+    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.twist[c] = patch.twist;
+    contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
+    contacts.shear_area[c] = std::max(patch.area, contacts.area[c]);
+    contacts.stiffness_area[c] = rung_above(contacts.shear_area[c], contacts.least_area[c]);
+    contacts.energy_length[c] = closed ? patch.energy / patch.carried : 0;
+    if (!closed) return eights(contacts.position[c]);
+    contacts.normal[c] = patch.normal;
+    contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, patch.normal);
+    contacts.position[c] = patch.centre;
+    return PressureSpread(patch, contacts.axis[c]).places();
+}
+
 } // namespace
+
+void share_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch) {
+    if (!follows_overlap(model, c)) return;
+    auto& contacts = model.contacts;
+    auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[c];
+    const double depth = contacts.depth[c], area = contacts.area[c], energy = area * depth * contacts.energy_length[c];
+    if (!(energy > 0)) return;
+    OverlapSlopes slopes;
+    const bool curved = contacts.curved[c] != 0;
+    const OverlapPatch patch = overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset_of(contacts, c),
+                                             scratch, curved ? &slopes : nullptr);
+    const bool closed = patch.carried > 0;
+    const Eight3 places = lie_on(contacts, c, patch);
+    contacts.energy_taken[c] *= patch.energy / energy;
+    // Straight springs follow the depth; curved ones are run to it.
+    const double of_force = curved && closed ? contacts.area[c] / area : patch.carried / (area * depth);
+    for (Row k = 0; k < span.count; ++k) {
+        const Row s = span.first + k;
+        const bool carries = k < carriers;
+        subs.normal_force[s] *= of_force;
+        subs.shear_force.set(s, of_force * Vec3(subs.shear_force[s]));
+        subs.position.set(s, carries ? Vec3(places.x[k], places.y[k], places.z[k]) : contacts.position[c]);
+        if (!carries) continue;
+        subs.area[s] = contacts.area[c] / carriers;
+        if (!curved || !closed) subs.normal_displacement[s] += depth - contacts.depth[c];
+    }
+    if (curved && closed) return close_halves(model, joint, c, slopes);
+    BatchColumns made;
+    initialise_rows(model, joint, c, std::min(carriers, span.count), made);
+}
 
 double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch& scratch) {
     auto& contacts = model.contacts;
@@ -267,22 +315,12 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
     contacts.offset_normal[c] = contacts.normal[c];
-    contacts.depth[c] = closed ? patch.depth : 0;
-    contacts.twist[c] = patch.twist;
-    contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
-    contacts.shear_area[c] = std::max(patch.area, contacts.area[c]);
-    contacts.stiffness_area[c] = rung_above(contacts.shear_area[c], contacts.least_area[c]);
-    contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
+    contacts.axis[c].setZero();
+    const Eight3 places = lie_on(contacts, c, patch);
+    if (!closed) contacts.depth[c] = 0;
     contacts.energy_taken[c] = force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
         0;
-    Eight3 places = eights(contacts.position[c]);
-    if (patch.carried > 0) {
-        contacts.normal[c] = patch.normal;
-        contacts.axis[c] = axis_in_plane(Vec3::Zero(), patch.longest_edge, patch.normal);
-        places = PressureSpread(patch, contacts.axis[c]).places();
-        contacts.position[c] = patch.centre;
-    }
     const Vec3 n = contacts.normal[c], shear = closures.shear - closures.shear.dot(n) * n;
     double dashpots = 0; // the joint's dashpots act on the carriers, which are elsewhere than its rows
     Vec3 shear_dashpots = Vec3::Zero();
@@ -310,15 +348,17 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
-    if (curved && closed) {
+    if (!curved) {
+        BatchColumns made;
+        initialise_rows(model, joint, c, std::min(carriers, span.count), made);
+    } else if (closed) {
         begin_curved(model, joint, c, slopes, most);
-        contacts.energy_taken[c] = ContactLoad(model, c).normal * contacts.energy_length[c];
     }
     return stored - ContactLoad(model, c).stored();
 }
 
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset, std::vector<char>& moved) {
+                 const ClosureOffset& offset, ChangedRows& changes) {
     auto& subs = model.sub_contacts;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
@@ -352,11 +392,11 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);
         // The history is that of a loaded place: its joint model receives the opening of the others.
-        moved[static_cast<std::size_t>(s)] = closed < 0;
+        changes.moved[static_cast<std::size_t>(s)] = curved || closed < 0;
+        changes.given[static_cast<std::size_t>(s)] = !curved;
         subs.normal_displacement[s] = std::min(0.0, -closed);
         subs.normal_displacement_increment[s] = std::max(0.0, -closed);
         if (curved) {
-            moved[static_cast<std::size_t>(s)] = 1;
             subs.normal_force[s] = stress * point.area;
             subs.normal_displacement[s] = -deep;
             subs.normal_displacement_increment[s] = deep - closed;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mechanics/contact/carried_load.hpp"
+#include "mechanics/contact/changed_rows.hpp"
 #include "mechanics/contact/contact_draft.hpp"
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_work.hpp"
@@ -41,11 +42,14 @@ bool is_partly_open(const Model& model, Row contact);
 /// Turns a joint into an overlap contact; normal and shear force are kept. Returns the energy lost from its springs.
 double follow_overlap(Model& model, const JointModel& joint, Row contact, OverlapScratch& scratch);
 
+/// Pieces of two blocks have the overlap contact of these: leaves it the part that their own common volume carries.
+void share_overlap(Model& model, const JointModel& joint, Row contact, OverlapScratch& scratch);
+
 /// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
-/// distributed in the same proportion. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`:
-/// their joint models must receive their displacement increments. `first` is the row of the first place; history comes from the overlap's
-/// first sub-contact.
+/// distributed in the same proportion. History comes from the overlap's first sub-contact: the rows are marked, as given for joint models that
+/// must make it agree with the forces, and as moved where they must receive displacement increments, those of open places, which carry
+/// nothing, or all. `first` is the row of the first place.
 void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset, std::vector<char>& moved);
+                 const ClosureOffset& offset, ChangedRows& changes);
 
 } // namespace kaya

@@ -161,9 +161,12 @@ inline void advance(const RigidBody& body, const Settings& settings, const Clock
     const Lanes mean = 0.5 * (spin_before + spin), held = prescribed(fixed / fix_rx);
     const Lanes rest = (momentum_after - momentum_before - moment * kick) * mean;
     sums.boundary += torque * mean * kick + held * rest;
-    if (has_arms)
-        sums.boundary[0] += settings.large_strain ? work_on_arms(arms, (2 * kick - step) * spin_then, step * w)
-                                                  : 0.5 * kick * turning.dot(spin_then + w);
+    if (has_arms && settings.large_strain) {
+        sums.boundary[0] += work_on_arms(arms, (2 * kick - step) * spin_then, step * w);
+        sums.inner_power_gain[0] += turning.dot(w - spin_then); // work on a displacement, as that of joints
+    } else if (has_arms) {
+        sums.boundary[0] += 0.5 * kick * turning.dot(spin_then + w);
+    }
     sums.damped -= (1 - held) * rest;
     sums.kinetic_before += 0.5 * spin_before * momentum_before;
     sums.kinetic += 0.5 * spin * momentum_after;

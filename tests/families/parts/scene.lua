@@ -19,9 +19,22 @@ function scene.clear(damping)
     command(("prop mat 1 density %.17g"):format(scene.density))
 end
 
--- To be called after the blocks are created.
+-- Joint models that keep a closure in their history, the friction twice at the end.
+local with_closure = {
+    "continuously-yielding jr=1e-3 fric=%g jif=%g", "nonlinear fric=%g fric=%g", "nonlinear exponent-normal=0.5 exponent-shear=0.5 kn-maximum=1e13 fric=%g fric=%g",
+    "power constant-1=1e-9 exponent-1=3 fric=%g fric=%g", "barton-bandis jrco=8 jcso=100e6 sigmac=150e6 nj=0.8 lo=0.1 ln=0.2 mpa=1e6 resfriction=%g resfriction=%g",
+    "continuously-yielding exponent-normal=0.5 exponent-shear=0.5 kn-maximum=1e13 jr=1e-3 fric=%g jif=%g",
+}
+
+-- To be called after the blocks are created. With the global value `closures` the joint model is one of those, by the stiffness.
 function scene.joints(kn, ks, friction, law)
     scene.kn, scene.ks = kn, ks
+    if closures then
+        local text = with_closure[1 + math.floor(kn + ks) % #with_closure]:format(friction, friction)
+        local name, values = text:match "^(%S+) (.*)$"
+        command(("jmodel model %s\njmodel jkn %.17g jks %.17g %s"):format(name, kn, ks, values))
+        return
+    end
     command(("jmodel model %s\njmodel jkn %.17g jks %.17g"):format(law or "mohr", kn, ks))
     if law ~= "elastic" then command(("jmodel jfric %.17g"):format(friction)) end
 end
