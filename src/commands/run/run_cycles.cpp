@@ -413,11 +413,18 @@ ElasticJoints::ElasticJoints(Session& session) : session_(session) {
     for (const Row row : property_sets_in_use(session.engine.model)) {
         auto& set = session.engine.model.joint_properties[row];
         const JointModel& model = session.engine.joints.get(set.model);
-        for (const kaya_jrole role : {KAYA_JROLE_COHESION, KAYA_JROLE_TENSION})
-            if (const auto index = find_role(model, role)) {
-                set.values[*index] = KAYA_JMODEL_STRONG;
-                strengthened_ = true;
-            }
+        bool breaks = false, raised = false;
+        for (std::size_t k = 0; k < model.properties.size(); ++k) {
+            const kaya_jrole role = model.properties[k].role;
+            const StrengthPart part = strength_part(role);
+            breaks = breaks || part != StrengthPart::none;
+            // Not residual tension: open joints would be pulled together.
+            if (part != StrengthPart::cohesion && role != KAYA_JROLE_TENSION) continue;
+            set.values[k] = KAYA_JMODEL_STRONG;
+            raised = true;
+        }
+        strengthened_ = strengthened_ || raised;
+        if (breaks && !raised) breakable_.insert(set.model);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,9 +74,12 @@ public:
 
     /// False when no joint model has such a strength: the first run is then like the second.
     bool strengthened() const { return strengthened_; }
+    /// Joint models in use whose joints slip and open as ever, since they have another strength.
+    const std::set<std::string>& breakable() const { return breakable_; }
 
 private:
     bool strengthened_ = false;
+    std::set<std::string> breakable_;
     Session& session_;
     std::vector<std::vector<double>> true_values_;
 };

@@ -95,6 +95,10 @@ void solve_elastic(Session& session, const Limits& limits) {
     if (!strong.strengthened())
         session.warn(Diagnostic("no joint in use has a cohesion or a tensile strength that could be raised",
                                 "'elastic' has no effect"));
+    else if (!strong.breakable().empty())
+        session.warn(Diagnostic(fmt::format("joints of {} have no cohesion or tensile strength that could be raised",
+                                            fmt::join(strong.breakable(), ", ")),
+                                "'elastic' has no effect on them"));
     const RunEnd end = advance_until(session, limits);
     session.engine.world.stopped_by = end.why;
     session.program.output.say(end_text("solve elastic", end));

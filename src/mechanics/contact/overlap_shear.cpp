@@ -77,12 +77,21 @@ Stiffened stiffened_by_change(const CarrierStep& c) {
     return turned(kept + c.whole * c.step(), c.now);
 }
 
-/// A joint model that limits a shear force shows the ratio that it grants; one that grants more than that ratio shows that it was another.
-void note_grip(double& grip, bool limited, double shear, double normal) {
-    if (!(normal > 0)) return;
-    if (limited) grip = shear / normal;
-    else if (shear > (1 + elastic) * grip * normal) grip = 0;
-}
+/// A joint model that limits a shear force shows the ratio to the normal force that it grants; one that grants more to another carrier shows that
+/// there is no such ratio.
+struct ShownGrip {
+    double limited = 0, granted = 0; ///< greatest ratios of carriers that are limited, and of those that are not
+
+    void note(bool is_limited, double shear, double normal) {
+        if (!(normal > 0)) return;
+        double& most = is_limited ? limited : granted;
+        most = std::max(most, shear / normal);
+    }
+    double after(double before) const {
+        const double grip = limited > 0 ? limited : before;
+        return granted > (1 + elastic) * grip ? 0 : grip;
+    }
+};
 
 /// What (10b) and (10f) add to the work of the joint model: the work of the force that acts, less the change of the energy (10a).
 double more_friction(const CarrierStep& c, const Vec3& force) {
@@ -117,6 +126,7 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
     auto& subs = model.sub_contacts;
     const double whole = shear_area(model.contacts, c) / carriers, grip = model.contacts.grip[c];
     const Row first = model.contacts.sub_contacts[c].first;
+    ShownGrip shown;
     for (Row k = 0; k < carriers; ++k) {
         const Row s = first + k;
         const auto i = static_cast<std::size_t>(k);
@@ -131,7 +141,7 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
         const bool changes = step.changes_stiffness();
         Stiffened stiff = changes ? stiffened_by_change(step) : stiffened(step);
         const double normal = subs.normal_force[s], size = step.now.norm();
-        note_grip(model.contacts.grip[c], stiff.limited, size, normal);
+        shown.note(stiff.limited, size, normal);
         if (!(whole > step.area)) continue;
         // The joint model has seen less of the force than its springs would have: friction that it has shown holds for the rest.
         const double most = std::max(size, grip * normal), trial = stiff.force.norm();
@@ -140,6 +150,7 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
         if (stiff.limited || changes) subs.frictional_work[s] += more_friction(step, stiff.force);
         else subs.frictional_work[s] = before.worn_by_row[i];
     }
+    model.contacts.grip[c] = shown.after(grip);
 }
 
 SlippedCarriers slipped_carriers(const Model& model, Row c, const CarriedLoad& before) {
