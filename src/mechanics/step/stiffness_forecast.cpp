@@ -190,9 +190,11 @@ bool StiffnessForecast::check(const Model& model, const Batch& batch, Row c, dou
                                    velocity_of_side(model, contacts.block1[c], subs.side1[s], place, step));
         const double closure = std::max(approach, -opening * step * steps_ahead) - gap, force = subs.normal_force[s];
         if (closure <= 0 || springs.normal * closure <= small_growth * force) continue;
-        if (force == 0 && closure <= subs.normal_displacement[s]) continue; // still apart
+        // Where blocks are apart a joint knows the present gap, an overlap that of its beginning.
+        const double left = overlap ? std::max(0.0, subs.normal_displacement[s]) : 0;
+        if (force == 0 && !overlap && closure <= subs.normal_displacement[s]) continue; // still apart
         copy.take(model, *batch.model, s);
-        copy.normal_disp_inc = -closure;
+        copy.normal_disp_inc = -closure - left;
         auto columns = copy.batch(*batch.model, model.joint_properties[batch.properties].values, step);
         const bool failed = run_batch(*batch.model, columns).has_value();
         const double normal = failed ? refused * springs.normal : copy.normal_stiffness * copy.area * factor.of(s);
