@@ -106,6 +106,9 @@ inline const char* check(const double* p) {
 
 // --- the step ------------------------------------------------------------------------------------------------------------
 
+/// A gap up to this part of the size of a sub-contact is rounding of coordinates and counts as closed.
+constexpr double rounding_of_gap = 1e-9;
+
 /// The columns that a step reads and writes.
 struct Columns {
     const double *area, *opening, *shear_x, *shear_y, *shear_z;
@@ -238,6 +241,8 @@ template <bool dilates, class Strength, class Creep = Rigid>
     double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
     const double elastic_normal = breaks ? lowest : pulled;
     const bool apart = new_gap > contact_gap;
+    // Sides that move alike part by the rounding of their motions, which breaks no bond.
+    const bool parts = breaks && new_gap * new_gap > rounding_of_gap * rounding_of_gap * area;
 
     // Shear: elastic trial (3), less creep, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
@@ -303,17 +308,15 @@ template <bool dilates, class Strength, class Creep = Rigid>
     c.gaps[i] = new_gap;
     c.slips[i] += apart ? 0 : slipped;
     c.states[i] = (c.states[i] & ~now) | ((c.states[i] & now) << from_now_to_past) | (excess > 0 ? slip_now : 0) |
-                  (breaks ? tension_now : 0);
+                  (parts ? tension_now : 0);
     return {apart ? 0 : slipped, excess};
 }
 
 // --- the frame of a model -------------------------------------------------------------------------------------------------
 
-/// Distance between the sides of a new row; a gap up to a small part of the size of the sub-contact is rounding of coordinates and counts as
-/// closed.
+/// Distance between the sides of a new row.
 inline double gap_between(const kaya_jbatch& batch, std::size_t i) {
-    constexpr double rounding = 1e-9;
-    return batch.normal_disp[i] > rounding * std::sqrt(batch.area[i]) ? batch.normal_disp[i] : 0;
+    return batch.normal_disp[i] > rounding_of_gap * std::sqrt(batch.area[i]) ? batch.normal_disp[i] : 0;
 }
 
 /// New rows: open sides have a gap, and no bond that could pull them together.

@@ -215,6 +215,8 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
         c.travel_y[i] -= part * t.y[j];
         c.travel_z[i] -= part * t.z[j];
     }
+    // Sides that move alike part by the rounding of their motions, which breaks no bond.
+    const bool parts = t.broken[j] > 0 && closed * closed > coulomb::rounding_of_gap * coulomb::rounding_of_gap * area;
     c.gaps[i] = closed;
     c.slips[i] += t.slipped[j];
     c.normal_force[i] = normal * area;
@@ -224,7 +226,7 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
     kn[i] = joint.springs.normal.reported(normal, area);
     ks[i] = new_ks;
     c.states[i] = (c.states[i] & ~coulomb::now) | ((c.states[i] & coulomb::now) << coulomb::from_now_to_past) |
-                  (slides ? coulomb::slip_now : 0) | (t.broken[j] > 0 ? coulomb::tension_now : 0);
+                  (slides ? coulomb::slip_now : 0) | (parts ? coulomb::tension_now : 0);
 }
 
 template <bool dilates> void run_rows(kaya_jbatch* batch) {
