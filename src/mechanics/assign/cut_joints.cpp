@@ -223,6 +223,7 @@ void move_to_places(Model& model, JointRegistry& joints, const WholeJoints& whol
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const WholeJoint* joint = whole.of(contacts.block1[c], contacts.block2[c]);
         if (joint == nullptr || contacts.kind[c] != ContactKind::joint) continue;
+        if (!joint->motion.along_normal() && !joint->motion.in_plane()) continue;
         const double hand = whole.first_piece(contacts.block1[c]) == model.blocks.ids.row(joint->block1) ? 1 : -1;
         for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
             const Eigen::Vector4d wanted = joint->motion.at(subs.position[s]);
