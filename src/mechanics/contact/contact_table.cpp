@@ -1,7 +1,6 @@
 #include "mechanics/contact/contact_table.hpp"
 
 #include "mechanics/contact/batches.hpp"
-#include "mechanics/contact/changed_rows.hpp"
 #include "mechanics/contact/load_before.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
 #include "mechanics/shape/overlap_scratch.hpp"
@@ -74,8 +73,16 @@ void call_on_marked(Model& model, JointRegistry& joints, const std::vector<char>
     }
 }
 
+/// Changed sub-contacts that joint models do not know of yet.
+struct Changes {
+    std::vector<char> fresh; ///< that were not there before
+    std::vector<char> moved; ///< with a normal displacement increment that they have not seen
+
+    explicit Changes(std::size_t rows) : fresh(rows, 0), moved(rows, 0) {}
+};
+
 /// Initial overlap of blocks carries no force; overlap made by motion since the last search is closed in one step.
-void tell_joint_models(Model& model, JointRegistry& joints, ChangedRows& changes, bool moving) {
+void tell_joint_models(Model& model, JointRegistry& joints, Changes& changes, bool moving) {
     auto& s = model.sub_contacts;
     for (std::size_t row = 0; row < s.size(); ++row) {
         if (!changes.fresh[row] || s.normal_displacement[row] >= 0) continue;
@@ -88,16 +95,6 @@ void tell_joint_models(Model& model, JointRegistry& joints, ChangedRows& changes
         s.normal_displacement[row] = 0;
     }
     if (any_of(changes.fresh)) initialise_sub_contacts(model, joints, changes.fresh);
-    if (any_of(changes.given)) {
-        const auto increments = s.normal_displacement_increment; // joint models see none before they are run
-        for (std::size_t row = 0; row < s.size(); ++row)
-            if (changes.given[row]) {
-                s.normal_displacement_increment[row] = 0;
-                s.shear_displacement_increment.set(row, Vec3::Zero());
-            }
-        initialise_sub_contacts(model, joints, changes.given);
-        s.normal_displacement_increment = increments;
-    }
     if (!any_of(changes.moved)) return;
     for (std::size_t row = 0; row < s.size(); ++row)
         if (changes.moved[row]) s.shear_displacement_increment.set(row, Vec3::Zero());
@@ -146,7 +143,7 @@ bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
 
 /// Writes a point to a row that holds the data of its old sub-contact, or is empty.
 void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, bool fresh, bool flat,
-                       ChangedRows& changes) {
+                       Changes& changes) {
     auto& subs = model.sub_contacts;
     double area = point.area;
     if (fresh) {
@@ -267,8 +264,8 @@ const JointModel& joint_of(const Model& model, JointRegistry& joints, Row c) {
 }
 
 /// Returns the energy in springs that is lost where joints become overlaps.
-double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
-                        ChangedRows& changes, OverlapScratch& scratch) {
+double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts, Changes& changes,
+                        OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
     for (const auto& draft : drafts) {
@@ -284,7 +281,7 @@ double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<C
         const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
         write_contact(model, draft.old, g);
         if (from_overlap) {
-            close_joint(model, draft, draft.old, span.first, before, offset, changes);
+            close_joint(model, joint_of(model, joints, draft.old), draft, draft.old, before, offset, changes.moved);
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
@@ -326,9 +323,10 @@ RowSources sources_of(const Model& model, const std::vector<ContactDraft>& draft
 /// Fills the tables row by row when they have been gathered from the old ones.
 class ContactWriter {
 public:
-    ContactWriter(Model& model, const RowSources& from, ChangedRows& changes, std::size_t old_subs, bool moving,
-                  OverlapScratch& scratch)
-        : model_(model), from_(from), changes_(changes), sub_kept_(old_subs, 0), moving_(moving), scratch_(scratch) {}
+    ContactWriter(Model& model, JointRegistry& joints, const RowSources& from, Changes& changes, std::size_t old_subs,
+                  bool moving, OverlapScratch& scratch)
+        : model_(model), joints_(joints), from_(from), changes_(changes), sub_kept_(old_subs, 0), moving_(moving),
+          scratch_(scratch) {}
 
     /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
     void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
@@ -366,7 +364,7 @@ public:
         if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
         if (!closing) return;
         const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
-        close_joint(model_, draft, c, from_.spans[c].first, load->load, offset, changes_);
+        close_joint(model_, joint_of(model_, joints_, c), draft, c, load->load, offset, changes_.moved);
     }
     /// Which of the old sub-contacts remain.
     const std::vector<char>& sub_kept() const { return sub_kept_; }
@@ -387,8 +385,9 @@ private:
     }
 
     Model& model_;
+    JointRegistry& joints_;
     const RowSources& from_;
-    ChangedRows& changes_;
+    Changes& changes_;
     std::vector<char> sub_kept_;
     bool moving_;
     OverlapScratch& scratch_;
@@ -419,7 +418,7 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     take_faces(model.contacts, drafts);
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
-    ChangedRows changes(model.sub_contacts.size());
+    Changes changes(model.sub_contacts.size());
     double lost = refresh_in_place(model, joints, drafts, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
@@ -452,8 +451,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
     contacts.gather(from.contacts);
     subs.gather(from.subs);
 
-    ChangedRows changes(subs.size());
-    ContactWriter writer(model, from, changes, old_sub_ids.size(), moving, scratch);
+    Changes changes(subs.size());
+    ContactWriter writer(model, joints, from, changes, old_sub_ids.size(), moving, scratch);
     for (std::size_t c = 0; c < drafts.size(); ++c)
         writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
     for (std::size_t c = 0; c < contact_kept.size(); ++c)

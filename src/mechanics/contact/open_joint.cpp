@@ -357,9 +357,10 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     return stored - ContactLoad(model, c).stored();
 }
 
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset, ChangedRows& changes) {
+void close_joint(Model& model, const JointModel& joint, const ContactDraft& draft, Row c, const ContactLoad& before,
+                 const ClosureOffset& offset, std::vector<char>& moved) {
     auto& subs = model.sub_contacts;
+    const Row first = model.contacts.sub_contacts[c].first;
     const Vec3& n = draft.plane.normal;
     const Vec3 origin = model.blocks.centroid[draft.block1], shear = before.shear_sum - before.shear_sum.dot(n) * n;
     const auto closure = [&](const ContactPoint& p) {
@@ -392,10 +393,8 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.normal_force[s] = part * before.normal;
         subs.shear_force.set(s, part * shear);
         // The history is that of a loaded place: its joint model receives the opening of the others.
-        changes.moved[static_cast<std::size_t>(s)] = curved || closed < 0;
-        changes.given[static_cast<std::size_t>(s)] = !curved;
+        moved[static_cast<std::size_t>(s)] = curved || closed < 0;
         subs.normal_displacement[s] = std::min(0.0, -closed);
-        subs.normal_displacement_increment[s] = std::max(0.0, -closed);
         if (curved) {
             subs.normal_force[s] = stress * point.area;
             subs.normal_displacement[s] = -deep;
@@ -412,6 +411,11 @@ void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, cons
         subs.normal_stiffness[s] = subs.normal_stiffness[first];
         subs.shear_stiffness[s] = subs.shear_stiffness[first];
     }
+    if (curved) return;
+    BatchColumns made;
+    initialise_rows(model, joint, c, static_cast<Row>(draft.points.size()), made);
+    for (std::size_t i = 0; i < draft.points.size(); ++i)
+        subs.normal_displacement_increment[first + static_cast<Row>(i)] = std::max(0.0, -closure(draft.points[i]));
 }
 
 } // namespace kaya

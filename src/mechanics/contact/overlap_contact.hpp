@@ -3,7 +3,6 @@
 #pragma once
 
 #include "mechanics/contact/carried_load.hpp"
-#include "mechanics/contact/changed_rows.hpp"
 #include "mechanics/contact/contact_draft.hpp"
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_work.hpp"
@@ -46,10 +45,10 @@ double follow_overlap(Model& model, const JointModel& joint, Row contact, Overla
 void share_overlap(Model& model, const JointModel& joint, Row contact, OverlapScratch& scratch);
 
 /// Turns an overlap contact into a joint: the normal force is distributed by the closure of each place and keeps its sum; shear force is
-/// distributed in the same proportion. History comes from the overlap's first sub-contact: the rows are marked, as given for joint models that
-/// must make it agree with the forces, and as moved where they must receive displacement increments, those of open places, which carry
-/// nothing, or all. `first` is the row of the first place.
-void close_joint(Model& model, const ContactDraft& draft, Row c, Row first, const ContactLoad& before,
-                 const ClosureOffset& offset, ChangedRows& changes);
+/// distributed in the same proportion. History comes from the overlap's first sub-contact, and the joint model makes it agree with the
+/// forces. Open places, such as those of a block that gets zones, carry nothing and are marked in `moved`: their joint models must receive
+/// their displacement increments, as must all places of a curved one. Throws Diagnostic when the joint model fails.
+void close_joint(Model& model, const JointModel& joint, const ContactDraft& draft, Row c, const ContactLoad& before,
+                 const ClosureOffset& offset, std::vector<char>& moved);
 
 } // namespace kaya
