@@ -31,6 +31,9 @@ struct Recovered {
     double of_friction = 0; ///< paid by the frictional work of the step
     double of_account = 0;  ///< paid by earlier changes of geometry
     double over_step = 0;   ///< force added times the displacement of the step
+
+    /// Whether forces have been added.
+    bool any() const { return of_friction + of_account > 0; }
 };
 
 /// A contact whose overlap exceeds what its force explains pushes the blocks apart, slowly enough to excite no vibration. The energy comes
@@ -195,6 +198,14 @@ void follow_as_overlap(Model& model, const JointModel& joint, Row c, OverlapScra
     add_change(work_of_step(model, c) - work_before, after, sums);
 }
 
+/// The joint model and the sums of a contact get the forces that its recovery has added.
+void follow_recovery(Model& model, const JointModel& joint, Row c, const Recovered& energy, JointScratch& scratch,
+                     JointForces& forces, JointWork& after, JointSums& sums) {
+    add_change(energy.over_step, after, sums);
+    initialise_rows(model, joint, c, model.contacts.sub_contacts[c].count, scratch.of_contact);
+    sum_contact(model, c, forces);
+}
+
 /// `number` is that of the batch.
 JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, JointForces& forces,
                         JointScratch& scratch) {
@@ -260,9 +271,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             const Recovered energy = recover(model, c, frictional_work(model, c) - friction[i]);
             recovered += energy.of_friction;
             sums.returned += energy.of_account;
-            add_change(energy.over_step, after, sums);
-            initialise_rows(model, *batch.model, c, model.contacts.sub_contacts[c].count, scratch.of_contact);
-            sum_contact(model, c, forces);
+            if (energy.any()) follow_recovery(model, *batch.model, c, energy, scratch, forces, after, sums);
         }
         if (columns.stiffness_changed) note_stiffness(model, c, forces);
     }

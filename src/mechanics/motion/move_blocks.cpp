@@ -196,18 +196,12 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
     auto& blocks = model.blocks;
     const BodyMass body = body_mass(model, members);
     const Row first = members.front();
-    std::uint8_t fixed = 0;
     Vec3 velocity = Vec3::Zero(), spin = blocks.rotational_velocity[first];
     Vec3 force = Vec3::Zero(), load = Vec3::Zero(), moment = Vec3::Zero(), torque = Vec3::Zero();
     Mat3 arms = Mat3::Zero();
     bool rests = true;
     for (const Row b : members) {
         rests = rests && blocks.velocity[b].isZero(0) && blocks.rotational_velocity[b].isZero(0);
-        // A component held on one block is held on all; the first held block gives the velocity.
-        for (int k = 0; k < 3; ++k) {
-            if ((blocks.fixed[b] & ~fixed) & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
-        }
-        fixed |= blocks.fixed[b];
         velocity += blocks.mass[b] / body.mass * blocks.velocity[b];
         const Vec3 arm = blocks.centroid[b] - body.centroid;
         force += blocks.force[b];
@@ -217,12 +211,7 @@ void move_body(Model& model, std::span<const Row> members, const DampingFactors&
         if (!blocks.load[b].isZero(0)) arms += arm * blocks.load[b].transpose();
         if (!blocks.load_arms[b].isZero(0)) arms += arms_now(model, b);
     }
-    for (int k = 0; k < 3; ++k)
-        for (const Row b : members)
-            if (blocks.fixed[b] & (fix_x << k)) {
-                velocity[k] = blocks.velocity[b][k];
-                break;
-            }
+    const std::uint8_t fixed = keep_held(blocks, members, velocity, spin);
     if (fixed == fix_all && rests) return;
 
     const Roller roller = roller_of_body(model, members);

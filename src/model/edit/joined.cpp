@@ -27,19 +27,6 @@ bool masses_known(const Model& model, std::span<const Row> members) {
     return std::all_of(members.begin(), members.end(), [&](Row b) { return model.blocks.mass[b] > 0; });
 }
 
-/// Components that are held on a member are held on the body: they move as there. Returns whether there are any.
-bool keep_held(const Blocks& blocks, std::span<const Row> members, Vec3& velocity, Vec3& spin) {
-    std::uint8_t held = 0;
-    for (const Row b : members) {
-        for (int k = 0; k < 3; ++k) {
-            if (blocks.fixed[b] & ~held & (fix_x << k)) velocity[k] = blocks.velocity[b][k];
-            if (blocks.fixed[b] & ~held & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
-        }
-        held |= blocks.fixed[b];
-    }
-    return held != 0;
-}
-
 /// Gives all members the motion of one rigid body with the momenta that they have.
 void share_motion(Model& model, std::span<const Row> members) {
     auto& blocks = model.blocks;
@@ -53,7 +40,7 @@ void share_motion(Model& model, std::span<const Row> members) {
                    mass * (blocks.centroid[b] - body.centroid).cross(blocks.velocity[b]);
     }
     Vec3 velocity = momentum / body.mass, spin = body.inertia.ldlt().solve(angular);
-    if (keep_held(blocks, members, velocity, spin)) angular = body.inertia * spin;
+    if (keep_held(blocks, members, velocity, spin) != 0) angular = body.inertia * spin;
     for (const Row b : members) {
         blocks.velocity[b] = velocity + spin.cross(blocks.centroid[b] - body.centroid);
         blocks.rotational_velocity[b] = spin;
@@ -79,6 +66,18 @@ JoinedBodies joined_bodies(const Model& model) {
     for (std::size_t i = 1; i <= bodies.rows.size(); ++i)
         if (i == bodies.rows.size() || body[bodies.rows[i]] != body[bodies.rows[i - 1]]) bodies.start.push_back(i);
     return bodies;
+}
+
+std::uint8_t keep_held(const Blocks& blocks, std::span<const Row> members, Vec3& velocity, Vec3& spin) {
+    std::uint8_t held = 0;
+    for (const Row b : members) {
+        for (int k = 0; k < 3; ++k) {
+            if (blocks.fixed[b] & ~held & (fix_x << k)) velocity[k] = blocks.velocity[b][k];
+            if (blocks.fixed[b] & ~held & (fix_rx << k)) spin[k] = blocks.rotational_velocity[b][k];
+        }
+        held |= blocks.fixed[b];
+    }
+    return held;
 }
 
 BodyMass body_mass(const Model& model, std::span<const Row> members) {

@@ -4,6 +4,7 @@
 
 #include "model/tables/model.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>
@@ -35,6 +36,10 @@ struct BodyMass {
     Mat3 inertia = Mat3::Zero();
 };
 BodyMass body_mass(const Model& model, std::span<const Row> members);
+
+/// A component that is held on a member is held on the body, and moves as on the first such member: sets these components of the velocity of the
+/// body and of its spin. Returns the bits of the held ones.
+std::uint8_t keep_held(const Blocks& blocks, std::span<const Row> members, Vec3& velocity, Vec3& spin);
 
 /// Joins the pairs of blocks, with those that are joined to them already. The body takes the momentum and angular momentum of its parts.
 /// Throws Diagnostic and leaves the model unchanged when one block has zones and another has none.

@@ -66,4 +66,19 @@ function place:direction_back(v) return place.turned_back(self.turn, v) end
 function place:point(v) return place.turned(self.turn, v) * self.scale + self.shift end
 function place:point_back(v) return place.turned_back(self.turn, (v - self.shift) / self.scale) end
 
+-- Three numbers of a deck.
+function place.text(v) return ("%.17g %.17g %.17g"):format(v.x, v.y, v.z) end
+
+-- The line that makes the brick between two corners.
+function place:brick(low, high)
+    local line = "poly prism"
+    for _, z in ipairs { low.z, high.z } do
+        line = line .. (z == low.z and " a" or " b")
+        for _, c in ipairs { { low.x, low.y }, { high.x, low.y }, { high.x, high.y }, { low.x, high.y } } do
+            line = line .. " " .. place.text(self:point(vector(c[1], c[2], z)))
+        end
+    end
+    return line
+end
+
 return place
