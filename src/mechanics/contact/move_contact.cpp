@@ -157,6 +157,40 @@ bool keeps_any(const Model& model, Row c, const std::vector<std::size_t>& kept) 
     return false;
 }
 
+/// What the motion of rows of a joint between rigid blocks has done.
+struct RowsMotion {
+    JointWork work;
+    Eight slip2{}; ///< squares of the slips of the step, the greatest of each lane
+};
+
+/// Moves up to eight rows with pair number `l`.
+inline void move_rows(Model& model, Row i, const RowsOfEight& group, const PairMotions& pairs, std::size_t l,
+                      const std::vector<std::size_t>& kept, RowsMotion& moved) {
+    auto& subs = model.sub_contacts;
+    const bool large = model.settings.large_strain;
+    const Eight3 n = lane(pairs.normal, l), origin = lane(pairs.origin, l), mean_turn = lane(pairs.mean_turn, l);
+    const Eight half = eights(large ? 0.5 : 0);
+    // Missing rows move as the origin does; otherwise they would seem to slip far.
+    const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
+    const Eight3 turned = mean_turn.cross(arm);
+    const Eight3 u = lane(pairs.apart, l) + lane(pairs.apart_turn, l).cross(arm + turned * half);
+    const Eight opening = u.dot(lane(pairs.normal_middle, l));
+    const Eight3 shear = in_plane(u, n);
+    group.store(subs.normal_displacement_increment.data() + i, opening);
+    group.store(subs.shear_displacement_increment, i, shear);
+    Eight3 force = group.load(subs.shear_force, i);
+    if (large) {
+        const Eight twist = eights(reinterpret_cast<const double*>(&pairs.twist)[l]);
+        moved.slip2 = larger_of(moved.slip2, shear.dot(shear));
+        group.store(subs.position, i, x + (lane(pairs.mean, l) + turned));
+        force = turned_in_plane(force, n, twist);
+        group.store(subs.shear_force, i, force);
+        turn_kept(subs, kept, i, group, n, twist);
+    }
+    moved.work.joint += group.load(subs.normal_force.data() + i) * opening + force.dot(shear);
+    moved.work.friction += group.load(subs.frictional_work.data() + i);
+}
+
 } // namespace
 
 void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, JointWork& work) {
@@ -167,38 +201,14 @@ void move_contact(Model& model, Row c, const std::vector<std::size_t>& kept, Joi
 
 void move_rigid_contact(Model& model, Row c, const PairMotions& pairs, std::size_t l,
                         const std::vector<std::size_t>& kept, JointWork& work) {
-    auto& subs = model.sub_contacts;
-    const bool large = model.settings.large_strain;
-    const Eight3 n = lane(pairs.normal, l), n_middle = lane(pairs.normal_middle, l), origin = lane(pairs.origin, l),
-                 apart = lane(pairs.apart, l), apart_turn = lane(pairs.apart_turn, l), mean = lane(pairs.mean, l),
-                 mean_turn = lane(pairs.mean_turn, l);
-    const Eight twist = eights(reinterpret_cast<const double*>(&pairs.twist)[l]), half = eights(large ? 0.5 : 0);
     const Span span = model.contacts.sub_contacts[c];
-    Eight farthest{};
-    JointWork own; // stays in registers, which `work` would not
-    for (Row i = span.first; i < span.end(); i += eight) {
-        const RowsOfEight group(span.end() - i);
-        // Missing rows move as the origin does; otherwise they would seem to slip far.
-        const Eight3 x = group.load(subs.position, i, origin), arm = x - origin;
-        const Eight3 turned = mean_turn.cross(arm);
-        const Eight3 u = apart + apart_turn.cross(arm + turned * half);
-        const Eight opening = u.dot(n_middle);
-        const Eight3 shear = in_plane(u, n);
-        group.store(subs.normal_displacement_increment.data() + i, opening);
-        group.store(subs.shear_displacement_increment, i, shear);
-        Eight3 force = group.load(subs.shear_force, i);
-        if (large) {
-            farthest = larger_of(farthest, shear.dot(shear));
-            group.store(subs.position, i, x + (mean + turned));
-            force = turned_in_plane(force, n, twist);
-            group.store(subs.shear_force, i, force);
-            turn_kept(subs, kept, i, group, n, twist);
-        }
-        own.joint += group.load(subs.normal_force.data() + i) * opening + force.dot(shear);
-        own.friction += group.load(subs.frictional_work.data() + i);
-    }
-    work.add(own);
-    if (large) model.contacts.slip_since_update[c] += std::sqrt(largest(farthest));
+    RowsMotion moved;
+    // Most joints have no more than eight places: in a loop, all numbers of the pair would wait in registers.
+    move_rows(model, span.first, RowsOfEight(span.count), pairs, l, kept, moved);
+    for (Row i = eight; i < span.count; i += eight)
+        move_rows(model, span.first + i, RowsOfEight(span.count - i), pairs, l, kept, moved);
+    work.add(moved.work);
+    if (model.settings.large_strain) model.contacts.slip_since_update[c] += std::sqrt(largest(moved.slip2));
 }
 
 void turn_kept_vectors(Model& model, Row c, const std::vector<std::size_t>& kept) {

@@ -2,7 +2,7 @@
 
 #include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/lanes/turn.hpp"
-#include "mechanics/shape/overlap_patch.hpp"
+#include "mechanics/shape/rigid_pair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +52,6 @@ struct RigidMotions {
 };
 
 } // namespace
-
-bool is_rigid_joint(const Model& model, Row c) { return between_rigid(model, c) && !follows_overlap(model, c); }
 
 void PairMotions::take(Model& model, std::span<const Row> rows) {
     auto& contacts = model.contacts;

@@ -23,7 +23,4 @@ struct PairMotions {
     void take(Model& model, std::span<const Row> contacts);
 };
 
-/// Whether a contact moves as a joint between rigid blocks does.
-bool is_rigid_joint(const Model& model, Row contact);
-
 } // namespace kaya

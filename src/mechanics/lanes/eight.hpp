@@ -202,7 +202,13 @@ template <class Number>
     }
     return any == 0;
 }
-inline bool all_zero(const Eight3& e) { return all_zero(e.x) && all_zero(e.y) && all_zero(e.z); }
+inline bool all_zero(const Eight3& e) {
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask(_mm512_or_pd(_mm512_or_pd(e.x, e.y), e.z), _mm512_setzero_pd(), _CMP_NEQ_UQ) == 0;
+#else
+    return all_zero(e.x) && all_zero(e.y) && all_zero(e.z);
+#endif
+}
 
 /// Four rows, or the same numbers as four columns of them.
 inline void transpose(std::array<Four, 4>& r) {

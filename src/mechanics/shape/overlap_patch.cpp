@@ -117,14 +117,6 @@ double rounding_of_gap(const Model& model, Row block1, Row block2) {
     const double far = one.cwiseAbs().cwiseMax(two.cwiseAbs()).maxCoeff();
     return std::max(precision * far, least * std::min(blocks.margin[block1], blocks.margin[block2]));
 }
-
-double part_of_first(const Model& model, Row block1, Row block2) {
-    constexpr double larger = 2;
-    const auto& volume = model.blocks.volume;
-    if (volume[block1] > larger * volume[block2]) return 1;
-    return volume[block2] > larger * volume[block1] ? 0 : 0.5;
-}
-
 namespace {
 
 /// The common volume of two blocks, relative to its own origin.
@@ -183,14 +175,6 @@ OverlapGradient closure_gradient(const CommonPart& common, const OverlapGradient
     slope.value = closure;
     return slope;
 }
-
-} // namespace
-
-bool between_rigid(const Model& model, Row c) {
-    return !model.blocks.deformable[model.contacts.block1[c]] && !model.blocks.deformable[model.contacts.block2[c]];
-}
-
-namespace {
 
 /// Which of the two blocks is shifted by the offset, and clipped.
 bool second_is_subject(const Blocks& blocks, const OverlapPair& pair) {

@@ -3,6 +3,7 @@
 
 #include "geometry/polyhedra/convex_overlap.hpp"
 #include "mechanics/lanes/eight.hpp"
+#include "mechanics/shape/rigid_pair.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
@@ -69,13 +70,6 @@ double overlap_area(const Model& model, const OverlapPair& pair, const Vec3& nor
 
 /// Overlaps up to this depth may come from the rounding of coordinates, of blocks that were made to touch: they carry nothing.
 double rounding_of_gap(const Model& model, Row block1, Row block2);
-
-/// Whose surface defines the normal and the depth of a contact between rigid blocks: 1, that of block 1; 0, that of block 2, where one is
-/// more than twice as large as the other; 0.5, the mean of both. It depends on the two blocks only, not on their order.
-double part_of_first(const Model& model, Row block1, Row block2);
-
-/// Both blocks are rigid.
-bool between_rigid(const Model& model, Row contact);
 
 /// The offset of a contact; along its normal if none was stored.
 ClosureOffset offset_of(const Contacts& contacts, Row contact);
