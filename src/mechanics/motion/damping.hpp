@@ -55,7 +55,7 @@ struct DampingFactors {
         if (combined == 0) return advance(velocity, push);
         const Eight change = force - load_as<Eight>(last);
         store(last, force);
-        return advance_combined(velocity, change, push);
+        return advance_combined(velocity, size_of(change) > steady * size_of(force) ? change : Eight{}, push);
     }
     /// Without combined damping.
     Eight advance(const Eight& velocity, const Eight& push) const {
@@ -65,6 +65,9 @@ struct DampingFactors {
     }
 
 private:
+    /// A force that changes by less of itself in a step does not change: the sign of what is left is rounding.
+    static constexpr double steady = 1e-9;
+
     /// advance_combined for one component.
     Eight advance_combined(const Eight& velocity, const Eight& change, const Eight& push) const {
         const Eight none{}, brake = 0.5 * combined * size_of(push), with = velocity < 0 ? -brake : brake;
@@ -80,7 +83,7 @@ private:
     double after_turn_ = 1; ///< local damping: the part of a velocity that remains when it changes sign
 
     double advance_combined(double velocity, double force, double push, double& last) const {
-        const double change = force - last;
+        const double change = std::abs(force - last) > steady * std::abs(force) ? force - last : 0;
         last = force;
         const double brake = 0.5 * combined * std::abs(push);
         const double acting = push + (change == 0 ? 0 : std::copysign(brake, change));

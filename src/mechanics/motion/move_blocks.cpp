@@ -150,7 +150,9 @@ inline void advance(const RigidBody& body, const Settings& settings, const Clock
         }
     } else if (!momentum.isZero(0)) {
         Rotor turned = rotor(body.orientation);
-        w = turn(turned, SymmetricInverse(body.inertia_shape, body.inertia_scale), Triple(momentum), step).vector();
+        const double turning_step = settings.large_strain ? step : 0; // in small strain the inertia stays as well
+        w = turn(turned, SymmetricInverse(body.inertia_shape, body.inertia_scale), Triple(momentum), turning_step)
+                .vector();
         if (settings.large_strain) body.orientation = quaternion_of(turned);
     } else {
         w.setZero();

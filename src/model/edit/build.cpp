@@ -344,6 +344,7 @@ void delete_blocks(Model& model, const std::vector<Row>& rows) {
     renumber<Blocks>(model, renamed);
     put_in_block_order(model);
     drop_contacts_of_none(model);
+    if (blocks.empty()) model.clock.last_step = model.clock.global_viscosity = 0; // those of bodies that are gone
 }
 
 namespace {
