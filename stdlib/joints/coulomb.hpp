@@ -106,8 +106,12 @@ inline const char* check(const double* p) {
 
 // --- the step ------------------------------------------------------------------------------------------------------------
 
-/// A gap up to this part of the size of a sub-contact is rounding of coordinates and counts as closed.
-constexpr double rounding_of_gap = 1e-9;
+/// Whether the sides of a sub-contact are apart. A gap up to a small part of its size is rounding of coordinates and of motions that are alike: it
+/// counts as closed and breaks no bond.
+[[gnu::always_inline]] inline bool is_gap(double gap, double area) {
+    constexpr double rounding = 1e-9;
+    return gap > 0 && gap * gap > rounding * rounding * area;
+}
 
 /// The columns that a step reads and writes.
 struct Columns {
@@ -241,8 +245,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
     double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
     const double elastic_normal = breaks ? lowest : pulled;
     const bool apart = new_gap > contact_gap;
-    // Sides that move alike part by the rounding of their motions, which breaks no bond.
-    const bool parts = breaks && new_gap * new_gap > rounding_of_gap * rounding_of_gap * area;
+    const bool parts = breaks && is_gap(new_gap, area);
 
     // Shear: elastic trial (3), less creep, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
@@ -316,7 +319,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
 /// Distance between the sides of a new row.
 inline double gap_between(const kaya_jbatch& batch, std::size_t i) {
-    return batch.normal_disp[i] > rounding_of_gap * std::sqrt(batch.area[i]) ? batch.normal_disp[i] : 0;
+    return is_gap(batch.normal_disp[i], batch.area[i]) ? batch.normal_disp[i] : 0;
 }
 
 /// New rows: open sides have a gap, and no bond that could pull them together.
@@ -329,7 +332,7 @@ inline ptrdiff_t initialise(kaya_jbatch* batch) {
         const bool loaded = batch->normal_force[i] != 0;
         const double opened = gaps[i] > 0 ? gaps[i] : apart;
         gaps[i] = loaded ? 0 : opened;
-        if (!loaded && opened > 0) batch->state[i] |= tension_past;
+        if (!loaded && is_gap(opened, batch->area[i])) batch->state[i] |= tension_past;
     }
     return -1;
 }
