@@ -95,6 +95,18 @@ std::optional<lang::BlockProperty> find_block_property(std::string_view word) {
     return static_cast<lang::BlockProperty>(found - known.begin());
 }
 
+std::optional<lang::BlockProperty> block_property_of(const LawTable::Property& property) {
+    const auto& known = lang::block_property_words();
+    const auto is_name = [&](const auto& spelling) {
+        return spelling.word == property.name ||
+               std::ranges::find(property.aliases, spelling.word) != property.aliases.end();
+    };
+    const auto found =
+        std::ranges::find_if(known, [&](const auto& p) { return std::ranges::any_of(p.words, is_name); });
+    if (found == known.end()) return std::nullopt;
+    return static_cast<lang::BlockProperty>(found - known.begin());
+}
+
 std::string_view name_of(lang::BlockProperty property) {
     return lang::block_property_words()[static_cast<std::size_t>(property)].name;
 }
@@ -124,6 +136,7 @@ PropertyMeaning property_meaning(JointRegistry& models, const lang::Property::It
     if (early != early_words.end()) return {{}, nullptr, std::string(early->second)};
     const auto* of_zones = joint_only ? nullptr : find_zone_property(models.zones, item.word);
     if (of_zones == nullptr) refuse_word(models, item, joint_only);
+    if (const auto property = block_property_of(*of_zones)) return {property, nullptr, {}};
     return {{}, of_zones, {}};
 }
 

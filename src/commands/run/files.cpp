@@ -163,7 +163,7 @@ void run(Session& session, const lang::Restore& command) {
                           session.engine.model.settings.triangular_outer_faces
                               ? "outer faces of cells stay triangles; all else has the values of a new model"
                               : "they have the values of a new model");
-    session.deck.property_places.clear();
+    session.deck.property_words.clear();
     session.engine.make_cycle();
     session.autosave->saved();
 }

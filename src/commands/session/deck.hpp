@@ -19,6 +19,12 @@
 
 namespace kaya {
 
+/// A word of `prop`.
+struct PropertyWord {
+    Place place;
+    bool of_joints = false; ///< given for joints: `prop jmat`
+};
+
 class Deck {
 public:
     explicit Deck(lang::InterpreterHost& host);
@@ -41,7 +47,7 @@ public:
     Units units;      ///< `set units`
     std::string file; ///< name of the deck that runs, for default names of output files
     std::vector<std::shared_ptr<const SourceText>> sources; ///< texts of the decks that ran, for save files
-    std::map<std::pair<std::int32_t, std::string>, Place> property_places; ///< of `prop` words, for late messages
+    std::map<std::pair<std::int32_t, std::string>, PropertyWord> property_words; ///< of `prop`, for late messages
     Place last_place;         ///< of the last command, for errors without a place
     bool modern_line = false; ///< the last command is of the modern dialect
 

@@ -115,10 +115,10 @@ void warn_unused(Session& session, std::int32_t number, const Material& material
         if (known) continue;
         if (!session.program.said_once.insert(fmt::format("prop {} {} {}", number, word, *models.begin())).second)
             continue;
-        const auto place = session.deck.property_places.find({number, word});
+        const auto place = session.deck.property_words.find({number, word});
         Diagnostic warning(fmt::format("'{}' of joint material {} has no effect", word, number),
                            fmt::format("joint model {} has no such property", fmt::join(models, ", ")));
-        if (place != session.deck.property_places.end()) warning.at(place->second);
+        if (place != session.deck.property_words.end()) warning.at(place->second.place);
         session.warn(std::move(warning));
     }
 }
@@ -139,7 +139,7 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
         const std::string by = models.empty() ? "rigid" : *models.begin();
         if (known || !session.program.said_once.insert(fmt::format("zone prop {} {} {}", number, word, by)).second)
             continue;
-        const auto place = session.deck.property_places.find({number, word});
+        const auto place = session.deck.property_words.find({number, word});
         Diagnostic warning =
             models.empty()
                 ? Diagnostic(fmt::format("'{}' of material {} has no effect: its blocks are rigid", word, number),
@@ -148,8 +148,44 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
                       fmt::format("'{}' of material {} has no effect: its zones are {}", word, number,
                                   fmt::join(models, ", ")),
                       "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
-        if (place != session.deck.property_places.end()) warning.at(place->second);
+        if (place != session.deck.property_words.end()) warning.at(place->second.place);
         session.warn(std::move(warning));
+    }
+}
+
+/// Whether a block of the material gets this property of its zone model from a command.
+bool is_given(const Model& model, std::int32_t number, const Material& material, const LawTable::Property& property) {
+    if (const auto of_block = block_property_of(property)) {
+        if (material.*member_of(*of_block) != 0) return true;
+    } else if (material.zone.contains(property.name)) {
+        return true;
+    }
+    const auto& blocks = model.blocks;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const auto& own = model.zone_properties[static_cast<std::size_t>(blocks.zone_properties[b])];
+        if (blocks.material[b] == number && own.values.contains(property.name)) return true;
+    }
+    return false;
+}
+
+/// Words of `prop mat` that joint models took, while the zones of the material have a property of that name and no value of it.
+void warn_taken_by_joints(Session& session, std::int32_t number, const Material& material) {
+    const auto models = zone_models_in_use(session.engine.model, number);
+    for (const auto& [word, value] : material.joint) {
+        const auto given = session.deck.property_words.find({number, word});
+        if (given == session.deck.property_words.end() || given->second.of_joints) continue;
+        for (const auto& name : models) {
+            const ZoneModel& zones = session.engine.joints.zones.get(name);
+            const auto found = zones.find_property(word);
+            if (!found || is_given(session.engine.model, number, material, zones.properties[*found])) continue;
+            if (!session.program.said_once.insert(fmt::format("joint prop {} {}", number, word)).second) continue;
+            session.warn(
+                Diagnostic(fmt::format("'{}' of material {} went to its joints; its zones, {}, have no {}", word,
+                                       number, name, zones.properties[*found].name),
+                           fmt::format("give zones theirs with `zone property {}`, or write `prop jmat {}` for joints",
+                                       zones.properties[*found].name, number))
+                    .at(given->second.place));
+        }
     }
 }
 
@@ -200,12 +236,12 @@ void refuse_joint_values(Session& session, std::int32_t number, const Material& 
     for (const auto& name : models) {
         const JointModel* joint = &session.engine.joints.get(name);
         for (const auto& [word, value] : material.joint) {
-            const auto place = session.deck.property_places.find({number, word});
-            if (!joint->find_property(word) || place == session.deck.property_places.end()) continue;
+            const auto place = session.deck.property_words.find({number, word});
+            if (!joint->find_property(word) || place == session.deck.property_words.end()) continue;
             try {
                 accepting_property(*joint, joint_law.noun, word, value);
             } catch (Diagnostic& mistake) {
-                mistake.at(place->second);
+                mistake.at(place->second.place);
                 throw;
             }
         }
@@ -227,11 +263,11 @@ void run(Session& session, const lang::Property& typed) {
         const PropertyMeaning meaning = property_meaning(session.engine.joints, item, command.joint);
         if (meaning.block) {
             set_block_property(material, *meaning.block, item);
-            session.deck.property_places[{number, std::string(name_of(*meaning.block))}] = item.place;
+            session.deck.property_words[{number, std::string(name_of(*meaning.block))}] = {item.place};
         } else if (meaning.zone) {
             check_value(*meaning.zone, item);
             material.zone[meaning.zone->name] = item.value;
-            session.deck.property_places[{number, meaning.zone->name}] = item.place;
+            session.deck.property_words[{number, meaning.zone->name}] = {item.place};
         } else {
             of_joints.push_back(item);
             of_joints.back().word = meaning.joint;
@@ -243,7 +279,7 @@ void run(Session& session, const lang::Property& typed) {
                                session.deck.here(), failed);
         });
         for (const auto& item : of_joints) {
-            session.deck.property_places[{number, item.word}] = item.place;
+            session.deck.property_words[{number, item.word}] = {item.place, command.joint};
             forget_other_spellings(session.engine.model.materials[number].joint, item.word);
         }
     }
@@ -382,6 +418,7 @@ void check_materials(Session& session) {
         refuse_joint_values(session, number, material);
         warn_unused(session, number, material);
         warn_unused_by_zones(session, number, material);
+        warn_taken_by_joints(session, number, material);
     }
     warn_of_rigid_models(session);
     doubt_elasticity(session);

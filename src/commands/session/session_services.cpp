@@ -147,7 +147,7 @@ void Session::clear() {
     else engine.scripts->clear();
     deck.title.clear();
     deck.units = {};
-    deck.property_places.clear();
+    deck.property_words.clear();
     if (!by_script) program.said_once.clear();
     autosave->saved();
     engine.make_cycle();
