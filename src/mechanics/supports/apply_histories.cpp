@@ -12,6 +12,17 @@ namespace kaya {
 
 namespace {
 
+/// Scripts see the time for which their value is wanted.
+class TimeOfScripts {
+public:
+    TimeOfScripts(Clock& clock, double time) : clock_(clock), own_(clock.time) { clock.time = time; }
+    ~TimeOfScripts() { clock_.time = own_; }
+
+private:
+    Clock& clock_;
+    double own_;
+};
+
 double value_of(const TimeFunction& function, double time, const Hooks& hooks) {
     const double angle = 2 * std::numbers::pi * function.frequency * time;
     const bool acts = time >= 0 && (function.duration == 0 || time <= function.duration);
@@ -25,8 +36,9 @@ double value_of(const TimeFunction& function, double time, const Hooks& hooks) {
     return 0;
 }
 
-void fill(const Model& model, const std::vector<std::int32_t>& functions, double time, const Hooks& hooks,
+void fill(Model& model, const std::vector<std::int32_t>& functions, double time, const Hooks& hooks,
           std::vector<double>& factors) {
+    const TimeOfScripts of_scripts(model.clock, time);
     for (const auto row : functions) {
         const TimeFunction& function = model.time_functions[row];
         try {
