@@ -6,6 +6,7 @@
 #pragma once
 
 #include "kaya/jmodel.h"
+#include "kaya/law/rounding.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,13 +106,6 @@ inline const char* check(const double* p) {
 }
 
 // --- the step ------------------------------------------------------------------------------------------------------------
-
-/// Whether the sides of a sub-contact are apart. A gap up to a small part of its size is rounding of coordinates and of motions that are alike: it
-/// counts as closed and breaks no bond.
-[[gnu::always_inline]] inline bool is_gap(double gap, double area) {
-    constexpr double rounding = 1e-9;
-    return gap > 0 && gap * gap > rounding * rounding * area;
-}
 
 /// The columns that a step reads and writes.
 struct Columns {
@@ -245,7 +239,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
     double new_gap = area > 0 ? stretched : std::max(0.0, old_gap + c.opening[i]);
     const double elastic_normal = breaks ? lowest : pulled;
     const bool apart = new_gap > contact_gap;
-    const bool parts = breaks && is_gap(new_gap, area);
+    const bool parts = breaks && beyond_rounding(new_gap, area);
 
     // Shear: elastic trial (3), less creep, against the limit (4).
     const double old_x = c.force_x[i], old_y = c.force_y[i], old_z = c.force_z[i];
@@ -319,7 +313,7 @@ template <bool dilates, class Strength, class Creep = Rigid>
 
 /// Distance between the sides of a new row.
 inline double gap_between(const kaya_jbatch& batch, std::size_t i) {
-    return is_gap(batch.normal_disp[i], batch.area[i]) ? batch.normal_disp[i] : 0;
+    return beyond_rounding(batch.normal_disp[i], batch.area[i]) ? batch.normal_disp[i] : 0;
 }
 
 /// New rows: open sides have a gap, and no bond that could pull them together.
@@ -332,7 +326,7 @@ inline ptrdiff_t initialise(kaya_jbatch* batch) {
         const bool loaded = batch->normal_force[i] != 0;
         const double opened = gaps[i] > 0 ? gaps[i] : apart;
         gaps[i] = loaded ? 0 : opened;
-        if (!loaded && is_gap(opened, batch->area[i])) batch->state[i] |= tension_past;
+        if (!loaded && beyond_rounding(opened, batch->area[i])) batch->state[i] |= tension_past;
     }
     return -1;
 }

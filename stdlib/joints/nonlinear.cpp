@@ -80,7 +80,7 @@ ptrdiff_t initialise(kaya_jbatch* batch) {
     springs_of(batch->properties).begin(*batch, closures);
     // Open sides have no bond that could pull them together.
     for (std::size_t i = 0; i < batch->n; ++i)
-        if (batch->normal_force[i] == 0 && coulomb::is_gap(-closures[i], batch->area[i]))
+        if (batch->normal_force[i] == 0 && beyond_rounding(-closures[i], batch->area[i]))
             batch->state[i] |= coulomb::tension_past;
     return -1;
 }
@@ -215,7 +215,7 @@ template <bool dilates> [[gnu::always_inline]] inline void end_row(const Joint& 
         c.travel_y[i] -= part * t.y[j];
         c.travel_z[i] -= part * t.z[j];
     }
-    const bool parts = t.broken[j] > 0 && coulomb::is_gap(-closed, area);
+    const bool parts = t.broken[j] > 0 && beyond_rounding(-closed, area);
     c.gaps[i] = closed;
     c.slips[i] += t.slipped[j];
     c.normal_force[i] = normal * area;

@@ -2,6 +2,7 @@
 // docs/joint-models/barton-bandis.md has the equations; (n) below are their numbers.
 #include "kaya/jmodel.h"
 #include "kaya/law/own_properties.hpp"
+#include "kaya/law/rounding.hpp"
 #include "kaya/law/rows.hpp"
 #include "stdlib/joints/barton-bandis/law.hpp"
 
@@ -362,7 +363,8 @@ ptrdiff_t initialise_alike(kaya_jbatch* batch) {
             per_area * std::hypot(batch->shear_force[0][i], batch->shear_force[1][i], batch->shear_force[2][i]);
         // An existing shear force must have been mobilised.
         double& spent = batch->history[mobilised][i];
-        spent = std::max(spent, displacement_of_stress(law, strength, shear_stress));
+        if (beyond_rounding(closed, batch->area[i]))
+            spent = std::max(spent, displacement_of_stress(law, strength, shear_stress));
         batch->normal_stiffness[i] = normal_tangent(law, closed);
         batch->shear_stiffness[i] = strength.stiffness;
     }
