@@ -45,6 +45,19 @@ const LawTable::Property* find_zone_property(ZoneModels& models, const std::stri
     return among(models.loaded());
 }
 
+/// The property of blocks, such as `bcohesion`, that gives zones this one.
+std::optional<lang::BlockProperty> block_property_of(const LawTable::Property& property) {
+    const auto& known = lang::block_property_words();
+    const auto is_name = [&](const auto& spelling) {
+        return spelling.word == property.name ||
+               std::ranges::find(property.aliases, spelling.word) != property.aliases.end();
+    };
+    const auto found =
+        std::ranges::find_if(known, [&](const auto& p) { return std::ranges::any_of(p.words, is_name); });
+    if (found == known.end()) return std::nullopt;
+    return static_cast<lang::BlockProperty>(found - known.begin());
+}
+
 /// Letters of formulas, and the words that stand for them in a deck.
 struct Symbol {
     std::string_view word, of_blocks, of_joints;
@@ -91,18 +104,6 @@ std::optional<lang::BlockProperty> find_block_property(std::string_view word) {
     };
     auto found = with([&](const auto& spelling) { return spelling.word == word; });
     if (found == known.end()) found = with([&](const auto& spelling) { return spelling.word.starts_with(word); });
-    if (found == known.end()) return std::nullopt;
-    return static_cast<lang::BlockProperty>(found - known.begin());
-}
-
-std::optional<lang::BlockProperty> block_property_of(const LawTable::Property& property) {
-    const auto& known = lang::block_property_words();
-    const auto is_name = [&](const auto& spelling) {
-        return spelling.word == property.name ||
-               std::ranges::find(property.aliases, spelling.word) != property.aliases.end();
-    };
-    const auto found =
-        std::ranges::find_if(known, [&](const auto& p) { return std::ranges::any_of(p.words, is_name); });
     if (found == known.end()) return std::nullopt;
     return static_cast<lang::BlockProperty>(found - known.begin());
 }

@@ -34,9 +34,6 @@ std::string_view name_of(lang::BlockProperty property);
 /// Which property of blocks a word or its beginning names.
 std::optional<lang::BlockProperty> find_block_property(std::string_view word);
 
-/// The property of blocks, such as `bcohesion`, that has the value of this one of zones.
-std::optional<lang::BlockProperty> block_property_of(const LawTable::Property& property);
-
 /// Whether every deck, or a loaded joint model, has this property of joints.
 bool is_joint_word(const JointRegistry& models, std::string_view word);
 

@@ -153,42 +153,6 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
     }
 }
 
-/// Whether a block of the material has a value of this property by `zone property`.
-bool have_own(const Model& model, std::int32_t material, const std::string& property) {
-    const auto& blocks = model.blocks;
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const auto& own = model.zone_properties[static_cast<std::size_t>(blocks.zone_properties[b])];
-        if (blocks.material[b] == material && own.values.contains(property)) return true;
-    }
-    return false;
-}
-
-/// Words of `prop mat` that joint models took, where zones read a property of blocks, such as `bcohesion`, that has no value. Other words of
-/// joints give zones theirs, too.
-void warn_taken_by_joints(Session& session, std::int32_t number, const Material& material) {
-    const auto models = zone_models_in_use(session.engine.model, number);
-    for (const auto& [word, value] : material.joint) {
-        const auto given = session.deck.property_words.find({number, word});
-        if (given == session.deck.property_words.end() || given->second.of_joints) continue;
-        for (const auto& name : models) {
-            const ZoneModel& zones = session.engine.joints.zones.get(name);
-            const auto found = zones.find_property(word);
-            if (!found) continue;
-            const auto& property = zones.properties[*found];
-            const auto of_block = block_property_of(property);
-            if (!of_block || material.*member_of(*of_block) != 0) continue;
-            if (have_own(session.engine.model, number, property.name)) continue;
-            if (!session.program.said_once.insert(fmt::format("joint prop {} {}", number, word)).second) continue;
-            session.warn(
-                Diagnostic(fmt::format("'{}' of material {} went to its joints; its zones, {}, have no {}", word,
-                                       number, name, property.name),
-                           fmt::format("give zones theirs with `zone property {}`, or write `prop jmat {}` for joints",
-                                       property.name, number))
-                    .at(given->second.place));
-        }
-    }
-}
-
 /// Throws Diagnostic where `zone model` was given and no block that has one has zones.
 void refuse_rigid_models(const Model& model) {
     const auto& blocks = model.blocks;
@@ -418,7 +382,6 @@ void check_materials(Session& session) {
         refuse_joint_values(session, number, material);
         warn_unused(session, number, material);
         warn_unused_by_zones(session, number, material);
-        warn_taken_by_joints(session, number, material);
     }
     warn_of_rigid_models(session);
     doubt_elasticity(session);

@@ -31,6 +31,8 @@ void doubt_units(Session& session);
 void doubt_joints(Session& session);
 /// Zone models that need a strength and have none.
 void doubt_zone_strengths(Session& session);
+/// Words of `prop mat` that joint models took, where zones have a property of this name and keep its initial value.
+void doubt_zone_words(Session& session);
 /// Zones that shrink to nothing under their weight, or carry waves faster than any solid.
 void doubt_zone_magnitudes(Session& session);
 /// Undamped motion, which does not end in equilibrium.

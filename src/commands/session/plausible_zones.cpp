@@ -61,6 +61,31 @@ void doubt_zone_strengths(Session& session) {
     }
 }
 
+void doubt_zone_words(Session& session) {
+    const Model& model = session.engine.model;
+    for (const auto& [law_and_material, block] : zoned_blocks(model)) {
+        const auto& [name, number] = law_and_material;
+        const auto found = model.materials.find(number);
+        const ZoneModel* law = session.engine.joints.zones.find(name);
+        if (found == model.materials.end() || law == nullptr) continue;
+        const auto values = zone_model_values(model, block, *law);
+        for (const auto& [word, value] : found->second.joint) {
+            const auto given = session.deck.property_words.find({number, word});
+            const auto property = law->find_property(word);
+            if (given == session.deck.property_words.end() || given->second.of_joints || !property) continue;
+            const auto& of_zones = law->properties[*property];
+            if (values[*property] == value || values[*property] != of_zones.initial) continue;
+            if (!session.program.said_once.insert(fmt::format("joint prop {} {}", number, word)).second) continue;
+            session.warn(
+                Diagnostic(fmt::format("'{}' of material {} went to its joints; its zones, {}, have no {}", word,
+                                       number, name, of_zones.name),
+                           fmt::format("give zones theirs with `zone property {}`, or write `prop jmat {}` for joints",
+                                       of_zones.name, number))
+                    .at(given->second.place));
+        }
+    }
+}
+
 void doubt_zone_magnitudes(Session& session) {
     const Model& model = session.engine.model;
     const double gravity = model.settings.gravity.norm(), size = model_size(model);

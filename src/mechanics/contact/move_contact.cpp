@@ -157,10 +157,10 @@ bool keeps_any(const Model& model, Row c, const std::vector<std::size_t>& kept) 
     return false;
 }
 
-/// What the motion of rows of a joint between rigid blocks has done.
+/// Work and slips of a step, of some rows of a joint between rigid blocks.
 struct RowsMotion {
     JointWork work;
-    Eight slip2{}; ///< squares of the slips of the step, the greatest of each lane
+    Eight slip2{}; ///< squares of the slips, the greatest of each lane
 };
 
 /// Moves up to eight rows with pair number `l`.
