@@ -92,8 +92,8 @@ typedef struct kaya_zmodel {
     size_t history_count;
     const char* state_names; /* "shear tension": bit 0, bit 1, ...; separated by blanks */
 
-    /* 1: zones of this model flow with a prescribed volume change, so that linear tetrahedra would lock: the engine averages the
-     * volume strain and the plastic change of the mean stress over neighbours. 0: they do not. */
+    /* 1: zones of this model yield, so that the zones of a cell may have different strains: it runs at six points of the cell. 0: it runs
+     * once for a cell, with its mean strain. */
     uint32_t flows;
 
     /* One step: old stress and strain increment in, new stress out. */

@@ -219,7 +219,7 @@ CommandSpec zone_properties() {
 
 CommandSpec zone_nmd() {
     return Entry<ZoneAveraging>({Spelling{"zone", 4}}, {"nmd"})
-        .help("couples yielding zones against locking: they average their volume strain and their flow")
+        .help("couples tetrahedra against locking: they average their volume strain and their flow")
         .argument(on_off(), &ZoneAveraging::on)
         .right("zone nmd off")
         .wrong("zone nmd maybe", "expected on or off, found 'maybe'");

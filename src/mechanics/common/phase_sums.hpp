@@ -51,12 +51,14 @@ struct JointSums {
 
 /// Effect of a step on the zones.
 struct ZoneSums {
-    double work = 0;   ///< put into them
-    double damped = 0; ///< taken up by viscous stress
+    double work = 0;     ///< put into them
+    double damped = 0;   ///< taken up by viscous stress
+    bool flowed = false; ///< a zone whose flow is averaged over its neighbours
 
     void add(const ZoneSums& part) {
         work += part.work;
         damped += part.damped;
+        flowed = flowed || part.flowed;
     }
 };
 

@@ -26,14 +26,14 @@ template <class Each> void for_tiles(const ZoneLaws& laws, Together together, co
 }
 
 /// Calls each(zone, count, deformation) for groups of eight zones of these tiles: the first zone, how many there are from it on in its tile, and
-/// their deformation in the step.
-template <class Each>
+/// their Deformation or VolumeStrain in the step.
+template <class Change, class Each>
 void for_deformations(const Model& model, const ZoneLaws& laws, Together together, const Each& each) {
     for_tiles(laws, together, [&](const ZoneTile& tile) {
         const TileRows rows(model, laws.tiles, tile);
         for (Row z = tile.first; z < tile.last; z += eight) {
             const ZoneGroup group = rows.group_at(z);
-            each(z, tile.last - z, rows.deformation(group, rows.edges(group), model.settings.large_strain));
+            each(z, tile.last - z, rows.deformation<Change>(group, rows.edges(group), model.settings.large_strain));
         }
     });
 }
@@ -49,10 +49,12 @@ void average_at_points(const ZoneLaws& laws, Together together, const std::vecto
         auto* const here = sums.data() + tile.points.first;
         std::fill_n(here, tile.points.count, PointMean<n>{});
         for (Row z = tile.first; z < tile.last; ++z) {
-            const std::array<double, n> values = value(z);
+            const double size = volume[z];
+            std::array<double, n> part = value(z);
+            for (double& v : part) v *= size;
             for (const Row p : tiles.corners[z]) {
-                for (std::size_t k = 0; k < n; ++k) here[p].sum[k] += volume[z] * values[k];
-                here[p].volume += volume[z];
+                for (std::size_t k = 0; k < n; ++k) here[p].sum[k] += part[k];
+                here[p].volume += size;
             }
         }
     });

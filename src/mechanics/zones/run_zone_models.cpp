@@ -14,12 +14,20 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
+#include <span>
 
 namespace kaya {
 
 namespace {
 
-/// Work of one tile on its zones, without averaging.
+/// The part of a plastic change of the mean stress that is more than the rounding of sums of this size; otherwise 0.
+Eight beyond_rounding(const Eight& flow, const Eight& size) {
+    constexpr double part = 64 * std::numeric_limits<double>::epsilon();
+    return size_of(flow) > part * size ? flow : Eight{};
+}
+
+/// Work of one tile on its zones, without averaging of flow.
 class TileRun {
 public:
     TileRun(Model& model, const ZoneLaws& laws, const ZoneTile& tile, ZoneScratch& scratch,
@@ -43,11 +51,10 @@ private:
         strain(columns, first, count);
         const auto failure = run_guarded(*law_.model, columns.batch, model_.clock.cycle, first + 1);
         if (failure) throw failed_zone(model_, law_, first + static_cast<Row>(failure->row), *failure);
-        ZoneSums sums;
-        sums.work = finish(columns, first, count);
+        ZoneSums sums = finish(columns, first, count);
         if (damped_) {
             sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
-            if (!averages_ && !shares_) add_damped_forces(columns, first, count);
+            if (!shares_) add_damped_forces(columns, first, count);
         }
         return sums;
     }
@@ -90,14 +97,15 @@ private:
         }
     }
 
-    /// Writes total stresses to the zones, updates their state, and computes their forces, unless the stresses change again.
-    double finish(ZoneColumns& columns, Row first, Row count) {
+    /// Writes total stresses to the zones, updates their state, and computes their forces, unless other stresses are added or act.
+    ZoneSums finish(ZoneColumns& columns, Row first, Row count) {
         const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
-        const bool are_final = !averages_ && !shares_ && !damped_;
+        const bool are_final = !shares_ && !damped_;
         Lanes whole = Lanes{};
+        bool flowed = false;
         for (Row i = 0; i < count; i += eight) {
             const Eight pressure = ZoneColumns::at(columns.pressure + i);
-            Eight work{}, change{}, both{};
+            Eight work{}, change{}, both{}, size = size_of(pressure);
             SixEights stresses;
             for (std::size_t k = 0; k < 6; ++k) {
                 const Eight before = ZoneColumns::at(columns.before[k] + i);
@@ -106,6 +114,7 @@ private:
                     stress -= pressure;
                     change += stress - before;
                     both += stress + before;
+                    size += size_of(stress) + size_of(before);
                 }
                 const Eight part = (before + stress) * ZoneColumns::at(columns.strain[k] + i);
                 work += k < 3 ? part : 2 * part;
@@ -113,7 +122,9 @@ private:
             }
             if (averages_) {
                 const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, count - i);
-                store_rows(scratch_.flow.data() + first + i, count - i, change / 3.0 - bulk * mean);
+                const Eight flow = beyond_rounding(change / 3.0 - bulk * mean, size);
+                flowed = flowed || !all_zero(flow);
+                store_rows(scratch_.flow.data() + first + i, count - i, flow);
                 work +=
                     both / 3.0 *
                     (ZoneColumns::at(columns.volume_strain + i) - mean); // the forces act on the zone's own deformation
@@ -131,7 +142,10 @@ private:
             else if (damped_)
                 for (std::size_t k = 0; k < 3; ++k) store(columns.stress[k] + i, stresses[k]);
         }
-        return sum(whole);
+        ZoneSums sums;
+        sums.work = sum(whole);
+        sums.flowed = flowed;
+        return sums;
     }
 
     /// Adds viscous stresses. Returns the work they dissipate.
@@ -167,7 +181,7 @@ private:
     const ZoneTile& tile_;
     const ZoneLaw& law_;
     ZoneScratch& scratch_;
-    const bool averages_; ///< volume strains and flow over gridpoints
+    const bool averages_; ///< volume strains over gridpoints, and then flow
     const bool shares_;   ///< strains and stresses with the zones at its gridpoints
     const bool damped_;   ///< by viscous stresses
     TileRows rows_;
@@ -198,7 +212,7 @@ void average(const ZoneLaws& laws, ZoneScratch& scratch, const std::vector<doubl
 void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
     for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
-    for_deformations(model, laws, Together::at_points, [&](Row z, Row count, const Deformation& d) {
+    for_deformations<VolumeStrain>(model, laws, Together::at_points, [&](Row z, Row count, const VolumeStrain& d) {
         store_rows(scratch.volume.data() + z, count, d.volume);
         store_rows(scratch.strain.data() + z, count, d.volume_strain);
     });
@@ -225,7 +239,7 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, con
     }
 }
 
-/// Averages the plastic change of the mean stress, then computes the forces. Returns the corresponding work.
+/// Averages the plastic change of the mean stress, then computes the forces of the tiles that it reaches. Returns the corresponding work.
 ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
     average(laws, scratch, scratch.flow, [&](Row z, double mean) { scratch.flow[z] = mean - scratch.flow[z]; });
     const auto& tiles = laws.tiles.tiles;
@@ -235,6 +249,10 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
             ZoneSums sums;
             const ZoneTile& tile = tiles[first];
             if (laws.laws[tile.law].together != Together::at_points) return sums;
+            const auto changes =
+                std::span(scratch.flow)
+                    .subspan(static_cast<std::size_t>(tile.first), static_cast<std::size_t>(tile.last - tile.first));
+            if (std::ranges::all_of(changes, [](double change) { return change == 0; })) return sums;
             for (Row z = tile.first; z < tile.last; ++z) {
                 for (int k = 0; k < 3; ++k) model.zones.stress[z][k] += scratch.flow[z];
                 sums.work += 0.5 * scratch.volume[z] * scratch.flow[z] * scratch.strain[z];
@@ -294,7 +312,7 @@ ZoneSums run_zone_models(Model& model, const ZoneLaws& laws, ZoneScratch& scratc
             if (!whole.failure) whole.failure = part.failure;
         });
     if (failure) std::rethrow_exception(failure);
-    if (laws.any(Together::at_points)) sums.add(average_flow(model, laws, scratch, forces));
+    if (sums.flowed) sums.add(average_flow(model, laws, scratch, forces));
     if (laws.any(Together::strains_at_points)) add_shared(model, laws, scratch, forces);
     return sums;
 }

@@ -9,10 +9,11 @@ void share_strains(const Model& model, const ZoneLaws& laws, SharedStrains& shar
     const std::size_t zones = model.zones.size();
     shared.volume.resize(zones);
     for (auto* column : {&shared.own, &shared.strain, &shared.stress}) column->resize(zones);
-    for_deformations(model, laws, Together::strains_at_points, [&](Row z, Row count, const Deformation& d) {
-        store_rows(shared.volume.data() + z, count, d.volume);
-        store_six(shared.own[z].data(), 6, count, d.strain);
-    });
+    for_deformations<Deformation>(model, laws, Together::strains_at_points,
+                                  [&](Row z, Row count, const Deformation& d) {
+                                      store_rows(shared.volume.data() + z, count, d.volume);
+                                      store_six(shared.own[z].data(), 6, count, d.strain);
+                                  });
     add_face_strains(model, laws, shared);
     average_at_points(
         laws, Together::strains_at_points, shared.volume, shared.at_point, [&](Row z) { return shared.own[z]; },

@@ -74,6 +74,25 @@ struct FaceAreas {
 /// Components xx, yy, zz, xy, xz, yz.
 using SixEights = std::array<Eight, 6>;
 
+/// Edges in the middle of a step, from those at its end and their change in it; with `large` they were shorter by that change before.
+[[gnu::always_inline]] inline Edges middle_of(Edges edges, const Edges& shift, bool large) {
+    if (large)
+        for (std::size_t i = 0; i < 3; ++i) edges[i] = edges[i] - shift[i] * eights(0.5);
+    return edges;
+}
+
+/// What Deformation has of these two, alone.
+struct VolumeStrain {
+    Eight volume, volume_strain;
+
+    [[gnu::always_inline]] VolumeStrain(const Edges& edges, const Edges& shift, bool large) {
+        const FaceAreas faces(middle_of(edges, shift, large));
+        const auto& c = faces.twice_area;
+        volume = faces.six_volumes * (1.0 / 6);
+        volume_strain = (c[0].dot(shift[0]) + c[1].dot(shift[1]) + c[2].dot(shift[2])) / faces.six_volumes;
+    }
+};
+
 /// Deformation of tetrahedra in a step: gradient of the motion with respect to the configuration at mid-step, where a rigid rotation gives
 /// no strain (Hughes and Winget 1980, Int. J. Numer. Meth. Eng. 15).
 struct Deformation {
@@ -81,12 +100,8 @@ struct Deformation {
     SixEights strain;
     Eight3 half_spin; ///< axial vector of half the skew part
 
-    /// `edges` at the end of the step, `shift`: their change in it; with `large` they were shorter by that change before.
     [[gnu::always_inline]] Deformation(const Edges& edges, const Edges& shift, bool large) {
-        Edges middle = edges;
-        if (large)
-            for (std::size_t i = 0; i < 3; ++i) middle[i] = edges[i] - shift[i] * eights(0.5);
-        const FaceAreas faces(middle);
+        const FaceAreas faces(middle_of(edges, shift, large));
         const Eight over = 1.0 / faces.six_volumes;
         const auto& c = faces.twice_area;
         const auto row = [&](auto component) { // of the gradient: of one component of the motion

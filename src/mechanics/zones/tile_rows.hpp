@@ -43,7 +43,8 @@ public:
         return tile_.last - zone >= eight ? &tiles_.corners[zone] : tail_.data() + (eight - (tile_.last - zone));
     }
     Edges edges(ZoneGroup zones) const { return edges_of(place_, zones); }
-    Deformation deformation(ZoneGroup zones, const Edges& edges, bool large) const {
+    /// Their Deformation or VolumeStrain in the step.
+    template <class Change = Deformation> Change deformation(ZoneGroup zones, const Edges& edges, bool large) const {
         return {edges, edges_of(shift_, zones), large};
     }
     Eight pressure(ZoneGroup zones) const { return mean_of_fourth(place_, zones); }

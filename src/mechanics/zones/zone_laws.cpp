@@ -134,8 +134,8 @@ void let_flow_associated(const ZoneModel& zone_model, std::vector<double>& value
 }
 
 Together together_of(const Model& model, const ZoneModel& zone_model, bool has_cells) {
-    if (!zone_model.flows()) return has_cells ? Together::cells : Together::nothing;
-    if ((model.unreduced & strains_are_shared) != 0) return Together::strains_at_points;
+    if (!zone_model.flows() && has_cells) return Together::cells;
+    if (zone_model.flows() && (model.unreduced & strains_are_shared) != 0) return Together::strains_at_points;
     if (has_cells) return Together::flow_in_cells;
     return model.settings.mixed_discretisation ? Together::at_points : Together::nothing;
 }

@@ -14,7 +14,7 @@ namespace kaya {
 /// Coupling of zones with their neighbours: docs/theory/zones.md.
 enum class Together {
     nothing, ///< each is on its own
-    at_points, ///< yielding zones average volume strain and the plastic change of the mean stress over the zones at each gridpoint
+    at_points, ///< tetrahedra average volume strain and the plastic change of the mean stress over the zones at each gridpoint
     strains_at_points, ///< flowing zones have the mean strain of the zones at their gridpoints: trials of `solve fos extrapolate`
     flow_in_cells, ///< the six zones of a cell are its layers: their model runs at six points
     cells          ///< elastic zones strain cell by cell: their model runs once for six

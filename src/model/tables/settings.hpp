@@ -36,7 +36,7 @@ struct Settings {
     bool rayleigh_mass = true;        ///< the part that is proportional to mass acts
     bool rayleigh_stiffness = true;   ///< the part that is proportional to stiffness acts
     double strength_factor = 1;       ///< by which the strength of zones is divided; `solve fos` uses it
-    bool mixed_discretisation = true; ///< zones that flow average volume strain over neighbours: docs/theory/zones.md
+    bool mixed_discretisation = true; ///< tetrahedra average volume strain over neighbours: docs/theory/zones.md
     double contact_damping = 0;       ///< of critical damping, in a dashpot at every contact
     double time_step_fraction = 0;    ///< of the largest stable step; 0: by the damping, see time_step_fraction()
     double given_time_step = 0;       ///< 0: computed; below 0: as_3dec(), compatibility.hpp

@@ -81,7 +81,7 @@ constexpr kaya_zmodel model = {
     history,
     history_count,
     state_names,
-    1, // flows at constant volume: the engine averages volume strain over neighbours
+    1, // flows: the model runs at six points of a cell
     run,
     check,
     moduli,
