@@ -1,4 +1,5 @@
 // initialize and insitu: the initial state.
+#include "base/counted.hpp"
 #include "commands/review/text_doubts.hpp"
 #include "commands/session/all_or_nothing.hpp"
 #include "commands/session/bodies.hpp"
@@ -47,8 +48,13 @@ void put_stress(Session& session, const lang::InSitu& command) {
 }
 
 void put_pore_pressure(Session& session, const lang::RangePhrase& range, const lang::LinearNumber& pressure) {
-    set_pore_pressure(session.engine.model, session.pick(ObjectKind::gridpoint, range), pressure.at_origin,
-                      pressure.gradient);
+    Model& model = session.engine.model;
+    const auto points = session.pick(ObjectKind::gridpoint, range);
+    set_pore_pressure(model, points, pressure.at_origin, pressure.gradient);
+    const auto below = std::ranges::count_if(points, [&](Row g) { return model.gridpoints.pore_pressure[g] < 0; });
+    if (below > 0)
+        session.program.output.say(
+            fmt::format("the pressure is below 0 at {}, and counts as 0 there", counted(below, "gridpoint")));
 }
 
 /// Throws Diagnostic when the range holds rigid blocks only; warns when it holds nothing.

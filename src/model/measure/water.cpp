@@ -32,8 +32,8 @@ double WaterPressure::at(const Vec3& place) const { return std::max(0.0, unlimit
 double WaterPressure::at_gridpoint(Row gridpoint) const {
     const auto& points = model_.gridpoints;
     const Water water = model_.settings.water;
-    return water == Water::table || water == Water::field || water == Water::ground ? at(points.position[gridpoint])
-                                                                                    : points.pore_pressure[gridpoint];
+    if (water == Water::table || water == Water::field || water == Water::ground) return at(points.position[gridpoint]);
+    return std::max(0.0, points.pore_pressure[gridpoint]);
 }
 
 double WaterPressure::of_zone(Row zone) const {
