@@ -1,6 +1,7 @@
 #include "commands/list/interfaces.hpp"
 
 #include "laws/property_roles.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -40,7 +41,7 @@ Wrench wrench_of(const Model& model, Row contact) {
     double by_law = 0;
     for (Row s = span.first; s < span.end(); ++s) {
         by_law += points.normal_force[s];
-        const double pressure = points.pore_pressure[s] * points.area[s];
+        const double pressure = points.pore_pressure[s] * wet_area(model, contact, s);
         const Vec3 along = Vec3(points.shear_force[s]) + Vec3(points.dashpot_shear[s]),
                    across = (points.normal_force[s] + pressure + points.dashpot_normal[s]) * normal;
         wrench.force += across + along;

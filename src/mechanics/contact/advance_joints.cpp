@@ -90,7 +90,11 @@ template <class Each> void sum_contact(const Model& model, Row c, JointForces& f
         Eight normal = group.load(subs.normal_force.data() + first);
         Eight3 shear = group.load(subs.shear_force, first);
         each(first, group, normal, shear);
-        normal += group.load(subs.pore_pressure.data() + first) * group.load(subs.area.data() + first);
+        const Eight pressure = group.load(subs.pore_pressure.data() + first);
+        Eight area = group.load(subs.area.data() + first);
+        if (overlap && !all_zero(pressure))
+            for (Row k = 0; k < group.rows(); ++k) area[k] = wet_area(model, c, first + k);
+        normal += pressure * area;
         if (damped) {
             normal += group.load(subs.dashpot_normal.data() + first);
             shear = shear + group.load(subs.dashpot_shear, first);

@@ -71,7 +71,9 @@ double fluid_work_of(const Model& model, Row c, StepPlaces places) {
     const auto& subs = model.sub_contacts;
     const Vec3 n = model.contacts.normal[c];
     double work = 0;
-    const auto add = [&](Row s, const Vec3& motion) { work += subs.pore_pressure[s] * subs.area[s] * n.dot(motion); };
+    const auto add = [&](Row s, const Vec3& motion) {
+        work += subs.pore_pressure[s] * wet_area(model, c, s) * n.dot(motion);
+    };
     if (between_rigid(model, c)) {
         const RelativeMotion motion(model, c);
         const bool moved = places == StepPlaces::start && model.settings.large_strain;

@@ -284,7 +284,6 @@ void note_curved(Model& model, const std::vector<Batch>& batches) {
                 if (carries) begin_loaded(model, *batch.model, c, scratch);
             }
             if (!batch.curved && !carries) contacts.curved[c] = 0;
-            if (contacts.curved[c] == 0) contacts.whole_area[c] = 0; // others do not use it
         }
 }
 

@@ -240,6 +240,27 @@ struct RowState {
     }
 };
 
+Vec3 row_of(const Eight3& rows, Row k) { return {rows.x[k], rows.y[k], rows.z[k]}; }
+
+/// Four places of equal area with the first and second moments of the area of a joint's rows; fewer unloaded rows are all in its centroid.
+Eight3 places_of_face(const Model& model, Row c) {
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    double area = 0;
+    Vec3 centre = Vec3::Zero();
+    for (Row s = span.first; s < span.end(); ++s) area += subs.area[s], centre += subs.area[s] * Vec3(subs.position[s]);
+    if (!(area > 0)) return eights(model.contacts.position[c]);
+    centre /= area;
+    if (span.count < 2 * carriers) return eights(centre);
+    Mat3 second = Mat3::Zero();
+    for (Row s = span.first; s < span.end(); ++s) {
+        const Vec3 arm = subs.position[s] - centre;
+        second += subs.area[s] / area * arm * arm.transpose();
+    }
+    const Vec3 n = model.contacts.normal[c];
+    return PressureSpread(centre, second, n, n.unitOrthogonal()).places();
+}
+
 /// Gives an overlap contact the geometry of a patch. Returns the places of its carriers.
 Eight3 lie_on(Contacts& contacts, Row c, const OverlapPatch& patch) {
     const bool closed = patch.carried > 0;
@@ -279,7 +300,7 @@ void share_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch&
         const bool carries = k < carriers;
         subs.normal_force[s] *= of_force;
         subs.shear_force.set(s, of_force * Vec3(subs.shear_force[s]));
-        subs.position.set(s, carries ? Vec3(places.x[k], places.y[k], places.z[k]) : contacts.position[c]);
+        subs.position.set(s, carries ? row_of(places, k) : contacts.position[c]);
         if (!carries) continue;
         subs.area[s] = contacts.area[c] / carriers;
         if (!curved || !closed) subs.normal_displacement[s] += depth - contacts.depth[c];
@@ -310,7 +331,8 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         overlap_patch(model, pair_of(contacts, c), contacts.normal[c], offset, scratch, curved ? &slopes : nullptr);
     const bool closed = patch.carried > 0 && closures.force > 0;
     const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
-    if (curved && contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
+    if (contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
+    const Eight3 wet_places = places_of_face(model, c);
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
@@ -328,7 +350,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         dashpots += subs.dashpot_normal[s];
         shear_dashpots += Vec3(subs.dashpot_shear[s]);
     }
-    // Unloaded rows get the area of the open part, and a history of open places.
+    // Unloaded rows get the area of the open part, a history of open places, and places where water acts.
     const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
     const Row source_open = closures.open == no_row ? closures.most : closures.open;
     const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
@@ -343,7 +365,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
-        subs.position.set(s, carries ? Vec3(places.x[k], places.y[k], places.z[k]) : contacts.position[c]);
+        subs.position.set(s, carries ? row_of(places, k) : row_of(wet_places, (k - carriers) % carriers));
         subs.shear_arm.set(s, Vec3::Zero());
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));

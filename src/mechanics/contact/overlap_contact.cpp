@@ -117,7 +117,19 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
     return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
 }
 
-/// Writes places and increments of blocks that are apart: all rows stand in one place. `n` is the normal. The joint model's closure is kept,
+/// Places that move with the material, the mean of both blocks, from those at the start of a step.
+Eight3 kept_places(const Eight3& places, const RelativeMotion& start) {
+    return places + (start.one.at(places) + start.two.at(places)) * eights(0.5);
+}
+
+/// The rows of carriers from one vector, and the unloaded rows from another.
+Eight3 loaded_first(const Eight3& loaded, const Eight3& others) {
+    static_assert(carriers == lane_count);
+    const auto both = [](const Eight& a, const Eight& b) { return joined(low_half(a), high_half(b)); };
+    return {both(loaded.x, others.x), both(loaded.y, others.y), both(loaded.z, others.z)};
+}
+
+/// Writes places and increments of blocks that are apart: loaded rows stand in one place. `n` is the normal. The joint model's closure is kept,
 /// and the loaded rows slip.
 void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& motion) {
     auto& contacts = model.contacts;
@@ -126,12 +138,15 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
     const bool parts = contacts.depth[c] > 0;
     contacts.depth[c] = contacts.twist[c] = 0;
     const Vec3 shift = motion.at(contacts.position[c]), flat = shift - shift.dot(n) * n;
+    const bool wet = is_wet_beyond(contacts, c);
+    const RelativeMotion start = motion.at_start();
     const Eight3 place = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
         const Row first = span.first + i;
+        const Eight3 kept = wet ? kept_places(group.load(subs.position, first), start) : place;
         const Eight closed = loaded.load(subs.normal_displacement.data() + first);
-        group.store(subs.position, first, place);
+        group.store(subs.position, first, i == 0 ? loaded_first(place, kept) : kept);
         if (parts) group.store(subs.shear_arm, first, none);
         group.store(subs.normal_displacement_increment.data() + first, larger_of(-closed, Eight{}));
         group.store(subs.shear_displacement_increment, first, none);
@@ -149,8 +164,6 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     if (!(patch.carried > 0)) return write_rows_apart(model, c, n, motion);
     const bool was_closed = contacts.depth[c] > 0;
     const RelativeMotion start = motion.at_start();
-    double whole = 0; // area of the joint; its open part belongs to the unloaded rows
-    for (Row s = span.first; s < span.end(); ++s) whole += subs.area[s];
     contacts.axis[c] = axis_in_plane(contacts.axis[c], patch.longest_edge, n);
     const PressureSpread spread(patch, contacts.axis[c]);
     const Eight3 places = spread.places();
@@ -160,18 +173,24 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     contacts.depth[c] = patch.depth;
     contacts.twist[c] = patch.twist;
     change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
-    const double open_area =
-        span.count > carriers ? std::max(0.0, whole - contacts.area[c]) / (span.count - carriers) : 0;
+    const bool wet = is_wet_beyond(contacts, c);
+    if (wet) // the open part of the faces
+        for (Row s = span.first + carriers; s < span.end(); ++s)
+            subs.area[s] = std::max(0.0, contacts.whole_area[c] - contacts.area[c]) / (span.count - carriers);
     const Eight3 normal = eights(n), centre = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
         const Row first = span.first + i;
-        const Eight3& place = i == 0 ? places : centre;
+        Eight3 place = i == 0 ? places : centre;
+        if (wet) {
+            const Eight3 kept = kept_places(group.load(subs.position, first), start);
+            place = i == 0 ? loaded_first(places, kept) : kept;
+        }
         // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
         Eight3 arm = none, shift = motion.at(place);
         if (was_closed && i == 0) {
             const Eight3 held = shear_places(subs, first, group), one = start.one.at(held), two = start.two.at(held);
-            arm = shear_arms(held + (one + two) * eights(0.5), place, spread, normal);
+            arm = loaded_first(shear_arms(held + (one + two) * eights(0.5), place, spread, normal), none);
             shift = (motion.at(place + arm) + (two - one)) * eights(0.5);
         }
         Eight closed{};
@@ -183,8 +202,6 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
         loaded.store(subs.normal_displacement_increment.data() + first, opening);
         group.store(subs.shear_displacement_increment, first, none);
         loaded.store(subs.shear_displacement_increment, first, in_plane(shift, normal));
-        for (Row s = first + static_cast<Row>(loaded.rows()); s < first + static_cast<Row>(group.rows()); ++s)
-            subs.area[s] = subs.area[s] > 0 ? open_area : 0;
     }
 }
 

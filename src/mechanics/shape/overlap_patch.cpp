@@ -401,9 +401,12 @@ Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal) {
 }
 
 PressureSpread::PressureSpread(const OverlapPatch& patch, const Vec3& along)
-    : centre(patch.centre), u(along), v(patch.normal.cross(along)) {
-    const Vec3 of_u = patch.second * u;
-    uu = std::max(0.0, u.dot(of_u)), vv = std::max(0.0, v.dot(patch.second * v)), uv = v.dot(of_u);
+    : PressureSpread(patch.centre, patch.second, patch.normal, along) {}
+
+PressureSpread::PressureSpread(const Vec3& of_force, const Mat3& second, const Vec3& normal, const Vec3& along)
+    : centre(of_force), u(along), v(normal.cross(along)) {
+    const Vec3 of_u = second * u;
+    uu = std::max(0.0, u.dot(of_u)), vv = std::max(0.0, v.dot(second * v)), uv = v.dot(of_u);
     square = std::max(0.0, uu * vv - uv * uv);
 }
 

@@ -4,6 +4,7 @@
 #include "geometry/polyhedra/convex_overlap.hpp"
 #include "mechanics/lanes/eight.hpp"
 #include "mechanics/shape/rigid_pair.hpp"
+#include "model/measure/overlap_rows.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
@@ -11,9 +12,6 @@
 namespace kaya {
 
 struct OverlapScratch;
-
-/// Sub-contacts that carry the force of an overlap; the others are unloaded.
-constexpr Row carriers = 4;
 
 /// 1 - cosine of 2 degrees: the closure of faces within it is the depth below them alone.
 constexpr double nearly_parallel = 6.1e-4;
@@ -92,6 +90,8 @@ Vec3 axis_in_plane(const Vec3& axis, const Vec3& wanted, const Vec3& normal);
 /// How the pressure spreads over the plane of a contact: the second moments M of the common volume there. `u` is a unit vector in the plane.
 struct PressureSpread {
     PressureSpread(const OverlapPatch& patch, const Vec3& u);
+    /// Of a pressure with these second moments over its force about its centre; `u` is a unit vector across the normal.
+    PressureSpread(const Vec3& centre, const Mat3& second, const Vec3& normal, const Vec3& u);
 
     /// Four places around the centre that share the force equally and have the second moments M, in the first rows; the others are in the
     /// centre. They lie between `u` and the direction across.

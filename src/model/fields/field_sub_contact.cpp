@@ -1,5 +1,6 @@
 // Quantities of sub-contacts. Normal force: compression positive; normal displacement: opening positive.
 #include "model/fields/field_rows.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ FieldValue constitutive(const Model& model, Row row) {
     return find_field(ObjectKind::contact, "constitutive")->get(model, contact_of(model, row));
 }
 double pressure_force(const Model& model, Row row) {
-    return model.sub_contacts.pore_pressure[row] * model.sub_contacts.area[row];
+    return model.sub_contacts.pore_pressure[row] * wet_area(model, contact_of(model, row), row);
 }
 
 /// The vertex that meets a face, null where two edges meet.
@@ -114,8 +115,8 @@ const Fields& sub_contact_fields() {
          vertex, nullptr},
         {table, "face", "cx_face", "block.subcontact.face", "-", "face that a vertex meets, null when there is none",
          face, nullptr},
-        {table, "pressure_force", "cx_ppforce", "block.subcontact.force.pp", "force", "pore pressure times area",
-         call<pressure_force>, nullptr},
+        {table, "pressure_force", "cx_ppforce", "block.subcontact.force.pp", "force",
+         "pore pressure times the area on which it acts", call<pressure_force>, nullptr},
         {table, "group", "cx_group", "block.subcontact.group", "-",
          "group that it is in itself, else that of its contact; empty: none", read_group<ObjectKind::sub_contact>,
          write_group<ObjectKind::sub_contact>},

@@ -68,9 +68,9 @@ public:
     Column<double> energy_length; ///< energy of the overlap over its normal force
     Column<double> energy_taken;  ///< energy taken and not yet returned
     Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
+    Column<double> whole_area;    ///< common area of the faces of an overlap; 0 when it is not known
     // Of overlap contacts with a curved joint model: mechanics/contact/closed_halves.hpp.
     Column<std::int32_t> curved;                ///< 1: it has two halves
-    Column<double> whole_area;                  ///< common area of its faces; 0 when it is not known
     Column<double> energy_deep, energy_shallow; ///< of the normal spring of each half, over its area
     // Of joints only.
     Column<double> slip_since_update; ///< relative tangential motion since the last geometry update

@@ -1,0 +1,42 @@
+// The sub-contacts of an overlap of two rigid blocks: docs/theory/contacts.md.
+#pragma once
+
+#include "model/tables/model.hpp"
+
+#include <algorithm>
+
+namespace kaya {
+
+/// Sub-contacts that carry the force of an overlap; the others are unloaded.
+constexpr Row carriers = 4;
+
+/// Whether the contact's force follows from the overlap; never in small strain, where places are fixed.
+inline bool follows_overlap(const Model& model, Row contact) {
+    return model.contacts.kind[contact] == ContactKind::overlap && model.settings.large_strain;
+}
+
+/// Whether water acts on the whole common area of the faces of an overlap, at the unloaded rows.
+inline bool is_wet_beyond(const Contacts& contacts, Row contact) {
+    return contacts.whole_area[contact] > 0 && contacts.sub_contacts[contact].count > carriers;
+}
+
+/// The unloaded rows that stand for the common area of the faces, and the area of each.
+struct WetRows {
+    Row first, count;
+    double area;
+
+    WetRows(const Contacts& contacts, Row contact)
+        : first(contacts.sub_contacts[contact].first + carriers),
+          count(std::min(contacts.sub_contacts[contact].count - carriers, carriers)),
+          area(contacts.whole_area[contact] / static_cast<double>(count)) {}
+    double of(Row row) const { return row >= first && row < first + count ? area : 0; }
+};
+
+/// The area of a sub-contact on which water in the joint acts.
+inline double wet_area(const Model& model, Row contact, Row row) {
+    if (!follows_overlap(model, contact) || !is_wet_beyond(model.contacts, contact))
+        return model.sub_contacts.area[row];
+    return WetRows(model.contacts, contact).of(row);
+}
+
+} // namespace kaya
