@@ -264,7 +264,7 @@ Eight3 places_of_face(const Model& model, Row c) {
 /// Gives an overlap contact the geometry of a patch. Returns the places of its carriers.
 Eight3 lie_on(Contacts& contacts, Row c, const OverlapPatch& patch) {
     const bool closed = patch.carried > 0;
-    contacts.depth[c] = closed ? patch.depth : 0;
+    contacts.depth[c] = closed ? patch.closure : 0;
     contacts.twist[c] = patch.twist;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.shear_area[c] = std::max(patch.area, contacts.area[c]);
@@ -364,7 +364,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
         subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
-        if (carries) subs.normal_displacement[s] = closed ? -patch.depth : std::max(0.0, of_carrier.displacement);
+        if (carries) subs.normal_displacement[s] = closed ? -patch.closure : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? row_of(places, k) : row_of(wet_places, (k - carriers) % carriers));
         subs.shear_arm.set(s, Vec3::Zero());
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;

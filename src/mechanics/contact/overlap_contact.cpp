@@ -170,7 +170,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     contacts.position[c] = patch.centre;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.shear_area[c] = std::max({contacts.shear_area[c], contacts.area[c], patch.area});
-    contacts.depth[c] = patch.depth;
+    contacts.depth[c] = patch.closure;
     contacts.twist[c] = patch.twist;
     change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
     const bool wet = is_wet_beyond(contacts, c);
@@ -424,7 +424,7 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
         }
     }
     CarrierClosures closures;
-    closures.fill(patch.depth);
+    closures.fill(patch.closure);
     if (slopes != nullptr && patch.carried > 0) closures = press(model, c, patch, *slopes);
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);

@@ -367,6 +367,8 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
         return OverlapPatch{.normal = normal};
     patch.area = area;
+    patch.closure =
+        area * patch.depth > force ? force / area : patch.depth; // the least joint of a tip carries more than the tip
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
     patch.second = common.moments.second;

@@ -21,6 +21,7 @@ struct OverlapPatch {
     double carried = 0; ///< normal force over normal stiffness, length^3; 0 when they do not overlap
     double energy = 0;  ///< energy over the normal stiffness: length^4
     double depth = 0;   ///< greatest thickness along the normal
+    double closure = 0; ///< of parallel faces that carry the same force: the mean thickness, at most the greatest
     double area = 0;    ///< seen along the normal
     bool lies = false;  ///< faces are parallel, or nearly so: depths are mostly those below one face of each block
     double twist = 0;   ///< moment about the normal over the normal force: length
@@ -28,8 +29,8 @@ struct OverlapPatch {
     Vec3 centre = Vec3::Zero(); ///< the normal force acts along the line through it
     Mat3 second = Mat3::Zero(); ///< second moments of the common volume about its centroid, over the volume: length^2
 
-    /// A joint of this area, closed by the depth, carries the same force.
-    double carrying_area(double least) const { return carried > 0 ? carried / depth : least; }
+    /// A joint of this area with the same closure everywhere carries the same force.
+    double carrying_area(double least) const { return carried > 0 ? carried / closure : least; }
     /// Direction of the longest edge of the common part in the plane of the contact; none where the axis of the pair has a direction there.
     Vec3 longest_edge = Vec3::Zero();
 };

@@ -57,11 +57,11 @@ public:
         stiffness_area; ///< normal tangent stiffness of the contact over that of its joint model; 0: that of the sub-contacts
     // Of overlap contacts only.
     Column<double>
-        shear_area;        ///< largest area on which it has touched since it last carried nothing: of its shear springs
-    Column<double> grip;   ///< shear over normal force where its joint model has limited it last; 0: not known
-    Column<double> depth;  ///< closure of a joint with the energy of the overlap; 0 when the blocks are apart
-    Column<double> twist;  ///< moment of the overlap about the normal over its normal force: length
-    Column<double> offset; ///< closure in addition to that of the positions of the blocks
+        shear_area;       ///< largest area on which it has touched since it last carried nothing: of its shear springs
+    Column<double> grip;  ///< shear over normal force where its joint model has limited it last; 0: not known
+    Column<double> depth; ///< closure of a joint of its area with the force of the overlap; 0 when the blocks are apart
+    Column<double> twist; ///< moment of the overlap about the normal over its normal force: length
+    Column<double> offset;        ///< closure in addition to that of the positions of the blocks
     Column<Vec3> offset_tilt;     ///< its slope in space, about the centroid of block1
     Column<Vec3> offset_normal;   ///< unit; its direction, which turns with the blocks and not with the normal
     Column<Vec3> axis;            ///< a direction in the plane that turns with the contact
