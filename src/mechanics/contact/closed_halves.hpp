@@ -7,9 +7,6 @@
 
 namespace kaya {
 
-/// Closures of the carriers of an overlap; the first and the third are the deeper half of a curved one.
-using CarrierClosures = std::array<double, carriers>;
-
 /// A normal spring of area 1 at a closure, and its energy there.
 struct HalfSpring {
     double stress = 0, stiffness = 0, energy = 0;
@@ -23,7 +20,11 @@ public:
 
     double area() const { return area_; }                     ///< of both
     double closure(int half) const { return closure_[half]; } ///< 0: the deeper one
-    CarrierClosures of_carriers() const { return {closure_[0], closure_[1], closure_[0], closure_[1]}; }
+    /// Carriers that have an area together.
+    CarrierRows rows(double area) const {
+        const double each = area / carriers;
+        return {{each, each, each, each}, {closure_[0], closure_[1], closure_[0], closure_[1]}};
+    }
 
     using Springs = std::array<HalfSpring, 2>;
     double energy(const Springs& springs) const { return 0.5 * area_ * (springs[0].energy + springs[1].energy); }

@@ -1,6 +1,7 @@
 // The force through a contact and the energy in its springs.
 #pragma once
 
+#include "mechanics/contact/overlap_shear.hpp"
 #include "mechanics/lanes/eight.hpp"
 #include "mechanics/shape/overlap_patch.hpp"
 #include "model/tables/model.hpp"
@@ -38,8 +39,7 @@ struct ContactLoad {
         }
         if (model.contacts.kind[c] == ContactKind::overlap && model.settings.large_strain) {
             energy = model.contacts.energy_taken[c];
-            if (const double area = shear_area(model.contacts, c); area > 0)
-                shear_energy *= model.contacts.area[c] / area;
+            shear_energy = kaya::shear_energy(model, c);
         }
     }
     double stored() const { return energy + shear_energy; }

@@ -114,17 +114,9 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
     const double area = 2 * pressed.force / (pressing[0].stress + pressing[1].stress);
     const Vec3 shift = pressed.centre - contacts.position[c];
     const Span span = contacts.sub_contacts[c];
-    double whole = 0;
-    for (Row s = span.first; s < span.end(); ++s) {
+    put_open_area(model, c, area);
+    for (Row s = span.first; s < span.first + carriers; ++s) {
         subs.position.set(s, subs.position[s] + shift);
-        whole += subs.area[s];
-    }
-    const double open = span.count > carriers ? std::max(0.0, whole - area) / (span.count - carriers) : 0;
-    for (Row s = span.first; s < span.end(); ++s) {
-        if (s >= span.first + carriers) {
-            subs.area[s] = subs.area[s] > 0 ? open : 0;
-            continue;
-        }
         const double stress = springs[static_cast<std::size_t>(s - span.first) % 2].stress;
         subs.shear_arm.set(s, subs.shear_arm[s] - shift); // its place stays
         subs.area[s] = area / carriers;
@@ -189,7 +181,7 @@ double dilation_of(const Spring& start, const Spring& end, double more, double c
 
 } // namespace
 
-CarrierClosures press(const Model& model, Row c, OverlapPatch& patch, const OverlapSlopes& slopes) {
+CarrierRows press(const Model& model, Row c, OverlapPatch& patch, const OverlapSlopes& slopes) {
     const auto& subs = model.sub_contacts;
     const Row first = model.contacts.sub_contacts[c].first;
     const ClosedHalves halves(slopes, model.contacts.whole_area[c]);
@@ -208,7 +200,7 @@ CarrierClosures press(const Model& model, Row c, OverlapPatch& patch, const Over
     patch.normal = pressed.normal;
     patch.centre = pressed.centre;
     patch.twist = pressed.twist;
-    return halves.of_carriers();
+    return halves.rows(patch.carrying_area(0));
 }
 
 double power_at(const ClosedPlace& place, double stiffness) {

@@ -12,7 +12,7 @@ namespace kaya {
 
 /// Changes the patch of a contact to what its joint model will see, as far as the present stiffnesses show: its force over its mean stress as an
 /// area, and the place and direction of that force. Returns the closures of the carriers.
-CarrierClosures press(const Model& model, Row contact, OverlapPatch& patch, const OverlapSlopes& slopes);
+CarrierRows press(const Model& model, Row contact, OverlapPatch& patch, const OverlapSlopes& slopes);
 
 /// After the joint model has run: adds the step to the energies of both halves, and the dilation of the joint model to the offset, and gives
 /// the carriers the force, area and places that follow. `before` is what they carried; `slips`: the joint model has done frictional work.

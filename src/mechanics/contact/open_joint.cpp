@@ -292,6 +292,7 @@ void share_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch&
                                              scratch, curved ? &slopes : nullptr);
     const bool closed = patch.carried > 0;
     const Eight3 places = lie_on(contacts, c, patch);
+    const CarrierRows rows = patch.rows(contacts.least_area[c]);
     contacts.energy_taken[c] *= patch.energy / energy;
     // Straight springs follow the depth; curved ones are run to it.
     const double of_force = curved && closed ? contacts.area[c] / area : patch.carried / (area * depth);
@@ -302,8 +303,10 @@ void share_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch&
         subs.shear_force.set(s, of_force * Vec3(subs.shear_force[s]));
         subs.position.set(s, carries ? row_of(places, k) : contacts.position[c]);
         if (!carries) continue;
-        subs.area[s] = contacts.area[c] / carriers;
-        if (!curved || !closed) subs.normal_displacement[s] += depth - contacts.depth[c];
+        const auto i = static_cast<std::size_t>(k);
+        if (!curved || !closed)
+            subs.normal_displacement[s] += area * depth / (carriers * subs.area[s]) - rows.closure[i];
+        subs.area[s] = rows.area[i];
     }
     if (curved && closed) return close_halves(model, joint, c, slopes);
     BatchColumns made;
@@ -339,6 +342,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     contacts.offset_normal[c] = contacts.normal[c];
     contacts.axis[c].setZero();
     const Eight3 places = lie_on(contacts, c, patch);
+    const CarrierRows rows = patch.rows(contacts.least_area[c]);
     if (!closed) contacts.depth[c] = 0;
     contacts.energy_taken[c] = force * contacts.energy_length[c];
     contacts.withheld[c] = contacts.slip_since_update[c] = contacts.unforced_overlap[c] = contacts.withdrawn_energy[c] =
@@ -351,7 +355,6 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         shear_dashpots += Vec3(subs.dashpot_shear[s]);
     }
     // Unloaded rows get the area of the open part, a history of open places, and places where water acts.
-    const double open_area = std::max(0.0, closures.area - contacts.area[c]) / std::max<Row>(1, span.count - carriers);
     const Row source_open = closures.open == no_row ? closures.most : closures.open;
     const RowState of_carrier(subs, closures.most), of_open(subs, source_open);
     const double of_area = subs.area[closures.most];
@@ -360,16 +363,18 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         const bool carries = k < carriers;
+        const auto i = static_cast<std::size_t>(k % carriers);
         (carries ? of_carrier : of_open).put(subs, s);
-        subs.area[s] = carries ? contacts.area[c] / carriers : closures.open == no_row ? 0 : open_area;
+        if (carries) subs.area[s] = rows.area[i];
         subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
-        if (carries) subs.normal_displacement[s] = closed ? -patch.closure : std::max(0.0, of_carrier.displacement);
+        if (carries) subs.normal_displacement[s] = closed ? -rows.closure[i] : std::max(0.0, of_carrier.displacement);
         subs.position.set(s, carries ? row_of(places, k) : row_of(wet_places, (k - carriers) % carriers));
         subs.shear_arm.set(s, Vec3::Zero());
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
+    put_open_area(model, c, contacts.area[c]);
     if (!curved) {
         BatchColumns made;
         initialise_rows(model, joint, c, std::min(carriers, span.count), made);

@@ -79,10 +79,12 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     return lost;
 }
 
-/// Changes the area of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
+/// Changes the areas of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
 /// the shear area; on rolling corners and edges, shear force is lost with the area that separates.
-void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
-    for (Row s = rows.first; s < rows.first + std::min(carriers, rows.count); ++s) {
+void change_areas(SubContacts& subs, Span span, const CarrierRows& rows, bool lies) {
+    for (Row k = 0; k < std::min(carriers, span.count); ++k) {
+        const Row s = span.first + k;
+        const double area = rows.area[static_cast<std::size_t>(k)];
         const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
         subs.normal_force[s] *= ratio;
         subs.area[s] = area;
@@ -155,8 +157,7 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
 }
 
 /// Writes places, areas and increments for the present common volume.
-void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClosures& closures,
-                const RelativeMotion& motion) {
+void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierRows& rows, const RelativeMotion& motion) {
     auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
     const Span span = contacts.sub_contacts[c];
@@ -172,11 +173,9 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
     contacts.shear_area[c] = std::max({contacts.shear_area[c], contacts.area[c], patch.area});
     contacts.depth[c] = patch.closure;
     contacts.twist[c] = patch.twist;
-    change_areas(subs, span, contacts.area[c] / carriers, patch.lies);
+    change_areas(subs, span, rows, patch.lies);
     const bool wet = is_wet_beyond(contacts, c);
-    if (wet) // the open part of the faces
-        for (Row s = span.first + carriers; s < span.end(); ++s)
-            subs.area[s] = std::max(0.0, contacts.whole_area[c] - contacts.area[c]) / (span.count - carriers);
+    put_open_area(model, c, contacts.area[c]);
     const Eight3 normal = eights(n), centre = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
@@ -194,7 +193,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierClo
             shift = (motion.at(place + arm) + (two - one)) * eights(0.5);
         }
         Eight closed{};
-        for (Row k = 0; k < loaded.rows(); ++k) closed[k] = closures[static_cast<std::size_t>(k)];
+        for (Row k = 0; k < loaded.rows(); ++k) closed[k] = rows.closure[static_cast<std::size_t>(k)];
         const Eight opening = -closed - group.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, place);
         if (i == 0) group.store(subs.shear_arm, first, arm);
@@ -319,7 +318,10 @@ void take_dilation(Model& model, Row c, const CarriedLoad& before) {
     const double stiffness = 0.5 * (before.stiffness + after.stiffness);
     if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
     const Row first = contacts.sub_contacts[c].first;
-    const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
+    double opened = 0;
+    for (Row s = first; s < first + carriers; ++s)
+        opened += subs.normal_displacement_increment[s] * subs.normal_stiffness[s] * subs.area[s];
+    const double dilation = (after.force - before.force + opened) / stiffness;
     if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
     contacts.offset[c] += dilation;
     contacts.energy_taken[c] += after.force * dilation;
@@ -423,14 +425,13 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
             area = std::max(area, overlap_area(model, pair_of(contacts, c), patch.normal, offset, scratch));
         }
     }
-    CarrierClosures closures;
-    closures.fill(patch.closure);
-    if (slopes != nullptr && patch.carried > 0) closures = press(model, c, patch, *slopes);
+    CarrierRows rows{};
+    if (patch.carried > 0) rows = slopes != nullptr ? press(model, c, patch, *slopes) : patch.rows(0);
     n = patch.normal;
     const double of_turn = idle ? 0 : turn_shear(model, c, n, motion);
-    if (patch.lies) hold_by_grip(model, c, closures, patch.carrying_area(0));
+    if (patch.lies) hold_by_grip(model, c, rows);
     const double in_springs = idle ? 0 : shear_energy(model, c);
-    write_rows(model, c, patch, closures, motion);
+    write_rows(model, c, patch, rows, motion);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
     // It decreases only while the contact carries nothing, and only when all bodies are checked; otherwise a rattling contact would need a check

@@ -27,8 +27,8 @@ double pay_for_area(Model& model, Row contact, double before);
 void stiffen_shear(Model& model, Row contact, const CarriedLoad& before);
 
 /// A contact whose area collapses in a step, such as one of faces that vibrate, has more shear force than friction can hold on what is left: it
-/// slips on its springs. The joint model would slip on that area's, which are far softer. `area` and `closures` are those after the collapse.
-void hold_by_grip(Model& model, Row contact, const CarrierClosures& closures, double area);
+/// slips on its springs. The joint model would slip on that area's, which are far softer. `rows` are those after the collapse.
+void hold_by_grip(Model& model, Row contact, const CarrierRows& rows);
 
 /// Which carriers the joint model has let slip in this step.
 using SlippedCarriers = std::array<bool, carriers>;

@@ -379,6 +379,13 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     return patch;
 }
 
+CarrierRows OverlapPatch::rows(double least) const {
+    const double area_of_row = carrying_area(least) / carriers;
+    if (!(carried > 0)) return {{area_of_row, area_of_row, area_of_row, area_of_row}, {}};
+    const double each = carried / carriers, deep = each / depth, shallow = 2 * area_of_row - deep;
+    return {{deep, shallow, deep, shallow}, {depth, each / shallow, depth, each / shallow}};
+}
+
 OverlapPair pair_of(const Contacts& contacts, Row c) {
     return {contacts.block1[c], contacts.block2[c],     contacts.face1[c],
             contacts.face2[c],  contacts.least_area[c], contacts.axis[c]};

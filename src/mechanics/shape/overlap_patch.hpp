@@ -16,6 +16,11 @@ struct OverlapScratch;
 /// 1 - cosine of 2 degrees: the closure of faces within it is the depth below them alone.
 constexpr double nearly_parallel = 6.1e-4;
 
+/// Areas and closures of the carriers of an overlap. The first and the third stand for the deeper part of what is closed.
+struct CarrierRows {
+    std::array<double, carriers> area, closure;
+};
+
 /// The common volume of two rigid blocks as a contact sees it.
 struct OverlapPatch {
     double carried = 0; ///< normal force over normal stiffness, length^3; 0 when they do not overlap
@@ -31,6 +36,8 @@ struct OverlapPatch {
 
     /// A joint of this area with the same closure everywhere carries the same force.
     double carrying_area(double least) const { return carried > 0 ? carried / closure : least; }
+    /// Rows of equal force and together of that area, the deeper ones with the greatest pressure.
+    CarrierRows rows(double least) const;
     /// Direction of the longest edge of the common part in the plane of the contact; none where the axis of the pair has a direction there.
     Vec3 longest_edge = Vec3::Zero();
 };

@@ -1,6 +1,7 @@
 #include "model/kinds/kinds.hpp"
 
 #include "model/measure/measure.hpp"
+#include "model/measure/overlap_rows.hpp"
 #include "model/measure/structure_rows.hpp"
 
 #include <algorithm>
@@ -49,6 +50,14 @@ Row block_of_sub_contact(const Model& model, Row row) { return model.contacts.bl
 Row block_of_corner(const Model& model, Row row) { return block_of_triangle(model, row / 3); }
 Row gridpoint_of_corner(const Model& model, Row row) { return model.triangles.gridpoints[row / 3][row % 3]; }
 std::size_t corner_count(const Model& model) { return 3 * model.triangles.size(); }
+/// Unloaded rows of an overlap count as where its force acts: the nearest sub-contact to a place in a joint carries something.
+Vec3 place_of_sub_contact(const Model& model, Row row) {
+    const Row contact = model.sub_contacts.contact[row];
+    const bool unloaded =
+        follows_overlap(model, contact) && row >= model.contacts.sub_contacts[contact].first + carriers;
+    return unloaded ? model.contacts.position[contact] : Vec3(model.sub_contacts.position[row]);
+}
+
 Vec3 place_of_corner(const Model& model, Row row) { return model.gridpoints.position[gridpoint_of_corner(model, row)]; }
 Span corners_of_block(const Model& model, Row block) {
     const Span triangles = model.blocks.triangles[block];
@@ -131,7 +140,7 @@ constexpr std::array<KindInfo, 14> all_kinds{{
      .identity = identity<&Model::contacts>, .find = find<&Model::contacts>, .found_late = true,
      .classic = "c", .modern = "block.contact", .has_properties = true, .has_spares = true},
     {.kind = ObjectKind::sub_contact, .name = "sub_contact", .noun = "sub-contact", .plural = "sub-contacts", .file = "sub-contacts",
-     .count = size<&Model::sub_contacts>, .block = block_of_sub_contact, .place = position<&Model::sub_contacts>,
+     .count = size<&Model::sub_contacts>, .block = block_of_sub_contact, .place = place_of_sub_contact,
      .number = number<&Model::sub_contacts>, .shown = sub_contact_shown, .groups = groups<&Model::sub_contacts>,
      .identity = identity<&Model::sub_contacts>, .find = find<&Model::sub_contacts>, .found_late = true,
      .history = 3, .missing = "sub-contacts", .remedy = "make blocks that touch before this history",

@@ -32,6 +32,15 @@ struct WetRows {
     double of(Row row) const { return row >= first && row < first + count ? area : 0; }
 };
 
+/// Gives the unloaded rows what is left of the common area of the faces beside the closed area.
+inline void put_open_area(Model& model, Row contact, double closed) {
+    if (!is_wet_beyond(model.contacts, contact)) return;
+    const Span span = model.contacts.sub_contacts[contact];
+    const double open = std::max(0.0, model.contacts.whole_area[contact] - closed);
+    for (Row s = span.first + carriers; s < span.end(); ++s)
+        model.sub_contacts.area[s] = open / static_cast<double>(span.count - carriers);
+}
+
 /// The area of a sub-contact on which water in the joint acts.
 inline double wet_area(const Model& model, Row contact, Row row) {
     if (!follows_overlap(model, contact) || !is_wet_beyond(model.contacts, contact))
