@@ -20,10 +20,9 @@ public:
 
     double area() const { return area_; }                     ///< of both
     double closure(int half) const { return closure_[half]; } ///< 0: the deeper one
-    /// Carriers that have an area together.
+    /// Carriers that have an area together; the first and the third are the deeper half.
     CarrierRows rows(double area) const {
-        const double each = area / carriers;
-        return {{each, each, each, each}, {closure_[0], closure_[1], closure_[0], closure_[1]}};
+        return {area / carriers, {closure_[0], closure_[1], closure_[0], closure_[1]}};
     }
 
     using Springs = std::array<HalfSpring, 2>;

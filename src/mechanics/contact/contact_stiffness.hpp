@@ -27,11 +27,13 @@ struct NormalAreaFactor {
     Row others = std::numeric_limits<Row>::max(); ///< the first unloaded one
 
     NormalAreaFactor(const Model& model, Row contact) {
-        const double area = model.contacts.area[contact], stiff = model.contacts.stiffness_area[contact];
+        const bool overlap = model.contacts.kind[contact] == ContactKind::overlap;
+        const Row first = model.contacts.sub_contacts[contact].first;
+        const double area = overlap ? carriers * model.sub_contacts.area[first] : model.contacts.area[contact],
+                     stiff = model.contacts.stiffness_area[contact];
         if (!(stiff > 0 && area > 0)) return;
         of_carriers = stiff / area;
-        if (model.contacts.kind[contact] == ContactKind::overlap)
-            others = model.contacts.sub_contacts[contact].first + carriers;
+        if (overlap) others = first + carriers;
     }
     double of(Row s) const { return s < others ? of_carriers : 1; }
     /// Of the eight rows from `first` on.

@@ -195,8 +195,8 @@ CarrierRows press(const Model& model, Row c, OverlapPatch& patch, const OverlapS
     }
     springs = straight_if_open(springs, halves);
     const Pressed pressed(slopes, halves, springs);
-    patch.closure = slopes.closure.value;
-    patch.carried = 2 * pressed.force / (springs[0].stress + springs[1].stress) * patch.closure;
+    patch.depth = slopes.closure.value;
+    patch.carried = 2 * pressed.force / (springs[0].stress + springs[1].stress) * patch.depth;
     patch.normal = pressed.normal;
     patch.centre = pressed.centre;
     patch.twist = pressed.twist;

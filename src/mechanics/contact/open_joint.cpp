@@ -264,7 +264,7 @@ Eight3 places_of_face(const Model& model, Row c) {
 /// Gives an overlap contact the geometry of a patch. Returns the places of its carriers.
 Eight3 lie_on(Contacts& contacts, Row c, const OverlapPatch& patch) {
     const bool closed = patch.carried > 0;
-    contacts.depth[c] = closed ? patch.closure : 0;
+    contacts.depth[c] = closed ? patch.depth : 0;
     contacts.twist[c] = patch.twist;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.shear_area[c] = std::max(patch.area, contacts.area[c]);
@@ -306,7 +306,7 @@ void share_overlap(Model& model, const JointModel& joint, Row c, OverlapScratch&
         const auto i = static_cast<std::size_t>(k);
         if (!curved || !closed)
             subs.normal_displacement[s] += area * depth / (carriers * subs.area[s]) - rows.closure[i];
-        subs.area[s] = rows.area[i];
+        subs.area[s] = rows.area;
     }
     if (curved && closed) return close_halves(model, joint, c, slopes);
     BatchColumns made;
@@ -365,7 +365,8 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         const bool carries = k < carriers;
         const auto i = static_cast<std::size_t>(k % carriers);
         (carries ? of_carrier : of_open).put(subs, s);
-        if (carries) subs.area[s] = rows.area[i];
+        if (carries) subs.area[s] = rows.area;
+        else if (closures.open == no_row) subs.area[s] = 0;
         subs.normal_force[s] = carries && closed ? force / carriers : 0;
         subs.shear_force.set(s, carries && closed ? Vec3(shear / carriers) : Vec3(Vec3::Zero()));
         if (carries) subs.normal_displacement[s] = closed ? -rows.closure[i] : std::max(0.0, of_carrier.displacement);
@@ -374,7 +375,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
-    put_open_area(model, c, contacts.area[c]);
+    put_open_area(model, c, carriers * rows.area);
     if (!curved) {
         BatchColumns made;
         initialise_rows(model, joint, c, std::min(carriers, span.count), made);

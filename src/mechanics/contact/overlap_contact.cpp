@@ -79,12 +79,10 @@ double turn_shear(Model& model, Row c, const Vec3& n, const RelativeMotion& moti
     return lost;
 }
 
-/// Changes the areas of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
+/// Changes the area of the carriers of a contact. Normal tractions are kept. So are shear forces between parallel faces, whose springs have
 /// the shear area; on rolling corners and edges, shear force is lost with the area that separates.
-void change_areas(SubContacts& subs, Span span, const CarrierRows& rows, bool lies) {
-    for (Row k = 0; k < std::min(carriers, span.count); ++k) {
-        const Row s = span.first + k;
-        const double area = rows.area[static_cast<std::size_t>(k)];
+void change_areas(SubContacts& subs, Span rows, double area, bool lies) {
+    for (Row s = rows.first; s < rows.first + std::min(carriers, rows.count); ++s) {
         const double ratio = subs.area[s] > 0 ? area / subs.area[s] : 1;
         subs.normal_force[s] *= ratio;
         subs.area[s] = area;
@@ -171,11 +169,11 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierRow
     contacts.position[c] = patch.centre;
     contacts.area[c] = patch.carrying_area(contacts.least_area[c]);
     contacts.shear_area[c] = std::max({contacts.shear_area[c], contacts.area[c], patch.area});
-    contacts.depth[c] = patch.closure;
+    contacts.depth[c] = patch.depth;
     contacts.twist[c] = patch.twist;
-    change_areas(subs, span, rows, patch.lies);
+    change_areas(subs, span, rows.area, patch.lies);
     const bool wet = is_wet_beyond(contacts, c);
-    put_open_area(model, c, contacts.area[c]);
+    put_open_area(model, c, carriers * rows.area);
     const Eight3 normal = eights(n), centre = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
@@ -318,10 +316,7 @@ void take_dilation(Model& model, Row c, const CarriedLoad& before) {
     const double stiffness = 0.5 * (before.stiffness + after.stiffness);
     if (!(before.force > 0 && after.force > 0 && stiffness > 0)) return;
     const Row first = contacts.sub_contacts[c].first;
-    double opened = 0;
-    for (Row s = first; s < first + carriers; ++s)
-        opened += subs.normal_displacement_increment[s] * subs.normal_stiffness[s] * subs.area[s];
-    const double dilation = (after.force - before.force + opened) / stiffness;
+    const double dilation = (after.force - before.force) / stiffness + subs.normal_displacement_increment[first];
     if (!(std::abs(dilation) > rounding * contacts.depth[c])) return;
     contacts.offset[c] += dilation;
     contacts.energy_taken[c] += after.force * dilation;

@@ -113,8 +113,8 @@ void hold_by_grip(Model& model, Row c, const CarrierRows& rows) {
     for (Row k = 0; grip > 0 && k < carriers; ++k) {
         const Row s = first + k;
         const Vec3 force = subs.shear_force[s];
-        const auto i = static_cast<std::size_t>(k);
-        const double most = margin * grip * subs.normal_stiffness[s] * rows.area[i] * rows.closure[i];
+        const double most =
+            margin * grip * subs.normal_stiffness[s] * rows.area * rows.closure[static_cast<std::size_t>(k)];
         if (!(force.norm() > most && subs.shear_stiffness[s] > 0)) continue;
         const double scale = most / force.norm();
         subs.frictional_work[s] += (1 - scale * scale) * force.squaredNorm() / (2 * subs.shear_stiffness[s] * whole);
@@ -142,8 +142,8 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
         Stiffened stiff = changes ? stiffened_by_change(step) : stiffened(step);
         const double normal = subs.normal_force[s], size = step.now.norm();
         shown.note(stiff.limited, size, normal);
-        if (whole == step.area) continue;
-        // The joint model has seen another force than that of the springs: friction that it has shown holds for the rest.
+        if (!(whole > step.area)) continue;
+        // The joint model has seen less of the force than its springs would have: friction that it has shown holds for the rest.
         const double most = std::max(size, grip * normal), trial = stiff.force.norm();
         if (grip > 0 && trial > most) stiff = {most / trial * stiff.force, true};
         subs.shear_force.set(s, stiff.force);

@@ -367,8 +367,6 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
     if (std::abs(twist) > farthest || (aside - aside.dot(n) * n).norm() > farthest)
         return OverlapPatch{.normal = normal};
     patch.area = area;
-    patch.closure =
-        area * patch.depth > force ? force / area : patch.depth; // the least joint of a tip carries more than the tip
     patch.centre = origin + arm - aside.dot(n) * n;
     patch.twist = twist;
     patch.second = common.moments.second;
@@ -380,10 +378,9 @@ OverlapPatch overlap_patch(const Model& model, const OverlapPair& pair, const Ve
 }
 
 CarrierRows OverlapPatch::rows(double least) const {
-    const double area_of_row = carrying_area(least) / carriers;
-    if (!(carried > 0)) return {{area_of_row, area_of_row, area_of_row, area_of_row}, {}};
-    const double each = carried / carriers, deep = each / depth, shallow = 2 * area_of_row - deep;
-    return {{deep, shallow, deep, shallow}, {depth, each / shallow, depth, each / shallow}};
+    const double carries = carrying_area(least), each = std::max(area, carries) / carriers,
+                 closure = carried / (carriers * each);
+    return {each, {closure, closure, closure, closure}};
 }
 
 OverlapPair pair_of(const Contacts& contacts, Row c) {

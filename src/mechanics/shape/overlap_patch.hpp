@@ -16,9 +16,10 @@ struct OverlapScratch;
 /// 1 - cosine of 2 degrees: the closure of faces within it is the depth below them alone.
 constexpr double nearly_parallel = 6.1e-4;
 
-/// Areas and closures of the carriers of an overlap. The first and the third stand for the deeper part of what is closed.
+/// Area and closures of the carriers of an overlap, as joint models see them.
 struct CarrierRows {
-    std::array<double, carriers> area, closure;
+    double area; ///< of each
+    std::array<double, carriers> closure;
 };
 
 /// The common volume of two rigid blocks as a contact sees it.
@@ -26,7 +27,6 @@ struct OverlapPatch {
     double carried = 0; ///< normal force over normal stiffness, length^3; 0 when they do not overlap
     double energy = 0;  ///< energy over the normal stiffness: length^4
     double depth = 0;   ///< greatest thickness along the normal
-    double closure = 0; ///< of parallel faces that carry the same force: the mean thickness, at most the greatest
     double area = 0;    ///< seen along the normal
     bool lies = false;  ///< faces are parallel, or nearly so: depths are mostly those below one face of each block
     double twist = 0;   ///< moment about the normal over the normal force: length
@@ -34,9 +34,9 @@ struct OverlapPatch {
     Vec3 centre = Vec3::Zero(); ///< the normal force acts along the line through it
     Mat3 second = Mat3::Zero(); ///< second moments of the common volume about its centroid, over the volume: length^2
 
-    /// A joint of this area with the same closure everywhere carries the same force.
-    double carrying_area(double least) const { return carried > 0 ? carried / closure : least; }
-    /// Rows of equal force and together of that area, the deeper ones with the greatest pressure.
+    /// A joint of this area, closed by the depth, carries the same force.
+    double carrying_area(double least) const { return carried > 0 ? carried / depth : least; }
+    /// Rows of the same force that have what is closed, and its mean closure; of a tip whose least joint carries more, that of the joint.
     CarrierRows rows(double least) const;
     /// Direction of the longest edge of the common part in the plane of the contact; none where the axis of the pair has a direction there.
     Vec3 longest_edge = Vec3::Zero();

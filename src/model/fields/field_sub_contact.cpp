@@ -18,7 +18,7 @@ double shear_displacement_size(const Model& model, Row row) {
 
 /// Over the area; a sub-contact without area carries no stress.
 double stress(const Model& model, Row row, double force) {
-    const double area = model.sub_contacts.area[row];
+    const double area = pressed_area(model, row);
     return area > 0 ? force / area : 0;
 }
 double normal_stress(const Model& model, Row row) { return stress(model, row, model.sub_contacts.normal_force[row]); }
@@ -105,8 +105,8 @@ const Fields& sub_contact_fields() {
         {table, "x_normal", "", "", "-", "x of the normal", of_contact<&Contacts::normal, 0>, nullptr},
         {table, "y_normal", "", "", "-", "y of the normal", of_contact<&Contacts::normal, 1>, nullptr},
         {table, "z_normal", "", "", "-", "z of the normal", of_contact<&Contacts::normal, 2>, nullptr},
-        {table, "area", "cx_area", "block.subcontact.area", "area", "part of the contact's area",
-         read<rows_of, &SubContacts::area>, nullptr},
+        {table, "area", "cx_area", "block.subcontact.area", "area", "part of the contact's area", call<pressed_area>,
+         nullptr},
         {table, "material", "cx_mat", "", "-", "number of its joint material", of_contact<&Contacts::material>,
          nullptr},
         {table, "constitutive", "cx_cons", "", "-", "number of its joint model, 0 when that has none", constitutive,

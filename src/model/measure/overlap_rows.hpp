@@ -38,7 +38,19 @@ inline void put_open_area(Model& model, Row contact, double closed) {
     const Span span = model.contacts.sub_contacts[contact];
     const double open = std::max(0.0, model.contacts.whole_area[contact] - closed);
     for (Row s = span.first + carriers; s < span.end(); ++s)
-        model.sub_contacts.area[s] = open / static_cast<double>(span.count - carriers);
+        if (model.sub_contacts.area[s] > 0)
+            model.sub_contacts.area[s] = open / static_cast<double>(span.count - carriers);
+}
+
+/// The area on which the normal force of a sub-contact acts with the greatest pressure of its contact: less than the closed area, which joint
+/// models see, where a joint of rigid blocks is open in part.
+inline double pressed_area(const Model& model, Row row) {
+    const Row contact = model.sub_contacts.contact[row];
+    const Contacts& contacts = model.contacts;
+    const bool carries = row < contacts.sub_contacts[contact].first + carriers;
+    return carries && follows_overlap(model, contact) && contacts.depth[contact] > 0
+               ? contacts.area[contact] / static_cast<double>(carriers)
+               : model.sub_contacts.area[row];
 }
 
 /// The area of a sub-contact on which water in the joint acts.
