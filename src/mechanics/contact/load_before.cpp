@@ -23,10 +23,10 @@ ContactLoad scale_springs(Model& model, const JointModel* joint, Row c, double n
     return {model, c};
 }
 
-/// A geometry update of moving blocks must not create energy; at rest, as when a block gets zones, the force stays. It may return what it
-/// has taken from this contact before, and no more (Hannaford and Ryu 2002, IEEE Trans. Robot. Autom. 18, keep a contact passive by such an
-/// account). Overlap beyond what the force explains is stored. Returns the energy lost from the springs.
-double keep_passive(Model& model, const JointModel* joint, Row c, const ContactLoad& before, bool moving) {
+/// A geometry update must not create energy. It may return what it has taken from this contact before, and no more (Hannaford and Ryu 2002,
+/// IEEE Trans. Robot. Autom. 18, keep a contact passive by such an account). Overlap beyond what the force explains is stored. With
+/// `keeps_force` the normal force stays, whatever its energy. Returns the energy lost from the springs.
+double keep_passive(Model& model, const JointModel* joint, Row c, const ContactLoad& before, bool keeps_force) {
     // A curved spring has another stiffness at another force.
     constexpr int most_often = 8;
     constexpr double same = 1e-9;
@@ -39,7 +39,7 @@ double keep_passive(Model& model, const JointModel* joint, Row c, const ContactL
     ContactLoad now = after;
     if (after.shear > before.shear) now = scale_springs(model, joint, c, 1, before.shear / after.shear);
     double normal = 1;
-    for (int i = 0; moving && i < most_often && now.energy > (1 + same) * most; ++i) {
+    for (int i = 0; !keeps_force && i < most_often && now.energy > (1 + same) * most; ++i) {
         const double part = std::sqrt(most / now.energy);
         now = scale_springs(model, joint, c, part, 1);
         normal *= part;
@@ -82,8 +82,10 @@ double LoadBefore::settle(Model& model, const JointRegistry& joints, Row c, bool
         const JointModel* joint = joints.find(model.joint_properties[model.contacts.properties[c]].model);
         if (overlap_ && model.contacts.curved[c] != 0 && joint != nullptr)
             after.energy = energy_of_rows(model, *joint, c);
-        lost =
-            between_rigid(model, c) ? keep_shear(model, c, load, after) : keep_passive(model, joint, c, load, moving);
+        // An overlap at rest, one of whose blocks has got zones, still carries the block.
+        const bool keeps_force = overlap_ && !moving;
+        lost = between_rigid(model, c) ? keep_shear(model, c, load, after)
+                                       : keep_passive(model, joint, c, load, keeps_force);
     }
     return moving ? lost + book_change(model, c, work_) : lost; // of the forces that are left
 }

@@ -257,8 +257,8 @@ Eight3 places_of_face(const Model& model, Row c) {
         const Vec3 arm = subs.position[s] - centre;
         second += subs.area[s] / area * arm * arm.transpose();
     }
-    const Vec3 n = model.contacts.normal[c];
-    return PressureSpread(centre, second, n, n.unitOrthogonal()).places();
+    const Vec3 &n = model.contacts.normal[c], &axis = model.contacts.axis[c];
+    return PressureSpread(centre, second, n, axis.isZero() ? Vec3(n.unitOrthogonal()) : axis).places();
 }
 
 /// Gives an overlap contact the geometry of a patch. Returns the places of its carriers.
@@ -335,13 +335,13 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     const bool closed = patch.carried > 0 && closures.force > 0;
     const double force = fits && closed ? force_of_overlap(model, c, closures, patch) : closures.force;
     if (contacts.kind[c] == ContactKind::joint) contacts.whole_area[c] = closures.area;
-    const Eight3 wet_places = places_of_face(model, c);
     contacts.kind[c] = ContactKind::overlap;
     contacts.offset[c] = offset.closure;
     contacts.offset_tilt[c] = offset.tilt;
     contacts.offset_normal[c] = contacts.normal[c];
     contacts.axis[c].setZero();
     const Eight3 places = lie_on(contacts, c, patch);
+    const Eight3 wet_places = places_of_face(model, c);
     const CarrierRows rows = patch.rows(contacts.least_area[c]);
     if (!closed) contacts.depth[c] = 0;
     contacts.energy_taken[c] = force * contacts.energy_length[c];
