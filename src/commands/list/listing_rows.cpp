@@ -9,6 +9,7 @@
 #include "model/kinds/groups.hpp"
 #include "model/measure/block_box.hpp"
 #include "model/measure/measure.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <array>
 #include <fmt/format.h>
@@ -254,7 +255,7 @@ std::string list_states(Session& session, const lang::List& command) {
         Share& share = shares[{properties == nullptr ? "-" : properties->model,
                                state_text(session, contact, model.sub_contacts.state[row])}];
         ++share.count;
-        share.area += model.sub_contacts.area[row];
+        share.area += pressed_area(model, row);
     }
     if (shares.empty()) return command.range.place ? "no sub-contacts in range" : "no sub-contacts";
     TextTable table({"jmodel", "state", "points", "area"});

@@ -114,7 +114,6 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
     const double area = 2 * pressed.force / (pressing[0].stress + pressing[1].stress);
     const Vec3 shift = pressed.centre - contacts.position[c];
     const Span span = contacts.sub_contacts[c];
-    put_open_area(model, c, area);
     for (Row s = span.first; s < span.first + carriers; ++s) {
         subs.position.set(s, subs.position[s] + shift);
         const double stress = springs[static_cast<std::size_t>(s - span.first) % 2].stress;
@@ -123,6 +122,7 @@ void put_halves(Model& model, Row c, const OverlapSlopes& slopes, const ClosedHa
         subs.normal_force[s] = stress * subs.area[s];
     }
     contacts.area[c] = area;
+    put_open_area(model, c);
     contacts.normal[c] = pressed.normal;
     contacts.position[c] = pressed.centre;
     contacts.twist[c] = pressed.twist;

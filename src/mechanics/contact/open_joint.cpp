@@ -375,7 +375,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.dashpot_normal[s] = carries ? dashpots / carriers : 0;
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
-    put_open_area(model, c, carriers * rows.area);
+    put_open_area(model, c);
     if (!curved) {
         BatchColumns made;
         initialise_rows(model, joint, c, std::min(carriers, span.count), made);

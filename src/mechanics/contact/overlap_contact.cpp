@@ -173,7 +173,7 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierRow
     contacts.twist[c] = patch.twist;
     change_areas(subs, span, rows.area, patch.lies);
     const bool wet = is_wet_beyond(contacts, c);
-    put_open_area(model, c, carriers * rows.area);
+    put_open_area(model, c);
     const Eight3 normal = eights(n), centre = eights(contacts.position[c]), none = eights(Vec3(Vec3::Zero()));
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));

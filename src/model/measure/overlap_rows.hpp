@@ -32,11 +32,11 @@ struct WetRows {
     double of(Row row) const { return row >= first && row < first + count ? area : 0; }
 };
 
-/// Gives the unloaded rows what is left of the common area of the faces beside the closed area.
-inline void put_open_area(Model& model, Row contact, double closed) {
+/// Gives the unloaded rows what is left of the common area of the faces, so that listed areas have its sum.
+inline void put_open_area(Model& model, Row contact) {
     if (!is_wet_beyond(model.contacts, contact)) return;
     const Span span = model.contacts.sub_contacts[contact];
-    const double open = std::max(0.0, model.contacts.whole_area[contact] - closed);
+    const double open = std::max(0.0, model.contacts.whole_area[contact] - model.contacts.area[contact]);
     for (Row s = span.first + carriers; s < span.end(); ++s)
         if (model.sub_contacts.area[s] > 0)
             model.sub_contacts.area[s] = open / static_cast<double>(span.count - carriers);
