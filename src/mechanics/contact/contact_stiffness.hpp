@@ -41,6 +41,13 @@ struct NormalAreaFactor {
         constexpr Eight places{0, 1, 2, 3, 4, 5, 6, 7};
         return places < static_cast<double>(others) - first ? eights(of_carriers) : eights(1);
     }
+    /// Of the eight rows from `first` on, places relative to that of the contact: unloaded ones count as there.
+    Eight3 arms(Row first, const Eight3& arm) const {
+        constexpr Eight places{0, 1, 2, 3, 4, 5, 6, 7};
+        const double loaded = static_cast<double>(others) - first;
+        const auto kept = [&](const Eight& e) { return places < loaded ? e : Eight{}; };
+        return {kept(arm.x), kept(arm.y), kept(arm.z)};
+    }
 };
 
 /// `factor`: that of its contact.

@@ -123,7 +123,7 @@ SpringSums StepBounds::sums_of(const Model& model, Row contact) const {
     for (Row first = span.first; first < span.end(); first += eight) {
         const RowsOfEight group(span.end() - first);
         const SpringsOfEight k = springs(model, first, group, factor);
-        const Eight3 place = group.load(model.sub_contacts.position, first, origin) - origin;
+        const Eight3 place = factor.arms(first, group.load(model.sub_contacts.position, first, origin) - origin);
         normal.add(larger_of(k.normal, Eight{}), place);
         shear.add(larger_of(k.shear, Eight{}), place + group.load(model.sub_contacts.shear_arm, first));
     }

@@ -111,7 +111,9 @@ public:
                     push(y, contacts.block2[c], subs.side2[s], place, force);
                     push(y, contacts.block1[c], subs.side1[s], place, -force);
                 };
-                const Vec3 place = subs.position[s], of_shear = subs.shear_place(s), slip = shift(of_shear);
+                const bool loaded = s < factor.others;
+                const Vec3 place = loaded ? subs.position[s] : contacts.position[c],
+                           of_shear = loaded ? subs.shear_place(s) : place, slip = shift(of_shear);
                 push_apart(place, k.normal * (1 + 2 * beta.normal / step_) * shift(place).dot(n) * n);
                 push_apart(of_shear, k.shear * (1 + 2 * beta.shear / step_) * (slip - slip.dot(n) * n));
             }
