@@ -117,9 +117,9 @@ double offset_for_force(const Model& model, Row c, double force, double stiffnes
     return closure_with_none_missing(missing, contacts.offset[c], force / (stiffness * contacts.least_area[c]));
 }
 
-/// Places that move with the material, the mean of both blocks, from those at the start of a step.
-Eight3 kept_places(const Eight3& places, const RelativeMotion& start) {
-    return places + (start.one.at(places) + start.two.at(places)) * eights(0.5);
+/// Places that move with the material, the mean of the motions of both blocks, from those at the start of a step.
+Eight3 kept_places(const Eight3& places, const Eight3& one, const Eight3& two) {
+    return places + (one + two) * eights(0.5);
 }
 
 /// The rows of carriers from one vector, and the unloaded rows from another.
@@ -144,7 +144,11 @@ void write_rows_apart(Model& model, Row c, const Vec3& n, const RelativeMotion& 
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
         const Row first = span.first + i;
-        const Eight3 kept = wet ? kept_places(group.load(subs.position, first), start) : place;
+        Eight3 kept = place;
+        if (wet) {
+            const Eight3 held = group.load(subs.position, first);
+            kept = kept_places(held, start.one.at(held), start.two.at(held));
+        }
         const Eight closed = loaded.load(subs.normal_displacement.data() + first);
         group.store(subs.position, first, i == 0 ? loaded_first(place, kept) : kept);
         if (parts) group.store(subs.shear_arm, first, none);
@@ -178,18 +182,19 @@ void write_rows(Model& model, Row c, const OverlapPatch& patch, const CarrierRow
     for (Row i = 0; i < span.count; i += eight) {
         const RowsOfEight group(span.count - i), loaded(std::clamp<Row>(carriers - i, 0, span.count - i));
         const Row first = span.first + i;
-        Eight3 place = i == 0 ? places : centre;
-        if (wet) {
-            const Eight3 kept = kept_places(group.load(subs.position, first), start);
-            place = i == 0 ? loaded_first(places, kept) : kept;
+        const bool loaded_before = was_closed && i == 0;
+        Eight3 place = i == 0 ? places : centre, arm = none, shift;
+        if (wet || loaded_before) {
+            const Eight3 held = shear_places(subs, first, group), one = start.one.at(held), two = start.two.at(held),
+                         kept = kept_places(held, one, two);
+            if (wet) place = i == 0 ? loaded_first(places, kept) : kept;
+            // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
+            if (loaded_before) {
+                arm = loaded_first(shear_arms(kept, place, spread, normal), none);
+                shift = (motion.at(place + arm) + (two - one)) * eights(0.5);
+            }
         }
-        // The mean of start and end: slip at the end alone lags behind the places, and a block at rest would gain energy from its weight.
-        Eight3 arm = none, shift = motion.at(place);
-        if (was_closed && i == 0) {
-            const Eight3 held = shear_places(subs, first, group), one = start.one.at(held), two = start.two.at(held);
-            arm = loaded_first(shear_arms(held + (one + two) * eights(0.5), place, spread, normal), none);
-            shift = (motion.at(place + arm) + (two - one)) * eights(0.5);
-        }
+        if (!loaded_before) shift = motion.at(place);
         Eight closed{};
         for (Row k = 0; k < loaded.rows(); ++k) closed[k] = rows.closure[static_cast<std::size_t>(k)];
         const Eight opening = -closed - group.load(subs.normal_displacement.data() + first);

@@ -81,7 +81,7 @@ using SixEights = std::array<Eight, 6>;
     return edges;
 }
 
-/// What Deformation has of these two, alone.
+/// Volume and volume strain, as in Deformation, for less work.
 struct VolumeStrain {
     Eight volume, volume_strain;
 

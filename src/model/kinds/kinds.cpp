@@ -53,9 +53,7 @@ std::size_t corner_count(const Model& model) { return 3 * model.triangles.size()
 /// Unloaded rows of an overlap count as where its force acts: the nearest sub-contact to a place in a joint carries something.
 Vec3 place_of_sub_contact(const Model& model, Row row) {
     const Row contact = model.sub_contacts.contact[row];
-    const bool unloaded =
-        follows_overlap(model, contact) && row >= model.contacts.sub_contacts[contact].first + carriers;
-    return unloaded ? model.contacts.position[contact] : Vec3(model.sub_contacts.position[row]);
+    return is_unloaded(model, contact, row) ? model.contacts.position[contact] : Vec3(model.sub_contacts.position[row]);
 }
 
 Vec3 place_of_corner(const Model& model, Row row) { return model.gridpoints.position[gridpoint_of_corner(model, row)]; }

@@ -15,6 +15,11 @@ inline bool follows_overlap(const Model& model, Row contact) {
     return model.contacts.kind[contact] == ContactKind::overlap && model.settings.large_strain;
 }
 
+/// Whether a sub-contact of an overlap carries none of its force.
+inline bool is_unloaded(const Model& model, Row contact, Row row) {
+    return follows_overlap(model, contact) && row >= model.contacts.sub_contacts[contact].first + carriers;
+}
+
 /// Whether water acts on the whole common area of the faces of an overlap, at the unloaded rows.
 inline bool is_wet_beyond(const Contacts& contacts, Row contact) {
     return contacts.whole_area[contact] > 0 && contacts.sub_contacts[contact].count > carriers;
@@ -47,8 +52,7 @@ inline void put_open_area(Model& model, Row contact) {
 inline double pressed_area(const Model& model, Row row) {
     const Row contact = model.sub_contacts.contact[row];
     const Contacts& contacts = model.contacts;
-    const bool carries = row < contacts.sub_contacts[contact].first + carriers;
-    return carries && follows_overlap(model, contact) && contacts.depth[contact] > 0
+    return follows_overlap(model, contact) && !is_unloaded(model, contact, row) && contacts.depth[contact] > 0
                ? contacts.area[contact] / static_cast<double>(carriers)
                : model.sub_contacts.area[row];
 }
