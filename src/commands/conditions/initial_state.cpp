@@ -25,6 +25,15 @@ StressField stress_field(const lang::InSitu& command) {
             {stress(command.x_gradient), stress(command.y_gradient), stress(command.z_gradient)}};
 }
 
+void warn_of_open_faces(Session& session, const lang::InSitu& command, const OpenFaces& open) {
+    if (open.joints == 0) return;
+    session.warn(Diagnostic(fmt::format("the faces of {} do not meet, they are up to {:.3g} apart",
+                                        counted(open.joints, "joint"), open.widest),
+                            "their stress acts across the gap as in a closed joint; move the blocks together, or leave "
+                            "open joints out with a range")
+                     .at(command.place));
+}
+
 void put_stress(Session& session, const lang::InSitu& command) {
     auto& model = session.engine.model;
     find_contacts(model, session.engine.joints);
@@ -37,10 +46,14 @@ void put_stress(Session& session, const lang::InSitu& command) {
         return;
     }
     warn_of(session, doubts_of(command));
-    if (command.stress) return set_insitu_stress(model, session.engine.joints, zones, points, stress_field(command));
+    auto& joints = session.engine.joints;
+    if (command.stress) {
+        warn_of_open_faces(session, command, set_insitu_stress(model, joints, zones, points, stress_field(command)));
+        return;
+    }
     try {
-        set_topography_stress(model, session.engine.joints, zones, points, command.topography->kx,
-                              command.topography->ky);
+        const auto& [kx, ky] = *command.topography;
+        warn_of_open_faces(session, command, set_topography_stress(model, joints, zones, points, kx, ky));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/contact/contact_table.hpp"
+#include "mechanics/shape/overlap_gap.hpp"
 #include "mechanics/shape/search_scratch.hpp"
 #include "mechanics/contact/take_over.hpp"
 #include "mechanics/zones/cell_state.hpp"
@@ -68,13 +69,38 @@ std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>
     return places;
 }
 
-/// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact.
-template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joints,
-                                                const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
+/// How far the sides of a sub-contact without force are apart; not above 0 where they touch, or where it carries a force.
+double open_gap(const Model& model, Row s) {
+    const auto& contacts = model.contacts;
+    const auto& subs = model.sub_contacts;
+    const Row c = subs.contact[s];
+    if (subs.normal_force[s] != 0) return 0;
+    if (contacts.kind[c] == ContactKind::overlap) return gap_of_overlap(model, c);
+    if (!subs.side1[s].attached() || !subs.side2[s].attached()) return 0;
+    return contacts.normal[c].dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
+}
+
+/// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact. No stress crosses the air between corners or edges
+/// and what they have not reached; faces that nearly meet count as closed, since drawings do not fit exactly.
+template <class StressAt> OpenFaces put_joint_stress(Model& model, JointRegistry& joints,
+                                                     const std::vector<Row>& sub_contacts, const StressAt& stress_at) {
+    constexpr double misfit = 1e-6; // of the size of faces
     auto& points = model.sub_contacts;
+    const auto& contacts = model.contacts;
     std::vector<char> marked(points.size(), 0);
+    OpenFaces open;
+    Row last = no_row;
     for (const Row s : sub_contacts) {
-        const Vec3 n = model.contacts.normal[points.contact[s]];
+        const Row c = points.contact[s];
+        const double gap = open_gap(model, s);
+        const bool faces = contacts.type[c] == ContactType::face_face;
+        if (!faces && gap > rounding_of_gap(model, contacts.block1[c], contacts.block2[c])) continue;
+        if (faces && gap > misfit * std::sqrt(contacts.area[c])) {
+            open.joints += c != last;
+            open.widest = std::max(open.widest, gap);
+            last = c;
+        }
+        const Vec3 n = contacts.normal[c];
         // Force of block 1 on block 2, whose surface faces against n.
         const Vec3 on_block2 = -points.area[s] * traction(stress_at(s), n);
         const double normal = on_block2.dot(n);
@@ -85,6 +111,7 @@ template <class StressAt> void put_joint_stress(Model& model, JointRegistry& joi
     initialise_sub_contacts(model, joints, marked);
     note_taken_over(model, marked);
     ModelEdit(model, Change::properties);
+    return open;
 }
 
 /// Sub-contacts lie at corners and edges of faces, where a vertical line may miss the blocks; a point slightly nearer to the middle of the
@@ -103,17 +130,17 @@ Vec3 inside_joint(const Model& model, Row s) {
 
 } // namespace
 
-void set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
-                       const std::vector<Row>& sub_contacts, const StressField& stress) {
+OpenFaces set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                            const std::vector<Row>& sub_contacts, const StressField& stress) {
     for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
     note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
     const std::vector<Vec3> places = places_of_tractions(model, sub_contacts);
-    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
+    return put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
 }
 
-void set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
-                           const std::vector<Row>& sub_contacts, double kx, double ky) {
+OpenFaces set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
+                                const std::vector<Row>& sub_contacts, double kx, double ky) {
     const Overburden overburden(model);
     const auto stress_at = [&](const Vec3& place) {
         const double vertical = -overburden.at(place);
@@ -127,7 +154,7 @@ void set_topography_stress(Model& model, JointRegistry& joints, const std::vecto
     });
     note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
-    put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
+    return put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
 }
 
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
