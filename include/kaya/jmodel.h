@@ -65,7 +65,7 @@ extern "C" {
 #endif
 
 /* What a property means. A factor of safety divides cohesions and tensions, and the tangents of friction; `solve elastic` raises cohesion
- * and tension; checks of values, `list forces` and slices ask for the role and not for the name. A property that states none, and each of a
+ * and tension; checks of values, `list interfaces` and slices ask for the role and not for the name. A property that states none, and each of a
  * library made for interface 3 or older, has the role of its name where it has one of those below and the unit in brackets. */
 typedef enum kaya_jrole {
     KAYA_JROLE_BY_NAME = 0,
