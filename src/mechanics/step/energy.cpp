@@ -10,14 +10,14 @@ double energy_in_zones(const Model& model, const std::vector<ElasticConstants>& 
     double sum = 0;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         if (!model.blocks.deformable[b]) continue;
-        const auto [lambda, two_shear] = elastic[b];
+        const double bulk = elastic[b].bulk(), two_shear = elastic[b].two_shear;
         if (!(two_shear > 0)) continue;
         const Span zones = model.blocks.zones[b];
         for (Row z = zones.first; z < zones.end(); ++z) {
             const Stress& s = model.zones.stress[z];
             const double mean = (s[0] + s[1] + s[2]) / 3;
             const double deviator = (s.head<3>().array() - mean).square().sum() + 2 * s.tail<3>().squaredNorm();
-            sum += zone_volume(model, z) * (mean * mean / (2 * (lambda + two_shear / 3)) + deviator / (2 * two_shear));
+            sum += zone_volume(model, z) * (mean * mean / (2 * bulk) + deviator / (2 * two_shear));
         }
     }
     return sum;

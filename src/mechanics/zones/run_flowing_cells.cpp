@@ -17,8 +17,6 @@ namespace {
 /// limit keeps layers that are not strained themselves from breaking one by one.
 constexpr double most_thickening = 5;
 
-Eight mean_of_three(const SixEights& stress) { return (stress[0] + stress[1] + stress[2]) * (1.0 / 3); }
-
 Eight square_of_deviator(const SixEights& stress) {
     const Eight mean = mean_of_three(stress);
     return product(stress, stress) - 3.0 * mean * mean;

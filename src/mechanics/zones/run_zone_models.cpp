@@ -53,7 +53,7 @@ private:
         if (failure) throw failed_zone(model_, law_, first + static_cast<Row>(failure->row), *failure);
         ZoneSums sums = finish(columns, first, count);
         if (damped_) {
-            sums.damped = damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step);
+            sums.add(damp(columns, first, count, stiffness_damping(model_.settings) / model_.clock.time_step));
             if (!shares_) add_damped_forces(columns, first, count);
         }
         return sums;
@@ -99,7 +99,7 @@ private:
 
     /// Writes total stresses to the zones, updates their state, and computes their forces, unless other stresses are added or act.
     ZoneSums finish(ZoneColumns& columns, Row first, Row count) {
-        const double bulk = law_.elastic.lambda + law_.elastic.two_shear / 3;
+        const double bulk = law_.elastic.bulk();
         const bool are_final = !shares_ && !damped_;
         Lanes whole = Lanes{};
         bool flowed = false;
@@ -148,24 +148,41 @@ private:
         return sums;
     }
 
-    /// Adds viscous stresses. Returns the work they dissipate.
-    double damp(const ZoneColumns& columns, Row first, Row count, double damping) {
+    /// Adds viscous stresses, and the work that they dissipate, before what flow makes of them is averaged.
+    ZoneSums damp(const ZoneColumns& columns, Row first, Row count, double damping) {
+        const double bulk = damping * law_.elastic.bulk();
         Lanes whole = Lanes{};
+        bool flowed = false;
         for (Row i = 0; i < count; i += eight) {
             const Row rows = std::min<Row>(count - i, eight);
             SixEights change, strain;
+            Eight size = size_of(ZoneColumns::at(columns.pressure + i));
             for (std::size_t k = 0; k < 6; ++k) {
-                change[k] = ZoneColumns::at(columns.stress[k] + i) - ZoneColumns::at(columns.before[k] + i);
+                const Eight after = ZoneColumns::at(columns.stress[k] + i),
+                            before = ZoneColumns::at(columns.before[k] + i);
+                change[k] = after - before;
                 strain[k] = ZoneColumns::at(columns.strain[k] + i);
+                if (k < 3) size += size_of(after) + size_of(before);
             }
             const SixEights last = load_stresses(model_.zones.dashpot, first + i, rows),
-                            now = viscous_stress(change, strain, law_.elastic, damping);
+                            now = viscous_stress(change, strain, law_.elastic, damping), both = sum(last, now);
             store_stresses(model_.zones.dashpot, first + i, rows, now);
-            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * product(sum(last, now), strain);
+            Eight work = product(both, strain);
+            if (averages_) {
+                const Eight mean = load_rows(scratch_.mean_strain.data() + first + i, rows);
+                const Eight flow = beyond_rounding(mean_of_three(now) - bulk * mean, damping * size);
+                flowed = flowed || !all_zero(flow);
+                store_rows(scratch_.viscous_flow.data() + first + i, rows, flow);
+                work += mean_of_three(both) * (ZoneColumns::at(columns.volume_strain + i) - mean);
+            }
+            Eight energy = 0.5 * ZoneColumns::at(columns.volume + i) * work;
             for (Row l = rows; l < eight; ++l) energy[l] = 0;
             add_to(whole, energy);
         }
-        return sum(whole);
+        ZoneSums sums;
+        sums.damped = sum(whole);
+        sums.flowed = flowed;
+        return sums;
     }
 
     /// Forces of the stresses of the zones and of their dashpots.
@@ -211,7 +228,8 @@ void average(const ZoneLaws& laws, ZoneScratch& scratch, const std::vector<doubl
 /// Volume strains of averaging zones, and their means.
 void average_strain(const Model& model, const ZoneLaws& laws, ZoneScratch& scratch) {
     const std::size_t zones = model.zones.size();
-    for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow}) column->resize(zones);
+    for (auto* column : {&scratch.volume, &scratch.strain, &scratch.mean_strain, &scratch.flow, &scratch.viscous_flow})
+        column->resize(zones);
     for_deformations<VolumeStrain>(model, laws, Together::at_points, [&](Row z, Row count, const VolumeStrain& d) {
         store_rows(scratch.volume.data() + z, count, d.volume);
         store_rows(scratch.strain.data() + z, count, d.volume_strain);
@@ -239,9 +257,18 @@ void add_all(const Model& model, const ZoneLaws& laws, const ZoneTile& tile, con
     }
 }
 
-/// Averages the plastic change of the mean stress, then computes the forces of the tiles that it reaches. Returns the corresponding work.
+/// Averages what flow changes of the mean stress, and of the viscous one, then computes the forces of the tiles that it reaches. Returns the
+/// corresponding work.
 ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, std::vector<PointRow>& forces) {
-    average(laws, scratch, scratch.flow, [&](Row z, double mean) { scratch.flow[z] = mean - scratch.flow[z]; });
+    const bool damped = zones_are_damped(model);
+    const auto find_changes = [&](std::vector<double>& flow) {
+        average(laws, scratch, flow, [&](Row z, double mean) { flow[z] = mean - flow[z]; });
+    };
+    const auto none_in = [](const std::vector<double>& changes, const ZoneTile& tile) {
+        return all_zero_rows(changes.data() + tile.first, tile.last - tile.first);
+    };
+    find_changes(scratch.flow);
+    if (damped) find_changes(scratch.viscous_flow);
     const auto& tiles = laws.tiles.tiles;
     return reduce_chunks(
         tiles.size(), 1, ZoneSums{},
@@ -249,13 +276,13 @@ ZoneSums average_flow(Model& model, const ZoneLaws& laws, ZoneScratch& scratch, 
             ZoneSums sums;
             const ZoneTile& tile = tiles[first];
             if (laws.laws[tile.law].together != Together::at_points) return sums;
-            const auto changes =
-                std::span(scratch.flow)
-                    .subspan(static_cast<std::size_t>(tile.first), static_cast<std::size_t>(tile.last - tile.first));
-            if (std::ranges::all_of(changes, [](double change) { return change == 0; })) return sums;
+            if (none_in(scratch.flow, tile) && (!damped || none_in(scratch.viscous_flow, tile))) return sums;
             for (Row z = tile.first; z < tile.last; ++z) {
                 for (int k = 0; k < 3; ++k) model.zones.stress[z][k] += scratch.flow[z];
                 sums.work += 0.5 * scratch.volume[z] * scratch.flow[z] * scratch.strain[z];
+                if (!damped) continue;
+                for (int k = 0; k < 3; ++k) model.zones.dashpot[z][k] += scratch.viscous_flow[z];
+                sums.damped += 0.5 * scratch.volume[z] * scratch.viscous_flow[z] * scratch.strain[z];
             }
             add_all(model, laws, tile, scratch.shared, forces);
             return sums;

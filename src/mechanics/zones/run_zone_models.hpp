@@ -18,8 +18,8 @@ class ZoneLaws;
 
 /// Scratch memory of zones within a step, and of cells between steps; it is reused.
 struct ZoneScratch {
-    std::vector<double> volume, strain, mean_strain,
-        flow;                           ///< by zone: volume strain, its mean, plastic change of the mean stress
+    /// By zone: volume strain, its mean, what flow changes of the mean stress and of the viscous one.
+    std::vector<double> volume, strain, mean_strain, flow, viscous_flow;
     std::vector<PointMean<1>> at_point; ///< by point of the tiles
     SharedStrains shared;
     std::vector<double> pressure; ///< of the pores, by gridpoint; empty where there is no water

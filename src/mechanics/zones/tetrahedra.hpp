@@ -74,6 +74,8 @@ struct FaceAreas {
 /// Components xx, yy, zz, xy, xz, yz.
 using SixEights = std::array<Eight, 6>;
 
+inline Eight mean_of_three(const SixEights& stress) { return (stress[0] + stress[1] + stress[2]) * (1.0 / 3); }
+
 /// Edges in the middle of a step, from those at its end and their change in it; with `large` they were shorter by that change before.
 [[gnu::always_inline]] inline Edges middle_of(Edges edges, const Edges& shift, bool large) {
     if (large)

@@ -10,12 +10,11 @@ namespace kaya {
 /// does so at once, at no rate.
 inline SixEights viscous_stress(const SixEights& change, const SixEights& strain, const ElasticConstants& elastic,
                                 double damping) {
-    const Eight mean = (change[0] + change[1] + change[2]) * (1.0 / 3);
+    const Eight mean = mean_of_three(change);
     SixEights deviator = change;
     for (std::size_t k = 0; k < 3; ++k) deviator[k] -= mean;
-    const double bulk = elastic.lambda + elastic.two_shear / 3;
     const Eight work = product(change, strain),
-                stored = product(deviator, deviator) / elastic.two_shear + mean * mean / bulk;
+                stored = product(deviator, deviator) / elastic.two_shear + mean * mean / elastic.bulk();
     const Eight most = work < stored ? work / stored : eights(1), part = work > 0 ? most : Eight{};
     SixEights viscous;
     for (std::size_t k = 0; k < 6; ++k) viscous[k] = damping * part * change[k];
