@@ -6,6 +6,7 @@
 #include "mechanics/lanes/eight.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
 #include "mechanics/contact/curved_closure.hpp"
+#include "mechanics/contact/torn_bonds.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -321,7 +322,9 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
     const double stored = contacts.curved[c] != 0 && contacts.kind[c] == ContactKind::joint
                               ? load.shear_energy + energy_of_rows(model, joint, c)
                               : load.stored();
-    const Closures closures = closures_of(model, c);
+    Closures closures = closures_of(model, c);
+    if (contacts.kind[c] == ContactKind::joint) begin_tearing(model, joint, c);
+    closures.most = row_of_majority(model, c, closures.most);
     ClosureOffset offset;
     constexpr double same = 0.05; // of the deepest closure
     offset.closure = closures.mean_offset;
@@ -376,6 +379,7 @@ double follow_overlap(Model& model, const JointModel& joint, Row c, OverlapScrat
         subs.dashpot_shear.set(s, carries ? Vec3(shear_dashpots / carriers) : Vec3(Vec3::Zero()));
     }
     put_open_area(model, c);
+    note_torn(model, c);
     if (!curved) {
         BatchColumns made;
         initialise_rows(model, joint, c, std::min(carriers, span.count), made);
@@ -439,6 +443,7 @@ void close_joint(Model& model, const JointModel& joint, const ContactDraft& draf
         subs.normal_stiffness[s] = subs.normal_stiffness[first];
         subs.shear_stiffness[s] = subs.shear_stiffness[first];
     }
+    tear(model, joint, c);
     if (curved) return;
     BatchColumns made;
     initialise_rows(model, joint, c, static_cast<Row>(draft.points.size()), made);

@@ -7,6 +7,7 @@
 #include "mechanics/common/closure_search.hpp"
 #include "mechanics/contact/contact_kind.hpp"
 #include "mechanics/contact/dashpots.hpp"
+#include "mechanics/contact/torn_bonds.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -432,6 +433,7 @@ OverlapStart move_overlap_contact(Model& model, Row c, JointWork& work, OverlapS
     if (patch.lies) hold_by_grip(model, c, rows);
     const double in_springs = idle ? 0 : shear_energy(model, c);
     write_rows(model, c, patch, rows, motion);
+    note_torn(model, c);
     contacts.energy_length[c] = patch.carried > 0 ? patch.energy / patch.carried : 0;
     const double stiff = std::max(area, contacts.area[c]);
     // It decreases only while the contact carries nothing, and only when all bodies are checked; otherwise a rattling contact would need a check

@@ -69,6 +69,7 @@ public:
     Column<double> energy_taken;  ///< energy taken and not yet returned
     Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
     Column<double> whole_area;    ///< common area of the faces of an overlap; 0 when it is not known
+    Column<std::uint32_t> torn;   ///< bit k: place k of the joint has been open; mechanics/contact/torn_bonds.hpp
     // Of overlap contacts with a curved joint model: mechanics/contact/closed_halves.hpp.
     Column<std::int32_t> curved;                ///< 1: it has two halves
     Column<double> energy_deep, energy_shallow; ///< of the normal spring of each half, over its area
@@ -109,6 +110,7 @@ public:
         visit("energy_taken", energy_taken, Role::state);
         visit("curved", curved, Role::state);
         visit("whole_area", whole_area, Role::geometry);
+        visit("torn", torn, Role::state);
         visit("energy_deep", energy_deep, Role::state);
         visit("energy_shallow", energy_shallow, Role::state);
         visit("withheld", withheld, Role::state);
