@@ -1,5 +1,6 @@
 #include "commands/list/interfaces.hpp"
 
+#include "commands/list/model_strengths.hpp"
 #include "laws/property_roles.hpp"
 #include "model/measure/overlap_rows.hpp"
 
@@ -51,29 +52,32 @@ Wrench wrench_of(const Model& model, Row contact) {
     return wrench;
 }
 
-/// The value of a property with a role, of the joint model of a contact.
-std::optional<double> property_of(const Model& model, const JointRegistry& joints, Row contact, kaya_jrole role) {
+/// The joint model of a contact; null where it has none.
+const JointModel* model_of(const Model& model, const JointRegistry& joints, Row contact) {
     const Row row = model.contacts.properties[contact];
-    if (row == no_row) return std::nullopt;
-    const JointProperties& properties = model.joint_properties[static_cast<std::size_t>(row)];
-    const JointModel* joint = joints.find(properties.model);
-    if (joint == nullptr) return std::nullopt;
-    return value_of_role(*joint, properties.values, role);
+    return row == no_row ? nullptr : joints.find(model.joint_properties[static_cast<std::size_t>(row)].model);
 }
 
 } // namespace
 
 std::optional<double> utilisation_of(const Model& model, const JointRegistry& joints, const Interface& one) {
     constexpr double degree = std::numbers::pi / 180;
-    double tangent = 0, cohesion = 0;
+    const auto& subs = model.sub_contacts;
+    double strength = 0;
     for (const Row contact : one.contacts) {
-        const auto friction = property_of(model, joints, contact, KAYA_JROLE_FRICTION);
-        if (!friction) return std::nullopt;
-        const double area = model.contacts.area[contact];
-        tangent += (one.area > 0 ? area / one.area : 1.0 / one.contacts.size()) * std::tan(*friction * degree);
-        cohesion += area * property_of(model, joints, contact, KAYA_JROLE_COHESION).value_or(0);
+        const JointModel* law = model_of(model, joints, contact);
+        if (law == nullptr || !find_role(*law, KAYA_JROLE_FRICTION)) return std::nullopt;
+        const Span span = model.contacts.sub_contacts[contact];
+        for (Row s = span.first; s < span.end(); ++s) {
+            const auto row = row_strength(model, *law, s);
+            if (!row) return std::nullopt;
+            if (is_unloaded(model, contact, s)) continue;
+            const double friction = std::max(0.0, subs.normal_force[s]) * std::tan(row->friction * degree),
+                         carried = Vec3(subs.shear_force[s]).norm();
+            // A joint that becomes weaker as it slips carries more than it does in the end.
+            strength += std::max(friction + subs.area[s] * row->cohesion, subs.state[s] != 0 ? carried : 0);
+        }
     }
-    const double strength = std::max(0.0, one.normal_force()) * tangent + cohesion;
     if (!(strength > 0)) return std::nullopt;
     return one.shear_force() / strength;
 }

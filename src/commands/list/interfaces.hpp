@@ -25,8 +25,8 @@ struct Interface {
     Vec3 point_of_action() const;
 };
 
-/// The shear force over what friction and cohesion can take at this normal force; none where the joint model has no friction or the
-/// interface can take none.
+/// The shear force over what friction, at the force that the joint model sees beside water, and cohesion can take; of sub-contacts that have
+/// failed, what is left of both. None where a joint model has no friction or the interface can take none.
 std::optional<double> utilisation_of(const Model& model, const JointRegistry& joints, const Interface& one);
 
 /// The interfaces of these contacts, by the numbers of their blocks.

@@ -2,9 +2,11 @@
 
 #include "laws/property_roles.hpp"
 #include "mechanics/zones/zone_laws.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace kaya {
 
@@ -27,6 +29,24 @@ private:
     const LawTable& law_;
     const std::vector<double>& values_;
 };
+
+/// The mean of the rows of a contact by their area, of the tangent of friction.
+std::optional<Strength> coulomb_of_rows(const Model& model, const JointModel& law, Row contact) {
+    constexpr double degree = std::numbers::pi / 180;
+    const Span span = model.contacts.sub_contacts[contact];
+    double tangent = 0, cohesion = 0, whole = 0;
+    for (Row s = span.first; s < span.end(); ++s) {
+        const auto strength = row_strength(model, law, s);
+        if (!strength) return std::nullopt;
+        if (is_unloaded(model, contact, s)) continue;
+        const double area = model.sub_contacts.area[s];
+        tangent += area * std::tan(strength->friction * degree);
+        cohesion += area * strength->cohesion;
+        whole += area;
+    }
+    if (!(whole > 0)) return std::nullopt;
+    return Strength::coulomb(cohesion / whole, std::atan(tangent / whole) / degree);
+}
 
 std::optional<Strength> coulomb_of(std::optional<double> friction, std::optional<double> cohesion) {
     if (!friction && !cohesion) return std::nullopt;
@@ -66,6 +86,26 @@ std::optional<Strength> rock_strength(const Model& model, JointRegistry& laws, R
     return Strength::coulomb(material->second.cohesion, material->second.friction);
 }
 
+std::optional<RowStrength> row_strength(const Model& model, const JointModel& law, Row s) {
+    const Row row = model.contacts.properties[model.sub_contacts.contact[s]];
+    const auto& values = model.joint_properties[static_cast<std::size_t>(row)].values;
+    const bool failed = model.sub_contacts.state[s] != 0;
+    const auto value_of = [&](kaya_jrole peak, kaya_jrole residual) {
+        const auto after = failed ? value_of_role(law, values, residual) : std::nullopt;
+        return after ? after : value_of_role(law, values, peak);
+    };
+    const auto friction = value_of(KAYA_JROLE_FRICTION, KAYA_JROLE_FRICTION_RESIDUAL),
+               cohesion = value_of(KAYA_JROLE_COHESION, KAYA_JROLE_COHESION_RESIDUAL);
+    if (!friction && !cohesion) return std::nullopt;
+    return RowStrength{friction.value_or(0), cohesion.value_or(0)};
+}
+
+bool has_failed(const Model& model, Row contact) {
+    const Span span = model.contacts.sub_contacts[contact];
+    const auto first = model.sub_contacts.state.begin() + span.first;
+    return std::any_of(first, first + span.count, [](std::uint32_t state) { return state != 0; });
+}
+
 std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, Row contact) {
     const Row row = model.contacts.properties[contact];
     if (row == no_row) return std::nullopt;
@@ -74,8 +114,7 @@ std::optional<Strength> joint_strength(const Model& model, JointRegistry& laws, 
     if (!law.missing(set.values).empty()) return std::nullopt;
     const Values values(law, set.values);
     if (auto strength = barton_of(values)) return strength;
-    return coulomb_of(value_of_role(law, set.values, KAYA_JROLE_FRICTION),
-                      value_of_role(law, set.values, KAYA_JROLE_COHESION));
+    return coulomb_of_rows(model, law, contact);
 }
 
 } // namespace kaya

@@ -106,16 +106,13 @@ private:
 } // namespace
 
 Vec3 reaction_on(const Model& model, std::span<const Row> members) {
-    const auto& blocks = model.blocks;
     Vec3 force = Vec3::Zero();
-    for (const Row b : members) force += blocks.force[b] + blocks.mass[b] * model.settings.gravity + blocks.load[b];
+    for (const Row b : members) force += unbalanced_force(model, b);
     return hold_of(model, members).against(force);
 }
 
 Vec3 reaction_on_gridpoint(const Model& model, Row g) {
-    const auto& points = model.gridpoints;
-    return hold_of_gridpoint(model, g).against(points.force[g] + points.mass[g] * model.settings.gravity +
-                                               points.load[g]);
+    return hold_of_gridpoint(model, g).against(unbalanced_at_gridpoint(model, g));
 }
 
 Reactions reactions_of(const Model& model, const std::function<bool(Row)>& picked) {

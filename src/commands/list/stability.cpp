@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <fmt/format.h>
 #include <map>
 #include <numbers>
@@ -162,8 +163,7 @@ private:
         const std::size_t a = body_of_[static_cast<std::size_t>(contacts.block1[contact])],
                           b = body_of_[static_cast<std::size_t>(contacts.block2[contact])];
         if (a == b) return;
-        auto& strength =
-            strengths_.try_emplace(contacts.properties[contact], joint_strength(model_, laws, contact)).first->second;
+        const auto& strength = strengths_.emplace_back(joint_strength(model_, laws, contact));
         const double area = contacts.area[contact];
         const Vec3 normal = contacts.normal[contact];
         bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}, contact});
@@ -236,7 +236,7 @@ private:
 
     Model& model_;
     std::vector<Held> bodies_;
-    std::map<Row, std::optional<Strength>> strengths_; ///< by property set
+    std::deque<std::optional<Strength>> strengths_; ///< of contacts; places in it do not move
     std::vector<std::size_t> body_of_;
 };
 

@@ -275,16 +275,20 @@ SlopeSection section_of(Model& model, JointRegistry& laws, const SectionPlane& p
         any_strength = any_strength || found->second != 0;
         section.cells.push_back({std::move(outline), unit_weight(model, block), found->second});
     }
-    std::map<Row, std::size_t> joints;
+    std::map<std::pair<Row, Row>, std::size_t> joints;
     for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact) {
         const Row a = model.contacts.block1[contact], b = model.contacts.block2[contact];
         if (!cut[static_cast<std::size_t>(a)] || !cut[static_cast<std::size_t>(b)] || joined(model, a, b)) continue;
-        const auto [found, is_new] = joints.try_emplace(model.contacts.properties[contact], 0);
+        // Those that have failed have a strength each.
+        const bool failed = has_failed(model, contact);
+        const auto [found, is_new] =
+            joints.try_emplace({model.contacts.properties[contact], failed ? contact : no_row}, 0);
         if (is_new)
             if (const auto strength = joint_strength(model, laws, contact)) {
                 found->second = section.strengths.size();
                 section.strengths.push_back(*strength);
-                section.names.push_back(fmt::format("joints of material {}", model.contacts.material[contact]));
+                section.names.push_back(fmt::format("joints of material {}{}", model.contacts.material[contact],
+                                                    failed ? " that have failed" : ""));
             }
         if (found->second != 0) cutter.add_joints(contact, found->second, section.joints);
     }
