@@ -84,10 +84,9 @@ struct Unbalanced {
     void add_block(const Model& model, Row b) {
         const auto& blocks = model.blocks;
         const auto& points = model.gridpoints;
-        const Vec3& g = model.settings.gravity;
-        if (!blocks.deformable[b]) return add(blocks.force[b] + blocks.load[b] + blocks.mass[b] * g, blocks.fixed[b]);
+        if (!blocks.deformable[b]) return add(unbalanced_force(model, b), blocks.fixed[b]);
         for (Row p = blocks.gridpoints[b].first; p < blocks.gridpoints[b].end(); ++p)
-            add(points.force[p] + points.load[p] + points.mass[p] * g, points.fixed[p]);
+            add(unbalanced_at_gridpoint(model, p), points.fixed[p]);
     }
 };
 

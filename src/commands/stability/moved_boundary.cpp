@@ -5,6 +5,7 @@
 #include "commands/stability/scaled_histories.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,8 +29,8 @@ Vec3 holding_moment(const Model& model, std::span<const Row> members, const Vec3
     unsigned fixed = 0;
     for (const Row b : members) {
         fixed |= blocks.fixed[b];
-        const Vec3 force = blocks.force[b] + blocks.load[b] + blocks.mass[b] * model.settings.gravity;
-        moment -= blocks.moment[b] + load_moment(model, b) + (blocks.centroid[b] - centroid).cross(force);
+        moment -= blocks.moment[b] + load_moment(model, b) +
+                  (blocks.centroid[b] - centroid).cross(unbalanced_force(model, b));
     }
     for (int k = 0; k < 3; ++k)
         if (!(fixed & (fix_rx << k))) moment[k] = 0;

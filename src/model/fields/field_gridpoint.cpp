@@ -35,7 +35,7 @@ Vec3 reaction(const Model& model, Row row) {
     const auto& g = model.gridpoints;
     Vec3 force = Vec3::Zero();
     if (!model.blocks.deformable[g.block[row]]) return force;
-    const Vec3 acting = g.force[row] + g.load[row] + g.mass[row] * model.settings.gravity;
+    const Vec3 acting = unbalanced_at_gridpoint(model, row);
     for (int k = 0; k < 3; ++k)
         if (g.fixed[row] & (1 << k)) force[k] = -acting[k];
     if (g.roller[row] != 0)
@@ -84,14 +84,14 @@ const Fields& gridpoint_fields() {
          read<rows_of, &Gridpoints::displacement, 1>, write<rows_of, &Gridpoints::displacement, 1>},
         {table, "z_displacement", "gp_zdis", "block.gp.disp.z", "length", "z displacement",
          read<rows_of, &Gridpoints::displacement, 2>, write<rows_of, &Gridpoints::displacement, 2>},
-        {table, "force", "gp_force", "block.gp.force.unbal", "force", "unbalanced force of the last cycle",
-         read<rows_of, &Gridpoints::force>, nullptr},
+        {table, "force", "gp_force", "block.gp.force.unbal", "force",
+         "unbalanced force of the last cycle, with loads and weight", call<unbalanced_at_gridpoint>, nullptr},
         {table, "x_force", "gp_xforce", "block.gp.force.unbal.x", "force", "x unbalanced force",
-         read<rows_of, &Gridpoints::force, 0>, nullptr},
+         call<unbalanced_at_gridpoint, 0>, nullptr},
         {table, "y_force", "gp_yforce", "block.gp.force.unbal.y", "force", "y unbalanced force",
-         read<rows_of, &Gridpoints::force, 1>, nullptr},
+         call<unbalanced_at_gridpoint, 1>, nullptr},
         {table, "z_force", "gp_zforce", "block.gp.force.unbal.z", "force", "z unbalanced force",
-         read<rows_of, &Gridpoints::force, 2>, nullptr},
+         call<unbalanced_at_gridpoint, 2>, nullptr},
         {table, "reaction", "gp_reaction", "block.gp.force.reaction", "force",
          "force that holds what is prescribed of its velocity, of deformable blocks", call<reaction>, nullptr},
         {table, "x_reaction", "gp_xreaction", "block.gp.force.reaction.x", "force", "x reaction", call<reaction, 0>,

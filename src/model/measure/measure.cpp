@@ -142,4 +142,13 @@ Vec3 block_load(const Model& model, Row block) {
                                           : model.blocks.load[block];
 }
 
+Vec3 unbalanced_force(const Model& model, Row block) {
+    return block_force(model, block) + block_load(model, block) + model.blocks.mass[block] * model.settings.gravity;
+}
+
+Vec3 unbalanced_at_gridpoint(const Model& model, Row gridpoint) {
+    const auto& g = model.gridpoints;
+    return g.force[gridpoint] + g.load[gridpoint] + g.mass[gridpoint] * model.settings.gravity;
+}
+
 } // namespace kaya

@@ -40,4 +40,8 @@ Vec3 block_displacement(const Model& model, Row block);
 Vec3 block_force(const Model& model, Row block);
 Vec3 block_load(const Model& model, Row block);
 
+/// All forces on a block, or on a gridpoint of a deformable one, with its loads and its weight.
+Vec3 unbalanced_force(const Model& model, Row block);
+Vec3 unbalanced_at_gridpoint(const Model& model, Row gridpoint);
+
 } // namespace kaya
