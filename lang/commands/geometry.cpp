@@ -54,7 +54,8 @@ void check_field(const Reader& reader, const GenerateEdge& g) {
 
 CommandSpec generate_edge() {
     Entry<GenerateEdge> entry({"generate"}, {"edge", "edgelength"});
-    entry.help("fills blocks with tetrahedral zones, which makes them deformable");
+    entry.help(
+        "fills blocks with zones, which makes them deformable: cells in blocks of six faces, tetrahedra in others");
     entry.argument(real("edge").unit("length").above(0).optional().help(
                        "average edge of a zone; with a center, far from it: edgelength-distance if not given"),
                    &GenerateEdge::edge);

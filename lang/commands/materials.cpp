@@ -32,7 +32,7 @@ CommandSpec prop() {
     Entry<Property> entry({"property"});
     entry.help("gives a material its properties: of blocks, of joints, of joint models");
     const auto number = integer("n").at_least(1);
-    entry.keyword({"material", "mat"}, number,
+    entry.keyword({Spelling{"material", 1}, Spelling{"mat", 1}}, number,
                   Through{[](Property& p, std::int64_t n) { p.number = n, p.joint = false; },
                           [](const Property& p) { return p.joint ? std::nullopt : std::optional(p.number); }},
                   "number of the block material");
@@ -59,7 +59,7 @@ CommandSpec prop() {
     });
     entry.right("prop mat=1 density = 0.0026 k=4e3 g=3e3").right("prop mat 1 jkn 1e2 jks 1e4 jfric 10 jcoh 5e3");
     entry.right("prop jmat 2 jkn 1e9 jks 1e9 jfriction 35 jten 0").right("prop mat 1 ymod 5e10 prat 0.25");
-    entry.right("prop jmat 1 jrco 15 sigmac 150");
+    entry.right("prop jmat 1 jrco 15 sigmac 150").right("prop m=2 d=2700");
     entry.wrong("prop mat 1", "no property is given");
     entry.wrong("prop mat 1 dens", "a number is missing after 'dens'");
     entry.wrong("prop mat 1 dens heavy", "expected a number, found 'heavy'");
@@ -73,7 +73,8 @@ CommandSpec prop() {
 CommandSpec change() {
     Entry<Change> entry({"change"});
     entry.help("gives blocks or contacts another material or constitutive number");
-    entry.keyword({"material", "mat"}, integer("n").at_least(1), &Change::material, "material number of blocks");
+    entry.keyword({Spelling{"material", 1}, Spelling{"mat", 1}}, integer("n").at_least(1), &Change::material,
+                  "material number of blocks");
     entry.keyword({"constitutive", "cons"}, integer("n").at_least(1), &Change::constitutive,
                   "constitutive number of blocks");
     entry.keyword({"jmaterial", "jmat"}, integer("n").at_least(1), &Change::joint_material,

@@ -323,7 +323,7 @@ std::vector<KeywordSpec> figure_words(bool round) {
                      "the corners, in order");
     }
     list.keyword({"distance"}, real("distance").unit("length").at_least(0), &FigureText::distance,
-                 "all within this distance of its plane; only objects in the plane if not given");
+                 "all within this distance of its plane");
     return std::move(list).list();
 }
 
@@ -375,7 +375,7 @@ void figures(Keywords<RangePhrase>& table) {
     };
     const auto text_of_polygon = [](const RangeElement& e) { return FigureText{e.vertices, {}, {}, {}, e.distance}; };
     table.keyword({"polygon"}, element(Kind::polygon, by_text<FigureText>(of_corners, polygon, text_of_polygon)),
-                  "inside a plane polygon");
+                  "inside a plane polygon; in its plane if no distance is given");
     // Its four corners are those of a polygon.
     table
         .keyword({Spelling{"rectangle", 3}},
@@ -411,7 +411,7 @@ Parts<RangePhrase> orientation_element(double default_tolerance) {
         list.keyword({"dd", "dip-direction"}, real("dd").unit("degrees"), &OrientationText::dip_direction,
                      "direction of dip, clockwise from +y seen from above");
         list.keyword({"tolerance"}, real("tolerance").unit("degrees").at_least(0).at_most(90),
-                     &OrientationText::tolerance, "greatest angle between the normals, 1 if not given");
+                     &OrientationText::tolerance, "greatest angle between the normals");
         return std::move(list).list();
     }();
     const auto read = [default_tolerance](Reader& reader, const OrientationText& text, RangeElement& element) {
@@ -438,7 +438,8 @@ void space_elements(Keywords<RangePhrase>& table) {
 }
 
 void figure_elements(Keywords<RangePhrase>& table) {
-    table.keyword({Spelling{"orientation", 4}}, orientation_element(1), "faces and contacts of an orientation");
+    table.keyword({Spelling{"orientation", 4}}, orientation_element(1),
+                  "faces and contacts of an orientation, within 1 degree if no tolerance is given");
     ground(table);
     geometry_space(table);
     geometry_distance(table);

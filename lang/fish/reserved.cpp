@@ -17,10 +17,9 @@ struct Group {
 
 constexpr Group groups[] = {
     {true, "gp_temp", "heat is not supported"},
-    {true, "z_fsi z_fsr z_fri z_frr z_total_strain",
-     "there are no tensors: z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
+    {true, "z_fsi z_fsr z_fri z_frr z_total_strain", "z_vsi, z_ssi, z_vsr, z_ssr are the strains and their rates"},
     {true, "z_sig from_principal principal_stress b_moitensor",
-     "there are no tensors: z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi"},
+     "z_sxx and so on, z_sig1 to z_sig3, b_xmoi to b_zmoi are the components"},
     {true, "apply_head bou_head bou_new gp_bou", "use the command bound, and gp_xload for loads"},
     {true, "cx_edge1 cx_edge2", "there are no pointers to edges"},
     {true, "fc_arg", "the function is called without an argument"},

@@ -76,12 +76,24 @@ struct TimeFunctionOf {
     }
 };
 
+/// A wave begins at time 0 and has an end, if it has a duration.
+void warn_of_past_wave(Session& session, const lang::Multiplier& multiplier) {
+    const auto* wave = std::get_if<lang::Wave>(&multiplier.function);
+    const double now = session.engine.model.clock.time;
+    if (wave == nullptr || !(wave->duration > 0) || now < wave->duration) return;
+    session.warn(Diagnostic(fmt::format("the wave ends at time {}, and the time is {}", number_text(wave->duration),
+                                        number_text(now)),
+                            "it does nothing: give `reset time` before a run that begins with it")
+                     .at(multiplier.place));
+}
+
 /// The row of the function named by `hist`, checked to exist and to give numbers as far as is known before the run.
 std::int32_t time_function(Session& session, const std::optional<lang::Multiplier>& multiplier) {
     if (!multiplier) return constant_in_time;
     try {
         TimeFunction function = std::visit(TimeFunctionOf{session}, multiplier->function);
         function.place = session.deck.here();
+        warn_of_past_wave(session, *multiplier);
         return time_function_row(session.engine.model, function);
     } catch (Diagnostic& mistake) {
         mistake.at(multiplier->place);

@@ -8,10 +8,12 @@
 #include "lang/interp/named_word.hpp"
 #include "lang/modern/language.hpp"
 #include "model/fields/sampling.hpp"
+#include "model/measure/block_box.hpp"
 #include "pictures/picture_page.hpp"
 #include "scene/svg_chart.hpp"
 #include "system/whole_file.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -38,6 +40,14 @@ Shown shown_by(Session& session, const PlotItem& item) {
         select(session.engine.model, ObjectKind::block, session.test_of(ObjectKind::block, phrase_of(item.range)));
     shown.deformation = item.deformed - 1;
     shown.cut = item.cut;
+    if (shown.cut && item.cut_in_middle && !shown.blocks.empty()) {
+        Eigen::AlignedBox3d whole;
+        for (const Row block : shown.blocks) {
+            const auto [low, high] = block_box(session.engine.model, block);
+            whole.extend(low).extend(high);
+        }
+        shown.cut->origin = whole.center();
+    }
     return shown;
 }
 

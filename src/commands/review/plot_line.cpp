@@ -295,10 +295,11 @@ private:
         constexpr double degree = std::numbers::pi / 180;
         CutPlane& cut = item().cut.emplace();
         double dip = 0, direction = 0;
+        item().cut_in_middle = true;
         bool turned = false, given = false; // dip and dd after a normal belong to the picture
         for (bool more = true; more;) {
             more = true;
-            if (take({"origin", "org", "point"})) take_vector(cut.origin);
+            if (take({"origin", "org", "point"})) item().cut_in_middle = !take_vector(cut.origin);
             else if (take({"normal", "norm"})) given = take_vector(cut.normal);
             else if (!given && take({"dip"})) turned = take_number(dip);
             else if (!given && take({"dd", "dip-direction", "ddir"})) turned = take_number(direction);

@@ -34,6 +34,7 @@ struct PlotItem {
     double scale = 0;  ///< of arrows and crosses
     std::vector<double> levels; ///< of iso-surfaces; none: five
     std::optional<CutPlane> cut;
+    bool cut_in_middle = false;        ///< no origin was given: through the middle of the blocks
     double deformed = 1;               ///< displacements are drawn so many times as large
     std::vector<std::int64_t> numbers; ///< of histories and tables; below 0: upside down
     std::optional<std::int64_t> versus;

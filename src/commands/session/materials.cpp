@@ -142,10 +142,12 @@ void warn_unused_by_zones(Session& session, std::int32_t number, const Material&
         const auto place = session.deck.property_words.find({number, word});
         Diagnostic warning =
             models.empty()
-                ? Diagnostic(fmt::format("'{}' of material {} has no effect: its blocks are rigid", word, number),
-                             "rock that yields needs zones: generate edge ..., and `change cons 2`")
+                ? Diagnostic(
+                      fmt::format("'{}' of material {} has no effect on cycles: its blocks are rigid", word, number),
+                      "rock that yields needs zones: generate edge ..., and `change cons 2`; `limit equilibrium` "
+                      "knows the strength of rigid blocks")
                 : Diagnostic(
-                      fmt::format("'{}' of material {} has no effect: its zones are {}", word, number,
+                      fmt::format("'{}' of material {} has no effect on cycles: its zones are {}", word, number,
                                   fmt::join(models, ", ")),
                       "zones that yield need a zone model that has it: `change cons 2` or `zone model mohr-coulomb`");
         if (place != session.deck.property_words.end()) warning.at(place->second.place);

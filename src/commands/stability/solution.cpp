@@ -28,14 +28,19 @@ std::string end_text(std::string_view run, const RunEnd& end) {
     return fmt::format("{}: {}{}", run, end.at_rest ? "" : "stopped by ", end.why);
 }
 
-/// Reports how close to rest a run is, and which body does not come to rest.
-void tell_rest(Session& session, const RestMonitor& monitor, const RunEnd& end, bool still, const Place& place) {
+/// Reports how close to rest a run is.
+void tell_ratios(Session& session) {
     const Clock& clock = session.engine.model.clock;
     std::string text = fmt::format("average ratio {:.3e}  local ratio {:.3e}", clock.average_ratio, clock.local_ratio);
     if (const auto fastest = fastest_body(session.engine.model))
         text += fmt::format("  largest velocity {} {}", number_text(fastest->speed),
                             body_text(session.engine.model, *fastest));
     session.program.output.say(text);
+}
+
+/// The same, and which body does not come to rest in a run that seeks it.
+void tell_rest(Session& session, const RestMonitor& monitor, const RunEnd& end, bool still, const Place& place) {
+    tell_ratios(session);
     if (!end.fallen.empty()) {
         session.warn(Diagnostic(end.fallen + " left all others: free fall does not come to rest",
                                 "fix what should hold it, delete it, or run for a `time`")
@@ -140,7 +145,8 @@ void run(Session& session, const lang::Solve& command) {
         const RunEnd end = advance_until(session, limits, &monitor);
         session.engine.world.stopped_by = end.why;
         session.program.output.say(end_text("solve", end));
-        tell_rest(session, monitor, end, command.still, command.place);
+        if (seeks_rest || limits.ratio) tell_rest(session, monitor, end, command.still, command.place);
+        else tell_ratios(session);
     }
     session.engine.run_hooks(script::Moment::solve_complete);
 }
