@@ -71,6 +71,7 @@ struct Cycle::Lists {
     HistoryLists boundary_histories;
     QuietPoints quiet;
     TieLists ties;
+    TieScratch tie_scratch;
     TimeStep step;
     JointForces joints;
     PerThread<JointScratch> joint_scratch;
@@ -241,7 +242,7 @@ void Cycle::strain(StepSums& sums) {
     });
     times_.timed(Phase::zones, [&] {
         if (!s.passed) sums.zones = run_zone_models(model_, s.laws, s.zones, s.zone_forces);
-        sums.zones.add(run_ties(model_, s.ties));
+        sums.zones.add(run_ties(model_, s.ties, s.tie_scratch));
     });
     if (model_.structures.stand())
         times_.timed(Phase::structures, [&] { sums.structure_work = run_structures(model_.clock.time_step); });

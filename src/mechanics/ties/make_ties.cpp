@@ -102,8 +102,8 @@ Vec3 place_of(const Model& model, const ProjectedFace& face, int vertex, int tri
     return place;
 }
 
-/// Scratch memory shared by the ties of consecutive pairs of faces.
-struct TieScratch {
+/// Memory shared by the ties of consecutive pairs of faces.
+struct OverlayMemory {
     ZonesBelow below;
     Overlay found;
     OverlayScratch overlay;
@@ -111,7 +111,7 @@ struct TieScratch {
 
 /// Finds the common area of two faces. False: there is none.
 bool overlay_faces(const Model& model, const ProjectedFace& face1, const ProjectedFace& face2, const Vec3& normal,
-                   double near, TieScratch& scratch) {
+                   double near, OverlayMemory& scratch) {
     Overlay& found = scratch.found;
     const double tolerance = coincidence * near;
     overlay(face1.mesh, face2.mesh, tolerance, 0, found, scratch.overlay);
@@ -126,7 +126,7 @@ bool overlay_faces(const Model& model, const ProjectedFace& face1, const Project
 }
 
 /// Ties two faces over the common area that was found.
-void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, TieScratch& scratch) {
+void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, OverlayMemory& scratch) {
     const Overlay& found = scratch.found;
     const bool same = std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
     auto& ties = model.ties;
@@ -148,7 +148,7 @@ void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const Project
 }
 
 /// Ties the parallel faces of two blocks. A pair whose common faces are open gets no row: it has a contact.
-void tie_blocks(Model& model, Row block1, Row block2, TieScratch& scratch) {
+void tie_blocks(Model& model, Row block1, Row block2, OverlayMemory& scratch) {
     auto& pairs = model.tied_pairs;
     const auto& blocks = model.blocks;
     const Row pair = static_cast<Row>(pairs.size());
@@ -231,7 +231,7 @@ void make_ties(Model& model) {
     bool any = false;
     for (std::size_t b = 0; b < blocks.size() && !any; ++b) any = untied(b);
     if (!any) return;
-    TieScratch scratch;
+    OverlayMemory scratch;
     const auto first = static_cast<Row>(model.tied_pairs.size());
     for (const auto& [a, b] : pairs_to_tie(model)) tie_blocks(model, a, b, scratch);
     for (std::size_t b = 0; b < blocks.size(); ++b)

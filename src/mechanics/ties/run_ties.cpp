@@ -51,27 +51,50 @@ struct Turn {
 
 } // namespace
 
-ZoneSums run_ties(Model& model, const TieLists& lists) {
+ZoneSums run_ties(Model& model, const TieLists& lists, TieScratch& scratch) {
     auto& ties = model.ties;
     const double step = model.clock.time_step;
     const double damping = stiffness_damping(model.settings) / step;
     const auto& springs = lists.springs();
+    const auto& means = lists.means();
+    scratch.shift.resize(springs.size());
+    scratch.mean.resize(means.start.empty() ? 0 : means.start.size() - 1);
+    for_chunks(springs.size(), grain, [&](std::size_t first, std::size_t last) {
+        const auto& v = model.gridpoints.velocity;
+        for (std::size_t i = first; i < last; ++i) {
+            const auto& spring = springs[i];
+            Vec3 shift = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
+            if (model.settings.large_strain) {
+                // A rigid rotation is not a relative displacement, even for ends that do not quite coincide.
+                const Turn turn(model, spring, step);
+                shift -= turn.spin * turn.between;
+                Vec3& force = ties.force[spring.tie];
+                force = turn.rotation() * force;
+            }
+            scratch.shift[i] = shift;
+        }
+    });
+    for_chunks(scratch.mean.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Vec3 sum = Vec3::Zero();
+            for (auto m = means.begin(static_cast<Row>(i)); m != means.end(static_cast<Row>(i)); ++m)
+                sum += m->part * scratch.shift[static_cast<std::size_t>(m->spring)];
+            scratch.mean[i] = sum;
+        }
+    });
     return reduce_chunks(
         springs.size(), grain, ZoneSums{},
         [&](std::size_t first, std::size_t last) {
             ZoneSums sums;
             for (std::size_t i = first; i < last; ++i) {
                 const auto& spring = springs[i];
-                const auto& v = model.gridpoints.velocity;
-                Vec3 shift = step * (weighted(spring.side[1], v) - weighted(spring.side[0], v));
+                const Vec3& shift = scratch.shift[i];
                 Vec3& force = ties.force[spring.tie];
-                if (model.settings.large_strain) {
-                    // A rigid rotation is not a relative displacement, even for ends that do not quite coincide.
-                    const Turn turn(model, spring, step);
-                    shift -= turn.spin * turn.between;
-                    force = turn.rotation() * force;
-                }
-                const Vec3 change = -spring.stiffness * shift;
+                Vec3 held = Vec3::Zero();
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (spring.mean[k] != no_row)
+                        held += spring.part[k] * scratch.mean[static_cast<std::size_t>(spring.mean[k])];
+                const Vec3 change = -spring.stiffness * held;
                 sums.work -= (force + 0.5 * change).dot(shift);
                 force += change;
                 if (damping > 0) {

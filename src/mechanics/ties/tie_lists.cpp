@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace kaya {
@@ -70,7 +71,33 @@ void TieLists::find_groups(const Model& model) {
     }
 }
 
+/// The springs of two faces, from `first` on, whose stiffness is still their area. `areas` are those of all means so far.
+void TieLists::find_means(std::size_t first, std::vector<double>& areas) {
+    std::array<std::map<Row, Row>, 2> gridpoints;
+    for (std::size_t i = first; i < springs_.size(); ++i)
+        for (std::size_t side = 0; side < 2; ++side)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (springs_[i].side[side].weights[k] != 0)
+                    gridpoints[side].emplace(springs_[i].side[side].gridpoints[k], no_row);
+    const std::size_t side = gridpoints[1].size() > gridpoints[0].size() ? 1 : 0;
+    for (auto& [gridpoint, mean] : gridpoints[side]) {
+        mean = static_cast<Row>(areas.size());
+        areas.push_back(0);
+    }
+    for (std::size_t i = first; i < springs_.size(); ++i) {
+        Spring& spring = springs_[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double weight = spring.side[side].weights[k];
+            if (weight == 0) continue;
+            spring.mean[k] = gridpoints[side].at(spring.side[side].gridpoints[k]);
+            spring.part[k] = weight;
+            areas[static_cast<std::size_t>(spring.mean[k])] += weight * spring.stiffness;
+        }
+    }
+}
+
 void TieLists::find_springs(const Model& model, const std::vector<ElasticConstants>& elastic) {
+    std::vector<double> areas;
     const auto& ties = model.ties;
     const auto& blocks = model.blocks;
     for (std::size_t p = 0; p < model.tied_pairs.size(); ++p) {
@@ -94,7 +121,9 @@ void TieLists::find_springs(const Model& model, const std::vector<ElasticConstan
                 const Spring spring{end,
                                     {attached(0, ties.gridpoints1[end], ties.weights1[end]),
                                      attached(1, ties.gridpoints2[end], ties.weights2[end])},
-                                    ties.area[end]};
+                                    ties.area[end],
+                                    {no_row, no_row, no_row},
+                                    {}};
                 const std::array<Row, 2> zones{ties.zone1[end], ties.zone2[end]};
                 for (int side = 0; side < 2; ++side)
                     stiffest = std::max(stiffest, zone_stiffness(model, elastic[rows[side]],
@@ -102,11 +131,19 @@ void TieLists::find_springs(const Model& model, const std::vector<ElasticConstan
                                                                  spring.side[side].gridpoints));
                 springs_.push_back(spring);
             }
+            find_means(first_spring, areas);
             for (std::size_t i = first_spring; i < springs_.size(); ++i) springs_[i].stiffness *= stiffer * stiffest;
             first = end;
         }
     }
     if (springs_.empty()) return;
+    means_ = sorted_lists<Member>(areas.size(), [&](auto add) {
+        for (std::size_t i = 0; i < springs_.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const Row mean = springs_[i].mean[k]; mean != no_row)
+                    add(mean, Member{static_cast<Row>(i), ties.area[springs_[i].tie] * springs_[i].part[k] /
+                                                              areas[static_cast<std::size_t>(mean)]});
+    });
     shares_ = sorted_lists<Share>(model.gridpoints.size(), [&](auto add) {
         for (const Spring& spring : springs_)
             for (int side = 0; side < 2; ++side)

@@ -38,13 +38,22 @@ public:
     /// The constraints of a group: the rollers of all its members.
     const Roller& roller(std::size_t group) const { return rollers_[group]; }
 
-    /// A spring: rows of the gridpoints of its two triangles, and its stiffness, force/length.
+    /// A spring: rows of the gridpoints of its two triangles, its stiffness, force/length, and the means that hold it, with their weights.
     struct Spring {
         Row tie;
         std::array<Attachment, 2> side;
         double stiffness;
+        std::array<Row, 3> mean;
+        std::array<double, 3> part;
     };
     const std::vector<Spring>& springs() const { return springs_; }
+
+    /// A spring of a mean of relative displacements: at a gridpoint of the side of two faces that has more of them.
+    struct Member {
+        Row spring;
+        double part; ///< the parts of a mean sum to 1
+    };
+    const Lists<Member>& means() const { return means_; }
 
     /// The part of a spring's force on the second block that acts on a gridpoint.
     struct Share {
@@ -60,20 +69,27 @@ public:
 private:
     void find_groups(const Model& model);
     void find_springs(const Model& model, const std::vector<ElasticConstants>& elastic);
+    void find_means(std::size_t first, std::vector<double>& areas);
 
     std::vector<std::size_t> start_{0};
     std::vector<Row> members_;
     std::vector<char> grouped_; ///< by gridpoint; empty when there are none
     std::vector<Roller> rollers_;
     std::vector<Spring> springs_;
+    Lists<Member> means_;
     Lists<Share> shares_;
 };
 
 /// Adds the springs at a gridpoint, as a bound of their part of the squared frequency with the true mass, to Gridpoints::zone_frequency.
 void add_tie_frequencies(Model& model, const TieLists& ties);
 
+/// Relative displacements in a step, of springs and their means; the memory is reused.
+struct TieScratch {
+    std::vector<Vec3> shift, mean;
+};
+
 /// Reads gridpoint motion; writes the forces of the springs.
-ZoneSums run_ties(Model& model, const TieLists& ties);
+ZoneSums run_ties(Model& model, const TieLists& ties, TieScratch& scratch);
 
 /// Members of a group with a prescribed member get its velocity, as apply_velocity_histories does for that member.
 HistorySums follow_prescribed(Model& model, const TieLists& ties);
