@@ -28,14 +28,20 @@ std::string name_of_group(const Model& model, std::int32_t group) {
     return name.empty() ? "-" : std::string(name);
 }
 
+/// Meshes may share a face in many pieces: the first ones are shown.
 std::string corners_text(const Model& model, const Interface& one) {
-    std::string text;
+    constexpr std::size_t most = 12;
+    std::vector<std::string> lines;
     for (const Row contact : one.contacts)
         for (const auto& polygon : joint_polygons(model, contact)) {
             std::vector<std::string> corners;
             for (const Vec3& corner : polygon) corners.push_back(place_text(corner));
-            text += fmt::format("\npolygon: {}", fmt::join(corners, " "));
+            lines.push_back(fmt::format("\npolygon: {}", fmt::join(corners, " ")));
         }
+    const std::size_t shown = std::min(lines.size(), most);
+    std::string text =
+        fmt::format("{}", fmt::join(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(shown), ""));
+    if (lines.size() > shown) text += fmt::format("\n... and {} more polygons", lines.size() - shown);
     return text;
 }
 
