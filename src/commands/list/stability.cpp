@@ -4,15 +4,14 @@
 #include "commands/list/listing.hpp"
 #include "commands/list/model_strengths.hpp"
 
-#include "geometry/polyhedra/kept_part.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "mechanics/bodies/run_cables.hpp"
 #include "model/edit/joined.hpp"
 #include "model/measure/joint_polygons.hpp"
+#include "model/measure/joint_water.hpp"
 #include "model/measure/measure.hpp"
 #include "model/measure/structure_rows.hpp"
-#include "model/measure/water.hpp"
 #include "model/structures/structures.hpp"
 #include "slopes/sliding.hpp"
 #include "slopes/turning.hpp"
@@ -168,29 +167,11 @@ private:
         const Vec3 normal = contacts.normal[contact];
         bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}, contact});
         bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}, contact});
-        add_water(contact, water, [&](double force, const Vec3& place) {
+        if (model_.settings.water == Water::none) return;
+        push_water(model_, contact, water, [&](double force, const Vec3& place) {
             bodies_[a].push(-force * normal, place);
             bodies_[b].push(force * normal, place);
         });
-    }
-
-    /// Water pressure on a joint: exact, also where a part of it lies above the table.
-    template <class Push> void add_water(Row contact, const WaterPressure& water, const Push& push) const {
-        if (model_.settings.water == Water::none) return;
-        for (const auto& polygon : joint_polygons(model_, contact)) {
-            const auto wet = kept_part(
-                polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
-                [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
-            for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
-                const double area = 0.5 * (wet[i] - wet[0]).cross(wet[i + 1] - wet[0]).norm();
-                // A linear pressure acts at the middles of the sides, on a third of the area each.
-                const std::array<Vec3, 3> corners{wet[0], wet[i], wet[i + 1]};
-                for (std::size_t k = 0; k < corners.size(); ++k) {
-                    const Vec3 middle = 0.5 * (corners[k] + corners[(k + 1) % corners.size()]);
-                    push(area / 3 * water.unlimited_at(middle), middle);
-                }
-            }
-        }
     }
 
     /// One that rests without friction where it cannot slide may still roll out.

@@ -160,6 +160,7 @@ void make_ready(Session& session) {
     doubt_zone_magnitudes(session);
     doubt_zone_strengths(session);
     doubt_zone_words(session);
+    doubt_water_lines(session);
 }
 
 /// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.

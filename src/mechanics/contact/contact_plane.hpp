@@ -91,4 +91,12 @@ inline Vec3 attached_position(const Model& model, const Attachment& side) {
            side.weights[2] * x[side.gridpoints[2]];
 }
 
+/// How far the sides of a sub-contact, which must be attached, are apart along the normal of its contact.
+inline double gap_of_sides(const Model& model, Row sub_contact) {
+    const auto& subs = model.sub_contacts;
+    const Vec3 between =
+        attached_position(model, subs.side2[sub_contact]) - attached_position(model, subs.side1[sub_contact]);
+    return model.contacts.normal[subs.contact[sub_contact]].dot(between);
+}
+
 } // namespace kaya

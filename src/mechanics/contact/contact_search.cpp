@@ -79,8 +79,7 @@ double widest_gap(const Model& model, Row contact) {
     double gap = 0;
     for (Row row = span.first; row < span.end(); ++row) {
         if (s.normal_force[row] == 0 || !s.side1[row].attached() || !s.side2[row].attached()) continue;
-        const Vec3 between = attached_position(model, s.side2[row]) - attached_position(model, s.side1[row]);
-        gap = std::max(gap, between.dot(model.contacts.normal[contact]));
+        gap = std::max(gap, gap_of_sides(model, row));
     }
     return gap;
 }

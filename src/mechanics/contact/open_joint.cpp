@@ -59,14 +59,8 @@ double closure_of(const SubContacts& subs, Row s) {
     return std::max(stiffness > 0 ? subs.normal_force[s] / stiffness : 0, -subs.normal_displacement[s]);
 }
 
-double geometric_closure(const Model& model, Row s, const Vec3& n) {
-    const auto& subs = model.sub_contacts;
-    return -n.dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
-}
-
 Closures closures_of(const Model& model, Row c) {
     const auto& subs = model.sub_contacts;
-    const Vec3 n = model.contacts.normal[c];
     const Span span = model.contacts.sub_contacts[c];
     Closures found;
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -78,13 +72,13 @@ Closures closures_of(const Model& model, Row c) {
         if (!(subs.normal_force[s] > 0)) {
             found.open = s;
             if (!known) continue;
-            open += geometric_closure(model, s, n) + subs.normal_displacement[s];
-            nearest = std::max(nearest, geometric_closure(model, s, n));
+            open += subs.normal_displacement[s] - gap_of_sides(model, s);
+            nearest = std::max(nearest, -gap_of_sides(model, s));
             continue;
         }
         found.force += subs.normal_force[s];
         const double closure = closure_of(subs, s), traction = subs.normal_force[s] / subs.area[s];
-        const double offset = known ? closure - geometric_closure(model, s, n) : 0;
+        const double offset = known ? closure + gap_of_sides(model, s) : 0;
         found.mean_offset += subs.normal_force[s] * offset;
         low = std::min(low, offset);
         high = std::max(high, offset);
@@ -111,12 +105,11 @@ Closures closures_of(const Model& model, Row c) {
 double force_of_overlap(const Model& model, Row c, const Closures& closures, const OverlapPatch& patch) {
     constexpr double most = 2; // times the rows' force
     const auto& subs = model.sub_contacts;
-    const Vec3 n = model.contacts.normal[c];
     const Span span = model.contacts.sub_contacts[c];
     double volume = 0;
     for (Row s = span.first; s < span.end(); ++s)
         if (subs.side1[s].attached() && subs.side2[s].attached())
-            volume += subs.area[s] * std::max(0.0, geometric_closure(model, s, n) + closures.mean_offset);
+            volume += subs.area[s] * std::max(0.0, -gap_of_sides(model, s) + closures.mean_offset);
     return volume > 0 ? closures.force * std::clamp(patch.carried / volume, 1 / most, most) : closures.force;
 }
 

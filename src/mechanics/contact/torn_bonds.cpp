@@ -38,7 +38,7 @@ double closure_at(const Model& model, Row contact, Row row) {
     const auto& subs = model.sub_contacts;
     const Vec3 one = attached_position(model, subs.side1[row]), two = attached_position(model, subs.side2[row]);
     const Vec3 arm = 0.5 * (one + two) - model.blocks.centroid[contacts.block1[contact]];
-    return contacts.offset[contact] + contacts.offset_tilt[contact].dot(arm) - contacts.normal[contact].dot(two - one);
+    return contacts.offset[contact] + contacts.offset_tilt[contact].dot(arm) - gap_of_sides(model, row);
 }
 
 /// One row in a step in which it opens; its history agrees with its force afterwards.

@@ -77,7 +77,7 @@ double open_gap(const Model& model, Row s) {
     if (subs.normal_force[s] != 0) return 0;
     if (contacts.kind[c] == ContactKind::overlap) return gap_of_overlap(model, c);
     if (!subs.side1[s].attached() || !subs.side2[s].attached()) return 0;
-    return contacts.normal[c].dot(attached_position(model, subs.side2[s]) - attached_position(model, subs.side1[s]));
+    return gap_of_sides(model, s);
 }
 
 /// Forces of stresses on sub-contacts; stress_at(row) is that at the place of a sub-contact. No stress crosses the air between corners or edges

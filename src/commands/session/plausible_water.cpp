@@ -1,0 +1,80 @@
+// Joints across which the water ends.
+#include "commands/session/plausible.hpp"
+
+#include "base/counted.hpp"
+#include "commands/session/session.hpp"
+#include "model/measure/joint_water.hpp"
+#include "model/measure/overlap_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kaya {
+
+namespace {
+
+/// Whether the pressure is above 0 at some sub-contacts of a joint and would be below 0 at others.
+bool ends_within(const Model& model, const WaterPressure& water, Row contact) {
+    bool wet = false, dry = false;
+    const Span span = model.contacts.sub_contacts[contact];
+    for (Row s = span.first; s < span.end(); ++s) {
+        const double pressure = water.unlimited_at(model.sub_contacts.position[s]);
+        wet = wet || pressure > 0;
+        dry = dry || pressure < 0;
+    }
+    return wet && dry;
+}
+
+double by_sub_contacts(const Model& model, const WaterPressure& water, Row contact) {
+    double force = 0;
+    const Span span = model.contacts.sub_contacts[contact];
+    for (Row s = span.first; s < span.end(); ++s)
+        force += water.at(model.sub_contacts.position[s]) * wet_area(model, contact, s);
+    return force;
+}
+
+} // namespace
+
+void doubt_water_lines(Session& session) {
+    constexpr double noticeable = 0.02; // of the weight of the lighter block
+    const Model& model = session.engine.model;
+    const double g = model.settings.gravity.norm();
+    if (model.settings.water == Water::none || model.settings.water == Water::points || !(g > 0)) return;
+    const WaterPressure water(model);
+    const auto weight = [&](Row block) {
+        const auto material = model.materials.find(model.blocks.material[block]);
+        const double density = material == model.materials.end() ? 0 : material->second.density;
+        return density > 0 ? density * model.blocks.volume[block] * g : 0;
+    };
+    std::int64_t count = 0;
+    double most = 0, there = 0, exact = 0;
+    Row worst = no_row;
+    for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c) {
+        if (model.contacts.kind[c] != ContactKind::joint || !ends_within(model, water, c)) continue;
+        double force = 0;
+        push_water(model, c, water, [&](double part, const Vec3&) { force += part; });
+        const double found = by_sub_contacts(model, water, c), off = std::abs(found - force);
+        if (!(off > noticeable * std::min(weight(model.contacts.block1[c]), weight(model.contacts.block2[c]))))
+            continue;
+        ++count;
+        if (off <= most) continue;
+        most = off;
+        there = found;
+        exact = force;
+        worst = c;
+    }
+    if (count == 0) return;
+    const Row b1 = model.contacts.block1[worst], b2 = model.contacts.block2[worst];
+    const std::string text = fmt::format(
+        "the water ends within {}, and sub-contacts take another force from it: {:.4g} for {:.4g} between blocks {} and {}",
+        counted(count, "joint"), there, exact, model.blocks.number[b1], model.blocks.number[b2]);
+    if (!session.program.said_once.insert(fmt::format("water line {} {}", b1, b2)).second) return;
+    Diagnostic d(text,
+                 "more of them know where it ends: `facetri edge d` for rigid blocks, or cut them at the water level; "
+                 "`list stability` has the exact force");
+    d.code = "water-line";
+    session.warn(std::move(d));
+}
+
+} // namespace kaya
