@@ -31,17 +31,16 @@ std::string name_of_group(const Model& model, std::int32_t group) {
 /// Meshes may share a face in many pieces: the first ones are shown.
 std::string corners_text(const Model& model, const Interface& one) {
     constexpr std::size_t most = 12;
-    std::vector<std::string> lines;
+    std::string text;
+    std::size_t count = 0;
     for (const Row contact : one.contacts)
         for (const auto& polygon : joint_polygons(model, contact)) {
+            if (++count > most) continue;
             std::vector<std::string> corners;
             for (const Vec3& corner : polygon) corners.push_back(place_text(corner));
-            lines.push_back(fmt::format("\npolygon: {}", fmt::join(corners, " ")));
+            text += fmt::format("\npolygon: {}", fmt::join(corners, " "));
         }
-    const std::size_t shown = std::min(lines.size(), most);
-    std::string text =
-        fmt::format("{}", fmt::join(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(shown), ""));
-    if (lines.size() > shown) text += fmt::format("\n... and {} more polygons", lines.size() - shown);
+    if (count > most) text += fmt::format("\n... and {} more polygons", count - most);
     return text;
 }
 

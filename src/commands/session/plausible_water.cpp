@@ -14,6 +14,15 @@ namespace kaya {
 
 namespace {
 
+/// Whether this water has not been looked at for this rock: a deck may run a few cycles a thousand times.
+bool is_new(Session& session) {
+    const Settings& s = session.engine.model.settings;
+    const Vec3 &d = s.water_direction, &o = s.water_origin;
+    const auto key = fmt::format("water {} {} {} {} {} {} {} {} {}", static_cast<int>(s.water), s.water_value, d.x(),
+                                 d.y(), d.z(), o.x(), o.y(), o.z(), session.engine.model.blocks.size());
+    return session.program.said_once.insert(key).second;
+}
+
 /// Whether the pressure is above 0 at some sub-contacts of a joint and would be below 0 at others.
 bool ends_within(const Model& model, const WaterPressure& water, Row contact) {
     bool wet = false, dry = false;
@@ -41,6 +50,7 @@ void doubt_water_lines(Session& session) {
     const Model& model = session.engine.model;
     const double g = model.settings.gravity.norm();
     if (model.settings.water == Water::none || model.settings.water == Water::points || !(g > 0)) return;
+    if (!is_new(session)) return;
     const WaterPressure water(model);
     const auto weight = [&](Row block) {
         const auto material = model.materials.find(model.blocks.material[block]);

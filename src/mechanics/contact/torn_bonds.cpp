@@ -18,6 +18,11 @@ std::uint32_t bit_of(const Model& model, Row contact, Row row) {
     return 1u << std::min<Row>(row - model.contacts.sub_contacts[contact].first, most_bits - 1);
 }
 
+/// Whether a place, a row of the joint, has been open.
+bool is_torn(const Model& model, Row contact, Row row) {
+    return (model.contacts.torn[contact] & bit_of(model, contact, row)) != 0;
+}
+
 std::uint32_t all_of(const Span& span) { return span.count < most_bits ? (1u << span.count) - 1 : ~0u; }
 
 bool has_bond(const JointModel& joint, const std::vector<double>& values) {
@@ -98,10 +103,6 @@ void note_torn(Model& model, Row contact) {
         if (!is_torn(model, contact, s) && subs.side1[s].attached() && subs.side2[s].attached() &&
             closure_at(model, contact, s) < -rounding * depth)
             torn |= bit_of(model, contact, s);
-}
-
-bool is_torn(const Model& model, Row contact, Row row) {
-    return (model.contacts.torn[contact] & bit_of(model, contact, row)) != 0;
 }
 
 Row row_of_majority(const Model& model, Row contact, Row most) {

@@ -13,9 +13,6 @@ void begin_tearing(Model& model, const JointModel& joint, Row contact);
 /// The joint has become an overlap: notes the places of the joint that are open now.
 void note_torn(Model& model, Row contact);
 
-/// Whether a place, a row of the joint, has been open.
-bool is_torn(const Model& model, Row contact, Row row);
-
 /// The loaded row that speaks for the closed part of a joint: the one with the greatest traction of those with a bond or of those that are torn,
 /// whichever have more area. `most` is that of all rows.
 Row row_of_majority(const Model& model, Row contact, Row most);
