@@ -173,9 +173,10 @@ constexpr Explanation explanations[] = {
      "The joint had them from another model, from 'insitu' or from a script. They are cut to the strength of the new model,\n"
      "and the rest is lost. Check the strength, or bring the model to rest before the change."},
     {"water-line", "the water of a joint ends between two of its sub-contacts",
-     "The sub-contacts have the pressure at their places, each on its area: where the table crosses a long joint with few\n"
-     "of them, the sum is not the force of the water. The message has both forces. Cut the blocks at the water level, or\n"
-     "give the joint more places: 'facetri edge D', smaller cells."},
+     "Sub-contacts beside zones, and those below a ground surface, have the pressure at their places, each on its area: where\n"
+     "the water ends within a joint of few places, the sum is not the force of the water. The message has both forces. Cut\n"
+     "the blocks at the water level, or give smaller cells. Joints of rigid blocks have the exact force and moment below a\n"
+     "plane table and of 'water pressure'."},
     // Runs.
     {"motion-lost", "the run diverged: a velocity became NaN or infinite",
      "The step was too long, nearly always because a stiffness was reported too low, or because loads are in other units\n"

@@ -1,4 +1,4 @@
-// Joints across which the water ends.
+// Joints of zones within which the water ends.
 #include "commands/session/plausible.hpp"
 
 #include "base/counted.hpp"
@@ -18,8 +18,9 @@ namespace {
 bool is_new(Session& session) {
     const Settings& s = session.engine.model.settings;
     const Vec3 &d = s.water_direction, &o = s.water_origin;
-    const auto key = fmt::format("water {} {} {} {} {} {} {} {} {}", static_cast<int>(s.water), s.water_value, d.x(),
-                                 d.y(), d.z(), o.x(), o.y(), o.z(), session.engine.model.blocks.size());
+    const auto key =
+        fmt::format("water {} {} {} {} {} {} {} {} {} {}", static_cast<int>(s.water), s.water_value, d.x(), d.y(),
+                    d.z(), o.x(), o.y(), o.z(), session.engine.model.blocks.size(), session.engine.model.zones.size());
     return session.program.said_once.insert(key).second;
 }
 
@@ -61,7 +62,7 @@ void doubt_water_lines(Session& session) {
     double most = 0, there = 0, exact = 0;
     Row worst = no_row;
     for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c) {
-        if (model.contacts.kind[c] != ContactKind::joint || !ends_within(model, water, c)) continue;
+        if ((water.is_linear() && between_rigid(model, c)) || !ends_within(model, water, c)) continue;
         double force = 0;
         push_water(model, c, water, [&](double part, const Vec3&) { force += part; });
         const double found = by_sub_contacts(model, water, c), off = std::abs(found - force);
@@ -81,8 +82,12 @@ void doubt_water_lines(Session& session) {
         counted(count, "joint"), there, exact, model.blocks.number[b1], model.blocks.number[b2]);
     if (!session.program.said_once.insert(fmt::format("water line {} {}", b1, b2)).second) return;
     Diagnostic d(text,
-                 "more of them know where it ends: `facetri edge d` for rigid blocks, or cut them at the water level; "
-                 "`list stability` has the exact force");
+                 session.deck.in_words(
+                     "they have the pressure of their places: give more of them with `facetri edge`, smaller cells "
+                     "with `generate edge`, or cut the blocks at the water level",
+                     "they have the pressure of their places: give more of them with `block face triangulate "
+                     "edge-max`, smaller cells with `block zone generate edgelength`, or cut the blocks at the "
+                     "water level"));
     d.code = "water-line";
     session.warn(std::move(d));
 }

@@ -1,7 +1,6 @@
 // Which rule gives the force of a contact.
 #pragma once
 
-#include "mechanics/shape/rigid_pair.hpp"
 #include "model/measure/overlap_rows.hpp"
 
 namespace kaya {

@@ -120,7 +120,8 @@ void write_contact(Model& model, Row c, const ContactPlane& g) {
     contacts.energy_length[c] = contacts.energy_taken[c] = contacts.withheld[c] = 0;
     contacts.energy_deep[c] = contacts.energy_shallow[c] = 0;
     contacts.whole_area[c] = g.whole_area;
-    contacts.slip_since_update[c] = 0;
+    contacts.water_pressure[c] = contacts.slip_since_update[c] = 0;
+    contacts.water_slope[c].setZero();
     contacts.joint_set[c] = g.face1 != no_row   ? model.faces.joint_set[g.face1]
                             : g.face2 != no_row ? model.faces.joint_set[g.face2]
                                                 : 0;

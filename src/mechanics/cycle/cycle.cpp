@@ -167,6 +167,7 @@ void Cycle::make_lists(Since since) {
     s.step.take(model_, s.batches);
     if (since == Since::changed) {
         note_curved(model_, s.batches);
+        find_ends_of_water(model_);
         put_water(model_);
     }
     s.boundary_histories = list_boundary_histories(model_);
@@ -261,6 +262,7 @@ ContactChange Cycle::refresh_contacts() {
             make_lists(Since::changed);
             use_large_pages();
         } else {
+            find_ends_of_water(model_);
             joint_forces_of_new(model_, s.joints);
         }
         s.pass.forget_gathered();

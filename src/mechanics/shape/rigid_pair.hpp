@@ -5,12 +5,6 @@
 
 namespace kaya {
 
-/// Both blocks are rigid.
-inline bool between_rigid(const Model& model, Row contact) {
-    const auto& deformable = model.blocks.deformable;
-    return !deformable[model.contacts.block1[contact]] && !deformable[model.contacts.block2[contact]];
-}
-
 /// Whose surface defines the normal and the depth of a contact between rigid blocks: 1, that of block 1; 0, that of block 2, where one is
 /// more than twice as large as the other; 0.5, the mean of both. It depends on the two blocks only, not on their order.
 inline double part_of_first(const Model& model, Row block1, Row block2) {

@@ -10,6 +10,12 @@ namespace kaya {
 /// Sub-contacts that carry the force of an overlap; the others are unloaded.
 constexpr Row carriers = 4;
 
+/// Both blocks are rigid.
+inline bool between_rigid(const Model& model, Row contact) {
+    const auto& deformable = model.blocks.deformable;
+    return !deformable[model.contacts.block1[contact]] && !deformable[model.contacts.block2[contact]];
+}
+
 /// Whether the contact's force follows from the overlap; never in small strain, where places are fixed.
 inline bool follows_overlap(const Model& model, Row contact) {
     return model.contacts.kind[contact] == ContactKind::overlap && model.settings.large_strain;

@@ -29,6 +29,11 @@ double WaterPressure::unlimited_at(const Vec3& place) const {
 
 double WaterPressure::at(const Vec3& place) const { return std::max(0.0, unlimited_at(place)); }
 
+bool WaterPressure::is_linear() const {
+    const Water kind = model_.settings.water;
+    return kind == Water::table || kind == Water::field;
+}
+
 double WaterPressure::at_gridpoint(Row gridpoint) const {
     const auto& points = model_.gridpoints;
     const Water water = model_.settings.water;

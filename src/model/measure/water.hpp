@@ -14,6 +14,8 @@ public:
     double at(const Vec3& place) const;
     /// The same without the limit at 0: linear in position, except below a ground surface.
     double unlimited_at(const Vec3& place) const;
+    /// Whether it is linear in position where it is above 0: not below a ground surface.
+    bool is_linear() const;
     double at_gridpoint(Row gridpoint) const;
     /// Mean of the zone's gridpoints.
     double of_zone(Row zone) const;

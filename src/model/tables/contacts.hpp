@@ -69,7 +69,11 @@ public:
     Column<double> energy_taken;  ///< energy taken and not yet returned
     Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
     Column<double> whole_area;    ///< common area of the faces of an overlap; 0 when it is not known
-    Column<std::uint32_t> torn;   ///< bit k: place k of the joint has been open; mechanics/contact/torn_bonds.hpp
+    // Of joints of rigid blocks within which the water ends: mechanics/supports/water.hpp.
+    Column<double> water_pressure; ///< continued to the centroid of block1
+    Column<Vec3>
+        water_slope; ///< of the pressure, in the plane; both are 0 where water covers all of the joint or nothing
+    Column<std::uint32_t> torn; ///< bit k: place k of the joint has been open; mechanics/contact/torn_bonds.hpp
     // Of overlap contacts with a curved joint model: mechanics/contact/closed_halves.hpp.
     Column<std::int32_t> curved;                ///< 1: it has two halves
     Column<double> energy_deep, energy_shallow; ///< of the normal spring of each half, over its area
@@ -111,6 +115,8 @@ public:
         visit("curved", curved, Role::state);
         visit("whole_area", whole_area, Role::geometry);
         visit("torn", torn, Role::state);
+        visit("water_pressure", water_pressure, Role::condition);
+        visit("water_slope", water_slope, Role::condition);
         visit("energy_deep", energy_deep, Role::state);
         visit("energy_shallow", energy_shallow, Role::state);
         visit("withheld", withheld, Role::state);
