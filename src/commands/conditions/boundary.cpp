@@ -11,6 +11,7 @@
 #include "mechanics/shape/face_conditions.hpp"
 #include "mechanics/supports/held_directions.hpp"
 #include "mechanics/lanes/rotation.hpp"
+#include "model/measure/covered_faces.hpp"
 #include "model/edit/links.hpp"
 #include "model/edit/stop_motion.hpp"
 #include "model/measure/measure.hpp"
@@ -199,12 +200,14 @@ std::vector<Row> exterior_of(Session& session, const std::vector<Row>& faces, co
                          : exterior_triangles_of_faces(session.engine.model, faces);
 }
 
-/// The triangles on which nvel and quiet boundaries act. Throws Diagnostic when all are of rigid blocks.
+/// The triangles on which nvel and quiet boundaries act: those that are free by half. Throws Diagnostic when all are of rigid blocks.
 std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& command, const std::vector<Row>& faces,
                                     const std::vector<Row>& points) {
     auto& model = session.engine.model;
     const bool quiet = quiet_bits(command) != 0;
-    const auto triangles = exterior_of(session, faces, points);
+    auto triangles = exterior_of(session, faces, points);
+    const CoveredFaces covered(model);
+    std::erase_if(triangles, [&](Row t) { return covered.share(t) > 0.5; });
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
     if (!triangles.empty() && std::ranges::none_of(triangles, soft))

@@ -131,25 +131,26 @@ RangeTest in_concave_body(const RangeElement&, RangeContext& context) {
     return on_blocks([concave](const Model&, Row block) { return (*concave)[block] != 0; });
 }
 
-/// A face covered by another block is not on the surface, as for `bound stress`.
+/// What another block covers of a face is not on the surface, as for `bound stress`.
 RangeTest on_surface(const RangeElement& e, RangeContext& context) {
     if (is_contact(context.kind))
         throw Diagnostic("'surface' picks faces and what is on them, but this command acts on " +
                          std::string(info_of(context.kind).plural))
             .at(e.place);
     const Model& model = context.model;
-    std::vector<char> covered = faces_in_contact(model);
+    const CoveredFaces by_contacts(model);
+    std::vector<char> inside(model.faces.size(), 0);
     const JoinedBodies bodies = joined_bodies(model);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (const Row b : bodies.members(i))
             for (Row f = model.blocks.faces[b].first; f < model.blocks.faces[b].end(); ++f)
-                if (leads_into(model, f, bodies.members(i))) covered[f] = 1;
+                if (leads_into(model, f, bodies.members(i))) inside[f] = 1;
     auto points = std::make_shared<std::vector<char>>(model.gridpoints.size(), 0);
     auto faces = std::make_shared<std::vector<char>>(model.faces.size(), 0);
     auto blocks = std::make_shared<std::vector<char>>(model.blocks.size(), 0);
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {
         const Row face = model.triangles.face[t];
-        if (covered[face]) continue;
+        if (inside[face] || by_contacts.share(static_cast<Row>(t)) == 1) continue;
         (*faces)[face] = (*blocks)[model.faces.block[face]] = 1;
         for (const Row g : model.triangles.gridpoints[t]) (*points)[g] = 1;
     }

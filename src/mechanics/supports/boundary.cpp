@@ -171,13 +171,15 @@ private:
 
 namespace {
 
-/// The triangles of faces that no other block covers, as far as they are wanted.
+/// The triangles of faces that other blocks do not cover whole, as far as they are wanted.
 template <class Wanted> std::vector<Row> uncovered_triangles(const Model& model, Wanted wanted) {
-    std::vector<char> covered = faces_in_contact(model);
-    for (const Row face : tied_faces(model)) covered[face] = 1;
+    const CoveredFaces covered(model);
+    std::vector<char> tied(model.faces.size(), 0);
+    for (const Row face : tied_faces(model)) tied[face] = 1;
     std::vector<Row> rows;
-    for (std::size_t t = 0; t < model.triangles.size(); ++t)
-        if (!covered[model.triangles.face[t]] && wanted(static_cast<Row>(t))) rows.push_back(static_cast<Row>(t));
+    for (std::size_t i = 0; i < model.triangles.size(); ++i)
+        if (const Row t = static_cast<Row>(i); wanted(t) && !tied[model.triangles.face[t]] && covered.share(t) < 1)
+            rows.push_back(t);
     return rows;
 }
 
@@ -347,6 +349,15 @@ std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, co
     return load;
 }
 
+/// The weights of the corners of a triangle that interpolate at a place, or above it.
+Vec3 weights_at(const Corners& x, const Vec3& place) {
+    const Vec3 area = area_vector(x);
+    Vec3 weights;
+    for (int k = 0; k < 3; ++k)
+        weights[k] = area.dot(area_vector({place, x[(k + 1) % 3], x[(k + 2) % 3]})) / area.squaredNorm();
+    return weights;
+}
+
 Row block_of_triangle(const Model& model, Row triangle) { return model.faces.block[model.triangles.face[triangle]]; }
 
 /// Calls part(triangle, corners of a part of it) for all parts of the given triangles that another block of the same rigid body covers:
@@ -404,28 +415,44 @@ double add_stress_on(Model& model, const std::vector<Row>& triangles, const Stre
                      std::int32_t function) {
     LoadSums sums(model, function);
     const CellFaces faces(model, tied_faces(model));
+    const CoveredFaces covered(model);
     double whole = 0, inside = 0;
+    const auto take_off = [&](Row t, const Corners& x) {
+        const Vec3 area = area_vector(x);
+        inside += area.norm();
+        const auto load = corner_loads(stress, x, area);
+        if (const Row b = block_of_triangle(model, t); !model.blocks.deformable[b]) {
+            sums.at_triangle(b, {{x[0], x[1], x[2]}, {-load[0], -load[1], -load[2]}});
+            return;
+        }
+        const Corners corners = corners_of(model, t);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 weights = weights_at(corners, x[k]);
+            for (int j = 0; j < 3; ++j)
+                for (int axis = 0; axis < 3; ++axis)
+                    sums.at_gridpoint(model.triangles.gridpoints[t][j], axis, -weights[j] * load[k][axis]);
+        }
+    };
     for (const Row t : triangles) {
         const Corners x = corners_of(model, t);
         const Vec3 area = area_vector(x);
         whole += area.norm();
+        const auto parts = covered.parts(t);
+        for (const auto& part : parts) take_off(t, {part.begin(), part.end()});
         if (const Row b = block_of_triangle(model, t); !model.blocks.deformable[b]) {
             sums.at_triangle(b, {{x[0], x[1], x[2]}, corner_loads(stress, x, area)});
             continue;
         }
-        faces.for_parts(t, is_listed(triangles, faces.partner(t)), [&](const SurfacePart& part) {
+        const Row partner = faces.partner(t);
+        const bool both = parts.empty() && is_listed(triangles, partner) && covered.parts(partner).empty();
+        faces.for_parts(t, both, [&](const SurfacePart& part) {
             const Corners of_part = corners_of(model, part.corners);
             const auto load = corner_loads(stress, of_part, part.share * area_vector(of_part));
             for (std::size_t k = 0; k < 3; ++k)
                 for (int axis = 0; axis < 3; ++axis) sums.at_gridpoint(part.corners[k], axis, load[k][axis]);
         });
     }
-    inside_bodies(model, triangles, [&](Row t, const Corners& x) {
-        const Vec3 area = area_vector(x);
-        inside += area.norm();
-        const auto load = corner_loads(stress, x, area);
-        sums.at_triangle(block_of_triangle(model, t), {{x[0], x[1], x[2]}, {-load[0], -load[1], -load[2]}});
-    });
+    inside_bodies(model, triangles, take_off);
     sums.finish();
     return whole - inside > 1e-9 * whole ? whole - inside : 0;
 }

@@ -60,15 +60,14 @@ struct StressField {
     Stress at(const Vec3& place) const;
 };
 
-/// Triangles with all three gridpoints in the list (sorted rows), on faces that no other block covers. Contacts must be up to date.
-/// Ascending rows.
+/// Triangles with all three gridpoints in the list (sorted rows) that other blocks do not cover whole (model/measure/covered_faces.hpp).
+/// Contacts must be up to date. Ascending rows.
 std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
 /// The exterior triangles of faces in the list (sorted rows).
 std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces);
 
-/// Adds the tractions of a stress to exterior triangles (ascending rows), or to those with all three gridpoints in the list (sorted rows). A
-/// face that another block covers is not exterior, nor is the part of a rigid block's face that another block of the same body covers. The two
-/// triangles of an outer face of a cell are loaded as the mean of both diagonals. Contacts must be up to date. Returns the loaded area.
+/// Adds the tractions of a stress to exterior triangles (ascending rows), or to those with all three gridpoints in the list (sorted rows). What
+/// another block covers is not exterior, with it or with a joint. The two triangles of an outer face of a cell are loaded as the mean of both diagonals. Contacts must be up to date. Returns the loaded area.
 double add_stress_on(Model& model, const std::vector<Row>& triangles, const StressField& stress,
                      std::int32_t function = constant_in_time);
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,

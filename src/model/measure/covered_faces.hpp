@@ -3,19 +3,35 @@
 
 #include "model/tables/model.hpp"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace kaya {
 
-/// By face: whether a contact of faces lies on it. Such a contact may have one face only, where the other block has none opposite.
-inline std::vector<char> faces_in_contact(const Model& model) {
-    std::vector<char> covered(model.faces.size(), 0);
-    const auto& contacts = model.contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-        for (const Row face : {contacts.face1[c], contacts.face2[c]})
-            if (contacts.type[c] == ContactType::face_face && face != no_row)
-                covered[static_cast<std::size_t>(face)] = 1;
-    return covered;
-}
+/// What contacts of faces cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or a triangle counts
+/// as nothing, covered or free.
+class CoveredFaces {
+public:
+    using Corners = std::array<Vec3, 3>;
+
+    explicit CoveredFaces(const Model& model);
+
+    /// The part of the triangle's area that is covered, 0 to 1.
+    double share(Row triangle) const;
+    /// The covered parts of a triangle as triangles with the same side outside; none where all or nothing of it is covered.
+    std::vector<Corners> parts(Row triangle) const;
+
+private:
+    /// A face that is covered in part has contacts; their polygons are found when a triangle needs them.
+    enum class Cover : char { none, part, whole };
+    const std::vector<std::vector<Vec3>>& polygons_on(Row face) const;
+    std::vector<Corners> common_parts(Row triangle) const;
+
+    const Model& model_;
+    std::vector<Cover> cover_;                      ///< by face
+    std::vector<std::pair<Row, Row>> face_contact_; ///< of faces covered in part, in order
+    mutable std::map<Row, std::vector<std::vector<Vec3>>> polygons_;
+};
 
 } // namespace kaya
