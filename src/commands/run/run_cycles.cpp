@@ -147,7 +147,8 @@ void refuse_half_zoned(const Session& session) {
     }
 }
 
-void make_ready(Session& session) {
+/// What each run needs.
+void prepare(Session& session) {
     refuse_half_zoned(session);
     check_materials(session);
     check_time_functions(session);
@@ -155,12 +156,6 @@ void make_ready(Session& session) {
     if (!session.engine.model.joint_rules.empty()) find_joints(session);
     session.engine.cycle->prepare();
     if (settle_forces(session)) session.engine.cycle->prepare(); // forces are gathered again
-    doubt_joints(session);
-    doubt_loads(session);
-    doubt_zone_magnitudes(session);
-    doubt_zone_strengths(session);
-    doubt_zone_words(session);
-    doubt_water_lines(session);
 }
 
 /// Throws Diagnostic when steps are so short that the time stops advancing before the end of the run, or now: a double no longer changes.
@@ -327,7 +322,7 @@ bool settle_forces(Session& session) {
 
 RestSpan advance_span(Session& session, std::int64_t cycles, const RestRatio& ratio, FailureMonitor* monitor,
                       Progress* progress) {
-    make_ready(session);
+    prepare(session);
     session.autosave->begins();
     const CycleRun run(session);
     RestSpan span;
@@ -354,6 +349,16 @@ RestSpan advance_span(Session& session, std::int64_t cycles, const RestRatio& ra
     }
     span.mean_ratio = span.cycles > 0 ? sum / static_cast<double>(span.cycles) : 0;
     return span;
+}
+
+void make_ready(Session& session) {
+    prepare(session);
+    doubt_joints(session);
+    doubt_loads(session);
+    doubt_zone_magnitudes(session);
+    doubt_zone_strengths(session);
+    doubt_zone_words(session);
+    doubt_water_lines(session);
 }
 
 constexpr auto most_cycles = std::numeric_limits<std::int64_t>::max();

@@ -182,6 +182,15 @@ void say_failure(Output& output, const StrengthSearch& search, const std::option
     if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.say(mesh);
 }
 
+/// What a search finds from the initial state of its bench.
+Bracket searched(StrengthSearch& search, const lang::Solve& command, double guess) {
+    const Bracket bracket = command.bracket ? given_bracket(search, command)
+                            : guess > 0     ? bracket_around(search, guess)
+                                            : found_bracket(search);
+    if (!closed(bracket)) return bracket;
+    return confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
+}
+
 /// Prints what the search found; returns the factor, or the nearest one that was tried.
 double say_factor(Output& output, const Bracket& bracket) {
     if (bracket.stands == 0) {
@@ -212,7 +221,7 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
     if (guess > 0) output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     double factor = 0;
     {
-        session.engine.cycle->prepare(); // contacts must have their properties
+        make_ready(session); // contacts must have their properties
         const Asked asked(command);
         check_for_trials(session, asked, command.place);
         if (command.associated) check_for_associated_flow(session, command.place);
@@ -223,17 +232,24 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
         const std::int64_t span =
             command.cycles ? *command.cycles : characteristic_span(session, progress, ratio, command.place);
         const TrialBench bench{session, asked, model.initial(), ratio, span, progress};
-        StrengthSearch search(bench, model, command);
-        Bracket bracket = command.bracket ? given_bracket(search, command)
-                          : guess > 0     ? bracket_around(search, guess)
-                                          : found_bracket(search);
-        if (closed(bracket))
-            bracket = confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
-        const auto mode = search.failed() ? search.failed()->mode : std::nullopt;
-        say_failure(output, search, mode, fine);
+        std::optional<StrengthSearch> search(std::in_place, bench, model, command);
+        Bracket bracket = searched(*search, command, guess);
+        // A model that was never at rest may take longer to come to rest than a span shows, at any strength: what it takes with its strength as it is.
+        std::optional<ReducedModel> rested;
+        std::optional<TrialBench> from_rest;
+        if (bracket.stands == 0 && (rested = brought_to_rest(bench))) {
+            output.say("no strength holds the model where it is: the search is repeated from where it comes to rest");
+            const std::int64_t taken = rested->model.clock.cycle - bench.initial.model.clock.cycle;
+            from_rest.emplace(TrialBench{session, asked, *rested, ratio, std::max(span, taken), progress});
+            search.emplace(*from_rest, model, command);
+            bracket = searched(*search, command, guess);
+        }
+        const auto mode = search->failed() ? search->failed()->mode : std::nullopt;
+        say_failure(output, *search, mode, fine);
         factor = say_factor(output, bracket);
         if (fine == FineZones::searched && closed(bracket))
-            factor = factor_on_fine_zones(bench, model, command, factor, mode.value_or(FailureMode::Shares{}))
+            factor = factor_on_fine_zones(from_rest ? *from_rest : bench, model, command, factor,
+                                          mode.value_or(FailureMode::Shares{}))
                          .value_or(factor);
     }
     session.engine.model.clock.factor_of_safety = factor;

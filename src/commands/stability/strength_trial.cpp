@@ -26,6 +26,8 @@ constexpr double calm = 1e-3;
 /// has: creep.
 constexpr std::size_t first_end = 4, last_end = 12, last_of_creep = 36;
 constexpr double far = 0.01;
+/// Cycles after which a model that is brought to rest before its trials ought to be there.
+constexpr std::int64_t most_to_rest = 100000;
 /// Its unbalanced force falls where the later half of its spans has lost this part: near the limit a block sticks and slips, and the force
 /// fluctuates.
 constexpr double gain = 0.05;
@@ -180,6 +182,17 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
     else if (mode) trial.mode = run.shares(*mode);
     trial.end = run.end(factor);
     return trial;
+}
+
+std::optional<ReducedModel> brought_to_rest(const TrialBench& bench) {
+    TrialRun run(bench, bench.initial);
+    const double whole = bench.initial.factor;
+    for (bool at_rest = false; !at_rest; at_rest = run.run(bench.span, bench.ratio).at_rest) {
+        if (run.cycles(bench.initial) > most_to_rest || !run.crushed().empty()) return std::nullopt;
+        if (any_has_moved_far(bench.initial.model, run.model())) return std::nullopt;
+    }
+    run.lower(whole); // what is new
+    return run.end(whole);
 }
 
 std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel& failed) {

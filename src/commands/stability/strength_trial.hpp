@@ -47,6 +47,9 @@ struct Trial {
 /// The strength is lowered in steps from that of `start`, or from 1; a start in motion is stopped at once.
 Trial run_trial(const TrialBench& bench, const ReducedModel& start, double factor, const TrialRule& rule);
 
+/// The initial state once it has come to rest with its strength as it is; none where it does not.
+std::optional<ReducedModel> brought_to_rest(const TrialBench& bench);
+
 /// Lets a model slide on from the end of a trial that failed, with less strength, until shear that loading had locked into its joints has
 /// turned into the direction of slip. None where it topples or crushes a zone, or where joints or zones are weaker or stronger by it.
 std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel& failed);
