@@ -125,10 +125,29 @@ bool overlay_faces(const Model& model, const ProjectedFace& face1, const Project
     return common > least_area * std::min(face1.area, face2.area);
 }
 
+bool coincides(const OverlayPoint& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; }
+
+/// Whether all triangles of both faces that have a part of the common area have their corners in common; the diagonals between these may
+/// differ.
+bool have_same_corners(const ProjectedFace& face1, const ProjectedFace& face2, const Overlay& found) {
+    std::vector<char> common1(face1.mesh.points.size(), 0), common2(face2.mesh.points.size(), 0);
+    for (const auto& p : found.points)
+        if (coincides(p)) common1[p.vertex1] = common2[p.vertex2] = 1;
+    const auto all_in = [](const std::array<int, 3>& corners, const std::vector<char>& common) {
+        return std::ranges::all_of(corners, [&](int k) { return common[k] != 0; });
+    };
+    return std::ranges::all_of(found.points, [&](const OverlayPoint& p) {
+        if ((p.vertex1 >= 0) != (p.vertex2 >= 0)) return false;
+        return coincides(p) || (all_in(face1.mesh.triangles[p.triangle1], common1) &&
+                                all_in(face2.mesh.triangles[p.triangle2], common2));
+    });
+}
+
 /// Ties two faces over the common area that was found.
 void tie_faces(Model& model, Row pair, const ProjectedFace& face1, const ProjectedFace& face2, OverlayMemory& scratch) {
-    const Overlay& found = scratch.found;
-    const bool same = std::ranges::all_of(found.points, [](const auto& p) { return p.vertex1 >= 0 && p.vertex2 >= 0; });
+    Overlay& found = scratch.found;
+    const bool same = have_same_corners(face1, face2, found);
+    if (same) std::erase_if(found.points, [](const OverlayPoint& p) { return !coincides(p); });
     auto& ties = model.ties;
     Row row = static_cast<Row>(ties.size());
     ties.resize(ties.size() + found.points.size());
