@@ -1,5 +1,6 @@
 #include "model/structures/cables.hpp"
 
+#include "model/kinds/nearest.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
@@ -12,6 +13,42 @@ double cable_force(const Model& model, Row node) {
     const bool before = node > 0 && has_bar(nodes, node - 1), after = has_bar(nodes, node);
     const double sum = (before ? nodes.bar_force[node - 1] : 0) + (after ? nodes.bar_force[node] : 0);
     return before && after ? 0.5 * sum : sum;
+}
+
+namespace {
+
+/// A place nearer to a block than this part of a bar lies on its surface.
+constexpr double rounding = 1e-9;
+
+/// How much of the straight line from a place in a block to one outside of it lies in the block, 0 to 1; blocks count with their surface.
+double part_in_block(const Model& model, Row block, const Vec3& from, const Vec3& to, double near) {
+    constexpr int halvings = 40;
+    double inside = 0, outside = 1;
+    for (int k = 0; k < halvings; ++k) {
+        const double part = 0.5 * (inside + outside);
+        const Vec3 place = from + part * (to - from);
+        (distance_to(model, ObjectKind::block, block, place) <= near ? inside : outside) = part;
+    }
+    return inside;
+}
+
+} // namespace
+
+void share_bars(Model& model, Row cable) {
+    auto& nodes = model.structures.cable_nodes;
+    const Span span = model.structures.cables.nodes[cable];
+    for (Row node = span.first; node < span.end(); ++node) nodes.share[node] = 0;
+    for (Row node = span.first; node + 1 < span.end(); ++node) {
+        const Vec3 from = nodes.position[node], to = nodes.position[node + 1];
+        const Row block = rock_block(model, nodes, node), next = rock_block(model, nodes, node + 1);
+        const double length = (to - from).norm(), near = rounding * length;
+        const auto part = [&](Row own, const Vec3& here, const Vec3& there) {
+            if (block == next) return 0.5;
+            return own == no_row ? 0 : part_in_block(model, own, here, there, near);
+        };
+        nodes.share[node] += part(block, from, to) * length;
+        nodes.share[node + 1] += part(next, to, from) * length;
+    }
 }
 
 Row make_cable(Model& model, const NewCable& wanted) {
@@ -28,14 +65,13 @@ Row make_cable(Model& model, const NewCable& wanted) {
     const BlockFinder finder(model);
     for (Row k = 0; k <= wanted.segments; ++k) {
         const Row node = first + k;
-        const bool end = k == 0 || k == wanted.segments;
         nodes.cable[node] = cable;
         nodes.position[node] = wanted.first + (static_cast<double>(k) / wanted.segments) * (wanted.last - wanted.first);
-        nodes.share[node] = end ? 0.5 * bar : bar;
         nodes.anchored[node] = (k == 0 && wanted.anchor_first) || (k == wanted.segments && wanted.anchor_last);
         if (k < wanted.segments) nodes.bar_length[node] = bar;
         place_in_rock(model, finder, nodes, node, nodes.position[node]);
     }
+    share_bars(model, cable);
     ModelEdit(model, Change::contacts);
     return cable;
 }

@@ -24,6 +24,10 @@ struct NewCable {
 /// Makes it and places its nodes in the blocks. Returns its row. Its ends must differ.
 Row make_cable(Model& model, const NewCable& wanted);
 
+/// Gives each node the length of cable whose grout acts there: half of the bars to nodes of its block, and of those that leave its block the part that
+/// lies in it. The nodes must be placed.
+void share_bars(Model& model, Row cable);
+
 /// Removes cables, given by ascending rows.
 void delete_cables(Model& model, const std::vector<Row>& cables);
 

@@ -119,8 +119,16 @@ void place_structures(Model& model) {
     };
     if (!any_to_place(nodes) && !any_to_place(model.structures.member_nodes)) return;
     const BlockFinder finder(model);
-    for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node)
-        if (!is_placed(model, nodes, node)) place_in_rock(model, finder, nodes, node, nodes.position[node]);
+    for (Row cable = 0; cable < static_cast<Row>(model.structures.cables.size()); ++cable) {
+        bool moved = false;
+        const Span span = model.structures.cables.nodes[cable];
+        for (Row node = span.first; node < span.end(); ++node) {
+            if (is_placed(model, nodes, node)) continue;
+            place_in_rock(model, finder, nodes, node, nodes.position[node]);
+            moved = moved || is_placed(model, nodes, node); // not in the air
+        }
+        if (moved) share_bars(model, cable);
+    }
     place_member_nodes(model, finder);
 }
 
