@@ -14,6 +14,7 @@
 #include "model/measure/covered_faces.hpp"
 #include "model/edit/links.hpp"
 #include "model/edit/stop_motion.hpp"
+#include "model/edit/ties.hpp"
 #include "model/measure/measure.hpp"
 #include "model/kinds/nearest.hpp"
 
@@ -206,7 +207,7 @@ std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& comm
     auto& model = session.engine.model;
     const bool quiet = quiet_bits(command) != 0;
     auto triangles = exterior_of(session, faces, points);
-    const CoveredFaces covered(model);
+    const CoveredFaces covered(model, tied_face_pairs(model));
     std::erase_if(triangles, [&](Row t) { return covered.share(t) > 0.5; });
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };

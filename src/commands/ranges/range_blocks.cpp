@@ -8,6 +8,7 @@
 #include "model/edit/build.hpp"
 #include "model/measure/covered_faces.hpp"
 #include "model/edit/joined.hpp"
+#include "model/edit/ties.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -138,7 +139,7 @@ RangeTest on_surface(const RangeElement& e, RangeContext& context) {
                          std::string(info_of(context.kind).plural))
             .at(e.place);
     const Model& model = context.model;
-    const CoveredFaces by_contacts(model);
+    const CoveredFaces covered(model, tied_face_pairs(model));
     std::vector<char> inside(model.faces.size(), 0);
     const JoinedBodies bodies = joined_bodies(model);
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -150,7 +151,7 @@ RangeTest on_surface(const RangeElement& e, RangeContext& context) {
     auto blocks = std::make_shared<std::vector<char>>(model.blocks.size(), 0);
     for (std::size_t t = 0; t < model.triangles.size(); ++t) {
         const Row face = model.triangles.face[t];
-        if (inside[face] || by_contacts.share(static_cast<Row>(t)) == 1) continue;
+        if (inside[face] || covered.share(static_cast<Row>(t)) == 1) continue;
         (*faces)[face] = (*blocks)[model.faces.block[face]] = 1;
         for (const Row g : model.triangles.gridpoints[t]) (*points)[g] = 1;
     }

@@ -173,13 +173,10 @@ namespace {
 
 /// The triangles of faces that other blocks do not cover whole, as far as they are wanted.
 template <class Wanted> std::vector<Row> uncovered_triangles(const Model& model, Wanted wanted) {
-    const CoveredFaces covered(model);
-    std::vector<char> tied(model.faces.size(), 0);
-    for (const Row face : tied_faces(model)) tied[face] = 1;
+    const CoveredFaces covered(model, tied_face_pairs(model));
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < model.triangles.size(); ++i)
-        if (const Row t = static_cast<Row>(i); wanted(t) && !tied[model.triangles.face[t]] && covered.share(t) < 1)
-            rows.push_back(t);
+    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
+        if (wanted(t) && covered.share(t) < 1) rows.push_back(t);
     return rows;
 }
 
@@ -415,7 +412,7 @@ double add_stress_on(Model& model, const std::vector<Row>& triangles, const Stre
                      std::int32_t function) {
     LoadSums sums(model, function);
     const CellFaces faces(model, tied_faces(model));
-    const CoveredFaces covered(model);
+    const CoveredFaces covered(model, tied_face_pairs(model));
     double whole = 0, inside = 0;
     const auto take_off = [&](Row t, const Corners& x) {
         const Vec3 area = area_vector(x);

@@ -91,17 +91,24 @@ bool TiedBlocks::contains(Row a, Row b) const {
     return std::ranges::binary_search(pairs_, std::array{std::min(a, b), std::max(a, b)});
 }
 
-std::vector<Row> tied_faces(const Model& model) {
-    std::vector<Row> faces;
+std::vector<FacePair> tied_face_pairs(const Model& model) {
+    std::map<std::array<Row, 2>, double> areas;
     for (std::size_t p = 0; p < model.tied_pairs.size(); ++p) {
         std::array<Row, 2> pair;
         if (!blocks_of_pair(model, static_cast<Row>(p), pair)) continue;
         const Span span = model.tied_pairs.ties[p];
-        for (Row t = span.first; t < span.end(); ++t) {
-            faces.push_back(model.blocks.faces[pair[0]].first + model.ties.face1[t]);
-            faces.push_back(model.blocks.faces[pair[1]].first + model.ties.face2[t]);
-        }
+        for (Row t = span.first; t < span.end(); ++t)
+            areas[{model.blocks.faces[pair[0]].first + model.ties.face1[t],
+                   model.blocks.faces[pair[1]].first + model.ties.face2[t]}] += model.ties.area[t];
     }
+    std::vector<FacePair> pairs;
+    for (const auto& [faces, area] : areas) pairs.push_back({faces[0], faces[1], area});
+    return pairs;
+}
+
+std::vector<Row> tied_faces(const Model& model) {
+    std::vector<Row> faces;
+    for (const FacePair& pair : tied_face_pairs(model)) faces.insert(faces.end(), {pair.face1, pair.face2});
     std::ranges::sort(faces);
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;

@@ -1,6 +1,7 @@
 // Ties between joined zoned blocks: docs/theory/ties.md.
 #pragma once
 
+#include "model/measure/covered_faces.hpp"
 #include "model/tables/tie_tables.hpp"
 
 #include <array>
@@ -25,6 +26,9 @@ private:
 
 /// The faces on which another block of the same body is tied, as ascending rows.
 std::vector<Row> tied_faces(const Model& model);
+
+/// The same faces in pairs.
+std::vector<FacePair> tied_face_pairs(const Model& model);
 
 /// Removes void pairs. A body that has lost a block is separated where no tie is left.
 void drop_void_ties(Model& model);

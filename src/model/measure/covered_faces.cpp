@@ -17,37 +17,41 @@ Vec3 area_vector(const CoveredFaces::Corners& x) { return triangle_area_vector(x
 
 } // namespace
 
-CoveredFaces::CoveredFaces(const Model& model) : model_(model), cover_(model.faces.size(), Cover::none) {
+CoveredFaces::CoveredFaces(const Model& model, const std::vector<FacePair>& tied)
+    : model_(model), cover_(model.faces.size(), Cover::none) {
     const auto& contacts = model.contacts;
     std::vector<double> area(model.faces.size(), 0);
-    std::vector<std::pair<Row, Row>> all;
-    for (Row c = 0; c < static_cast<Row>(contacts.size()); ++c) {
-        if (contacts.type[c] != ContactType::face_face) continue;
-        const bool both = contacts.face1[c] != no_row && contacts.face2[c] != no_row;
-        for (const Row face : {contacts.face1[c], contacts.face2[c]}) {
+    std::vector<Part> all;
+    const auto add = [&](const FacePair& pair, const Vec3& normal) {
+        for (const Row face : {pair.face1, pair.face2}) {
             if (face == no_row) continue;
-            all.emplace_back(face, c);
-            area[face] += contacts.area[c];
+            all.push_back({face, pair, normal});
+            area[face] += pair.area;
             // The other block has no face opposite: its part of the face is unknown.
-            if (!both) cover_[face] = Cover::whole;
+            if (pair.face1 == no_row || pair.face2 == no_row) cover_[face] = Cover::whole;
         }
+    };
+    for (Row c = 0; c < static_cast<Row>(contacts.size()); ++c)
+        if (contacts.type[c] == ContactType::face_face)
+            add({contacts.face1[c], contacts.face2[c], contacts.area[c]}, contacts.normal[c]);
+    for (const FacePair& pair : tied) add(pair, face_area_vector(model, pair.face1).normalized());
+    for (const Part& part : all) {
+        Cover& cover = cover_[part.face];
+        if (cover != Cover::none) continue;
+        const bool whole = area[part.face] >= (1 - negligible) * face_area_vector(model, part.face).norm();
+        cover = whole ? Cover::whole : Cover::part;
     }
-    for (const auto& [face, c] : all) {
-        if (cover_[face] != Cover::none) continue;
-        const bool whole = area[face] >= (1 - negligible) * face_area_vector(model, face).norm();
-        cover_[face] = whole ? Cover::whole : Cover::part;
-    }
-    std::ranges::copy_if(all, std::back_inserter(face_contact_),
-                         [&](const auto& pair) { return cover_[pair.first] == Cover::part; });
-    std::ranges::sort(face_contact_);
+    std::ranges::copy_if(all, std::back_inserter(parts_),
+                         [&](const Part& part) { return cover_[part.face] == Cover::part; });
+    std::ranges::stable_sort(parts_, {}, &Part::face);
 }
 
 const std::vector<std::vector<Vec3>>& CoveredFaces::polygons_on(Row face) const {
     const auto [at, fresh] = polygons_.try_emplace(face);
-    if (fresh)
-        for (auto i = std::ranges::lower_bound(face_contact_, std::pair(face, Row{0}));
-             i != face_contact_.end() && i->first == face; ++i)
-            for (auto& polygon : joint_polygons(model_, i->second)) at->second.push_back(std::move(polygon));
+    if (!fresh) return at->second;
+    for (const auto& [own, pair, normal] : std::ranges::equal_range(parts_, face, {}, &Part::face))
+        for (auto& polygon : common_polygons(model_, pair.face1, pair.face2, normal))
+            at->second.push_back(std::move(polygon));
     return at->second;
 }
 

@@ -9,13 +9,20 @@
 
 namespace kaya {
 
-/// What contacts of faces cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or a triangle counts
+/// Two faces of blocks that lie on each other.
+struct FacePair {
+    Row face1, face2;
+    double area; ///< that they have in common
+};
+
+/// What contacts of faces, and ties, cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or a triangle counts
 /// as nothing, covered or free.
 class CoveredFaces {
 public:
     using Corners = std::array<Vec3, 3>;
 
-    explicit CoveredFaces(const Model& model);
+    /// `tied`: faces without a contact, by tied_face_pairs of model/edit/ties.hpp.
+    CoveredFaces(const Model& model, const std::vector<FacePair>& tied);
 
     /// The part of the triangle's area that is covered, 0 to 1.
     double share(Row triangle) const;
@@ -23,14 +30,19 @@ public:
     std::vector<Corners> parts(Row triangle) const;
 
 private:
-    /// A face that is covered in part has contacts; their polygons are found when a triangle needs them.
+    /// The polygons of a face that is covered in part are found when a triangle needs them.
     enum class Cover : char { none, part, whole };
+    struct Part {
+        Row face;
+        FacePair pair;
+        Vec3 normal;
+    };
     const std::vector<std::vector<Vec3>>& polygons_on(Row face) const;
     std::vector<Corners> common_parts(Row triangle) const;
 
     const Model& model_;
-    std::vector<Cover> cover_;                      ///< by face
-    std::vector<std::pair<Row, Row>> face_contact_; ///< of faces covered in part, in order
+    std::vector<Cover> cover_; ///< by face
+    std::vector<Part> parts_;  ///< of faces covered in part, in their order
     mutable std::map<Row, std::vector<std::vector<Vec3>>> polygons_;
 };
 

@@ -111,12 +111,16 @@ std::optional<std::vector<Row>> face_outline(const Model& model, Row face) {
 
 std::vector<std::vector<Vec3>> joint_polygons(const Model& model, Row contact) {
     const auto& contacts = model.contacts;
+    if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) return {};
+    return common_polygons(model, contacts.face1[contact], contacts.face2[contact], contacts.normal[contact]);
+}
+
+std::vector<std::vector<Vec3>> common_polygons(const Model& model, Row face1, Row face2, const Vec3& normal) {
     std::vector<Polygon> parts;
-    if (contacts.face1[contact] == no_row || contacts.face2[contact] == no_row) return parts;
-    const double margin = model.blocks.margin[contacts.block1[contact]] + model.blocks.margin[contacts.block2[contact]];
-    const Vec3 normal = contacts.normal[contact];
-    const auto second = parts_of(model, contacts.face2[contact]);
-    for (const Polygon& a : parts_of(model, contacts.face1[contact]))
+    const auto& margins = model.blocks.margin;
+    const double margin = margins[model.faces.block[face1]] + margins[model.faces.block[face2]];
+    const auto second = parts_of(model, face2);
+    for (const Polygon& a : parts_of(model, face1))
         for (const Polygon& b : second) {
             if (apart(a, b, margin)) continue;
             auto part = common_part(a, b, normal);
