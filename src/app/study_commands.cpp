@@ -54,8 +54,11 @@ void read_results(Session& session, const std::vector<Asked>& asked, Outcome& ou
     for (const auto& one : asked) {
         try {
             if (one.lua)
-                session.engine.scripts->run_lua(fmt::format("function {}() return ({}) end", lua_name, one.expression),
-                                                one.place);
+                session.engine.scripts->run_lua(
+                    fmt::format("function {}() local value = ({}) if value == nil then error('it is nil: a name may be "
+                                "misspelt', 0) end return value end",
+                                lua_name, one.expression),
+                    one.place);
             outcome.results.emplace_back(
                 one.name,
                 study_value(session.engine.scripts->value(one.lua ? lua_name : one.expression, one.place), session));

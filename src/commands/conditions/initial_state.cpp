@@ -104,8 +104,8 @@ void run(Session& session, const lang::Initialize& command) {
 
 void run(Session& session, const lang::InSitu& command) {
     all_or_nothing(session, [&] {
-        if (command.stress || command.topography) put_stress(session, command);
         if (command.pore_pressure) put_pore_pressure(session, command.range, *command.pore_pressure);
+        if (command.stress || command.topography) put_stress(session, command);
     });
 }
 

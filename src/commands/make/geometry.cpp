@@ -3,6 +3,7 @@
 #include "commands/session/long_work.hpp"
 
 #include "base/counted.hpp"
+#include "mechanics/supports/loads_to_zones.hpp"
 #include "model/edit/build.hpp"
 #include "model/measure/measure.hpp"
 #include "model/measure/volume_jumps.hpp"
@@ -42,6 +43,15 @@ void give_zones_to_blocks(Session& session, const Command& command, const Genera
                                     "the command has no effect")
                              .at(command.place));
         else warn_of_jumps(session, blocks, command.place);
+        const auto lost = put_loads_on_zones(session.engine.model, blocks);
+        if (!lost.empty())
+            session.warn(
+                Diagnostic(
+                    fmt::format("{} had forces or moments without a place, which zones cannot take: they are gone",
+                                lost.size() == 1 ? fmt::format("block {}", lost.front())
+                                                 : fmt::format("{} blocks", lost.size())),
+                    "give them again, at gridpoints or faces")
+                    .at(command.place));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;

@@ -3,6 +3,7 @@
 #include "commands/world/model_world.hpp"
 
 #include "base/diagnostic.hpp"
+#include "mechanics/zones/zone_laws.hpp"
 #include "model/measure/measure.hpp"
 
 #include <cmath>
@@ -143,8 +144,18 @@ script::Value ModelWorld::property(const Owner& owner, const std::string& name) 
 script::Value ModelWorld::object_property(const script::Handle& object, const std::string& name) {
     const Row row = living_row(object);
     const auto kind = static_cast<ObjectKind>(object.table);
-    if (kind == ObjectKind::zone)
-        return material_value(model_, joints_, model_.blocks.material[model_.zones.block[row]], name);
+    if (kind == ObjectKind::zone) {
+        const Row block = model_.zones.block[row];
+        const ZoneModel& law = joints_.zones.get(zone_model_of(model_, block));
+        if (const auto found = law.find_property(name)) {
+            const double value = zone_model_values(model_, block, law)[*found];
+            return std::isnan(value) ? 0.0 : value;
+        }
+        return material_value(model_, joints_, model_.blocks.material[block], name);
+    }
+    if (kind != ObjectKind::contact && kind != ObjectKind::sub_contact)
+        throw Diagnostic(fmt::format("{} have no properties", info_of(kind).plural),
+                         "contacts, sub-contacts and zones have", Fault::run);
     if (kind == ObjectKind::sub_contact)
         if (const auto own = own_value(row, name)) return *own;
     const Row contact = kind == ObjectKind::contact ? row : model_.sub_contacts.contact[row];

@@ -29,7 +29,7 @@ bool ends_within(const Model& model, const WaterPressure& water, Row contact) {
     bool wet = false, dry = false;
     const Span span = model.contacts.sub_contacts[contact];
     for (Row s = span.first; s < span.end(); ++s) {
-        const double pressure = water.unlimited_at(model.sub_contacts.position[s]);
+        const double pressure = water.unlimited_at(model.sub_contacts.load_place(s));
         wet = wet || pressure > 0;
         dry = dry || pressure < 0;
     }
@@ -40,7 +40,7 @@ double by_sub_contacts(const Model& model, const WaterPressure& water, Row conta
     double force = 0;
     const Span span = model.contacts.sub_contacts[contact];
     for (Row s = span.first; s < span.end(); ++s)
-        force += water.at(model.sub_contacts.position[s]) * wet_area(model, contact, s);
+        force += water.at(model.sub_contacts.load_place(s)) * wet_area(model, contact, s);
     return force;
 }
 

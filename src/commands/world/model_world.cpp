@@ -258,9 +258,10 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
 
 std::optional<script::World::Samples> ModelWorld::history(const std::string& name) {
     const auto& all = model_.histories;
-    const auto found = std::ranges::find_if(all.all, [&](const History& history) {
-        return history.label == name || std::to_string(history.number) == name;
-    });
+    auto found = std::ranges::find(all.all, name, &History::label);
+    if (found == all.all.end()) // no name is a number that another history has
+        found = std::ranges::find_if(all.all,
+                                     [&](const History& history) { return std::to_string(history.number) == name; });
     if (found == all.all.end()) return std::nullopt;
     return Samples{found->values, std::span(all.time).subspan(std::min(found->first_sample, all.time.size()))};
 }

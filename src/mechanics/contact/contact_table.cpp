@@ -177,6 +177,10 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
     subs.side2[s] = point.side2;
     subs.position.set(s, point.position);
     subs.shear_arm.set(s, Vec3::Zero());
+    if (subs.keeps_load_arms) {
+        const bool rigid = between_rigid(model, subs.contact[s]);
+        subs.load_arm.set(s, flat && !rigid ? Vec3(point.centre - point.position) : Vec3(Vec3::Zero()));
+    }
     subs.area[s] = area;
 }
 
@@ -434,6 +438,8 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
                                bool moving, OverlapScratch& scratch) {
     if (moving && same_rows(model, drafts) && refresh_contacts(model, joints, drafts, scratch))
         return ContactChange::refreshed;
+    const bool zoned = std::ranges::any_of(model.blocks.deformable, [](auto soft) { return soft != 0; });
+    if (zoned && !model.sub_contacts.keeps_load_arms) model.sub_contacts.keep_load_arms();
     take_faces(model.contacts, drafts);
     const auto loads = loads_of(model, drafts);
     const std::vector<char> contact_kept = kept_contacts(model, drafts);

@@ -1,15 +1,16 @@
 #include "mechanics/cycle/insitu.hpp"
 
 #include "base/parallel.hpp"
-#include "mechanics/contact/contact_geometry.hpp"
+#include "mechanics/contact/contact_plane.hpp"
 #include "mechanics/contact/contact_table.hpp"
 #include "mechanics/shape/overlap_gap.hpp"
-#include "mechanics/shape/search_scratch.hpp"
 #include "mechanics/contact/take_over.hpp"
 #include "mechanics/zones/cell_state.hpp"
 #include "mechanics/ties/ties.hpp"
 #include "mechanics/supports/topography.hpp"
+#include "mechanics/supports/water.hpp"
 #include "model/measure/measure.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,51 +23,6 @@ namespace {
 Vec3 traction(const Stress& s, const Vec3& n) {
     return {s[0] * n[0] + s[3] * n[1] + s[4] * n[2], s[3] * n[0] + s[1] * n[1] + s[5] * n[2],
             s[4] * n[0] + s[5] * n[1] + s[2] * n[2]};
-}
-
-/// For each sub-contact the point at which a linear stress must be evaluated so that its forces, distributed to the gridpoints of either
-/// side, equal those of the traction on the faces. Beside zones this is the centre of its area, elsewhere its position.
-std::vector<Vec3> places_of_tractions(const Model& model, const std::vector<Row>& sub_contacts) {
-    const auto& subs = model.sub_contacts;
-    const auto& contacts = model.contacts;
-    std::vector<Vec3> places(subs.size());
-    std::vector<char> wanted(contacts.size(), 0);
-    std::vector<Row> blocks;
-    for (const Row s : sub_contacts) {
-        const Row c = subs.contact[s], b1 = contacts.block1[c], b2 = contacts.block2[c];
-        places[s] = subs.position[s];
-        if (wanted[c] || contacts.type[c] != ContactType::face_face ||
-            !(model.blocks.deformable[b1] || model.blocks.deformable[b2]))
-            continue;
-        wanted[c] = 1;
-        blocks.insert(blocks.end(), {b1, b2});
-    }
-    std::ranges::sort(blocks);
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    Surfaces surfaces;
-    surfaces.update(model, blocks);
-    for_chunks(contacts.size(), 64, [&](std::size_t first, std::size_t last) {
-        std::vector<ContactPoint> list;
-        SearchScratch scratch;
-        for (std::size_t i = first; i < last; ++i) {
-            if (!wanted[i]) continue;
-            const Row c = static_cast<Row>(i), b1 = contacts.block1[c], b2 = contacts.block2[c];
-            list.clear();
-            ContactGeometry geometry{{}, ContactPoints(list)};
-            if (!find_geometry(model, surfaces, b1, b2, c, model.blocks.margin[b1] + model.blocks.margin[b2], geometry,
-                               scratch))
-                continue;
-            const double near = 1e-6 * std::sqrt(contacts.area[c]);
-            for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s)
-                for (const ContactPoint& point : geometry.points)
-                    // At a place on both diagonals of a cell's face there may be two.
-                    if ((point.position - Vec3(subs.position[s])).norm() <= near &&
-                        on_same_gridpoints(point.side1, subs.side1[s]) &&
-                        on_same_gridpoints(point.side2, subs.side2[s]))
-                        places[s] = point.centre;
-        }
-    });
-    return places;
 }
 
 /// How far the sides of a sub-contact without force are apart; not above 0 where they touch, or where it carries a force.
@@ -88,6 +44,9 @@ template <class StressAt> OpenFaces put_joint_stress(Model& model, JointRegistry
     auto& points = model.sub_contacts;
     const auto& contacts = model.contacts;
     std::vector<char> marked(points.size(), 0);
+    // The stress is total; joints have what the water that is there does not bear.
+    find_ends_of_water(model);
+    put_water(model);
     OpenFaces open;
     Row last = no_row;
     for (const Row s : sub_contacts) {
@@ -104,7 +63,7 @@ template <class StressAt> OpenFaces put_joint_stress(Model& model, JointRegistry
         // Force of block 1 on block 2, whose surface faces against n.
         const Vec3 on_block2 = -points.area[s] * traction(stress_at(s), n);
         const double normal = on_block2.dot(n);
-        points.normal_force[s] = normal;
+        points.normal_force[s] = normal - points.pore_pressure[s] * wet_area(model, c, s);
         points.shear_force.set(s, on_block2 - normal * n);
         marked[s] = 1;
     }
@@ -125,7 +84,7 @@ Vec3 inside_joint(const Model& model, Row s) {
     for (Row k = span.first; k < span.end(); ++k) middle += subs.position[k] / span.count;
     const Vec3 blocks =
         0.5 * (block_centroid(model, model.contacts.block1[c]) + block_centroid(model, model.contacts.block2[c]));
-    return (1 - 2 * hair) * Vec3(subs.position[s]) + hair * middle + hair * blocks;
+    return (1 - 2 * hair) * subs.load_place(s) + hair * middle + hair * blocks;
 }
 
 } // namespace
@@ -135,8 +94,8 @@ OpenFaces set_insitu_stress(Model& model, JointRegistry& joints, const std::vect
     for (const Row z : zones) model.zones.stress[z] = stress.at(zone_centroid(model, z));
     note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
-    const std::vector<Vec3> places = places_of_tractions(model, sub_contacts);
-    return put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress.at(places[s]); });
+    return put_joint_stress(model, joints, sub_contacts,
+                            [&](Row s) { return stress.at(model.sub_contacts.load_place(s)); });
 }
 
 OpenFaces set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,

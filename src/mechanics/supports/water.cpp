@@ -108,7 +108,8 @@ void put_water(Model& model) {
         return;
     }
     for_chunks(subs.size(), 4096, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) subs.pore_pressure[i] = water.at(subs.position[i]);
+        for (std::size_t i = first; i < last; ++i)
+            subs.pore_pressure[i] = water.at(subs.load_place(static_cast<Row>(i)));
     });
     for_chunks(contacts.size(), 4096, [&](std::size_t first, std::size_t last) {
         for (auto c = static_cast<Row>(first); c < static_cast<Row>(last); ++c) {

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "geometry/mesh/mesh_plan.hpp"
 #include "model/edit/bounded.hpp"
+#include "model/edit/corner_values.hpp"
 #include "model/measure/compatibility.hpp"
 #include "model/edit/joined.hpp"
 #include "model/edit/links.hpp"
@@ -12,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 #include <map>
 
 namespace kaya {
@@ -41,20 +43,33 @@ std::vector<std::array<int, 3>> fan(const Polyhedron& p, const std::vector<int>&
     return triangles;
 }
 
+/// A block with a new shape has other gridpoints: its histories take the nearest ones to their places again.
+void forget_rows_of_histories(Model& model, Row block) {
+    const BlockId id = model.blocks.id[block];
+    for (History& history : model.histories.all)
+        if (history.source.slot == id.slot && history.source.generation == id.generation)
+            history.source.rows_of_block = 0;
+}
+
 } // namespace
 
 void give_zones(Model& model, Row block, const Polyhedron& shape, const TetMesh& mesh) {
     const ModelEdit edit(model, Change::rows);
     auto& blocks = model.blocks;
     blocks.shape[block] = model.next_shape_number++;
+    forget_rows_of_histories(model, block);
     const std::int32_t roller = model.gridpoints.roller[blocks.gridpoints[block].first]; // of the vertices till now
+    std::optional<CornerValues> corners;
+    if (!blocks.deformable[block]) corners.emplace(model, block);
+    const double near = blocks.margin[block];
     const Row g0 = append(model.gridpoints, mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         model.gridpoints.block[g0 + i] = block;
         model.gridpoints.position[g0 + i] = model.gridpoints.reference[g0 + i] = mesh.points[i];
         model.gridpoints.velocity[g0 + i] =
             blocks.velocity[block] + blocks.rotational_velocity[block].cross(mesh.points[i] - blocks.centroid[block]);
-        model.gridpoints.displacement[g0 + i] = Vec3::Zero();
+        model.gridpoints.displacement[g0 + i] = corners ? corners->displacement(mesh.points[i]) : Vec3(Vec3::Zero());
+        model.gridpoints.pore_pressure[g0 + i] = corners ? corners->pore_pressure(mesh.points[i], near) : 0;
         model.gridpoints.fixed[g0 + i] = blocks.fixed[block] & (fix_x | fix_y | fix_z);
         model.gridpoints.roller[g0 + i] = roller;
     }
@@ -144,6 +159,7 @@ void give_shape(Model& model, Row b, const Polyhedron& polyhedron, const MassPro
     const ModelEdit edit(model, Change::blocks);
     auto& blocks = model.blocks;
     blocks.shape[b] = model.next_shape_number++;
+    forget_rows_of_histories(model, b);
     blocks.volume[b] = mass.volume;
     blocks.margin[b] = contact_part * std::cbrt(mass.volume);
     blocks.inertia[b] = mass.inertia;

@@ -1,6 +1,7 @@
 #include "model/edit/cut_blocks.hpp"
 
 #include "model/edit/build.hpp"
+#include "model/edit/corner_values.hpp"
 #include "model/edit/joined.hpp"
 #include "model/edit/links.hpp"
 #include "model/measure/measure.hpp"
@@ -23,6 +24,7 @@ constexpr double same_plane = 1e-9;
 struct Parent {
     Blocks whole;            ///< one row; its load_arms in global axes, the axes of the pieces
     std::int32_t roller = 0; ///< of a rigid block that is held along a direction
+    CornerValues corners;
     double volume, density;
     Mat3 turn; ///< from the block's own axes to global ones
     struct Side {
@@ -32,7 +34,8 @@ struct Parent {
     std::vector<Side> sides; ///< faces with their own group
 
     Parent(Model& model, Row b)
-        : volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume), turn(turn_of(model.blocks, b)) {
+        : corners(model, b), volume(model.blocks.volume[b]), density(model.blocks.mass[b] / volume),
+          turn(turn_of(model.blocks, b)) {
         whole.append(model.blocks, {b});
         whole.load_arms[0] = turn * whole.load_arms[0];
         if (!model.blocks.deformable[b]) roller = model.gridpoints.roller[model.blocks.gridpoints[b].first];
@@ -54,8 +57,14 @@ struct Parent {
         // Of loads without a place. Moments of the shares about the old centroid cancel, as that is the mean of the pieces' centroids.
         links::scale(blocks, b, mass.volume / volume, Role::load);
         give_shape(model, b, piece);
-        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g)
+        blocks.displacement[b] = corners.displacement(blocks.centroid[b]);
+        const double near = same_plane * std::cbrt(volume);
+        for (Row g = blocks.gridpoints[b].first; g < blocks.gridpoints[b].end(); ++g) {
+            const Vec3 place = model.gridpoints.position[g];
             model.gridpoints.roller[g] = roller;
+            model.gridpoints.displacement[g] = corners.displacement(place);
+            model.gridpoints.pore_pressure[g] = corners.pore_pressure(place, near);
+        }
         for (Row f = blocks.faces[b].first; !sides.empty() && f < blocks.faces[b].end(); ++f) {
             const Vec3 normal = face_area_vector(model, f).normalized(), place = face_centroid(model, f);
             for (const Side& side : sides)

@@ -25,6 +25,27 @@ template <int k> void set_velocity_component(Model& model, Row gridpoint, const 
     model.gridpoints.velocity[gridpoint][k] = number(value);
 }
 
+/// Nor a load: the program would not look for it there.
+void need_zones_for_load(const Model& model, Row gridpoint) {
+    if (!model.blocks.deformable[model.gridpoints.block[gridpoint]])
+        throw Diagnostic("a vertex of a rigid block has no separate load",
+                         "give the block one (b_load, or apply ... at)");
+}
+void set_load(Model& model, Row gridpoint, const FieldValue& value) {
+    need_zones_for_load(model, gridpoint);
+    model.gridpoints.load[gridpoint] = vector(value);
+}
+template <int k> void set_load_component(Model& model, Row gridpoint, const FieldValue& value) {
+    need_zones_for_load(model, gridpoint);
+    model.gridpoints.load[gridpoint][k] = number(value);
+}
+
+/// As `initialize pp`: joints and zones take the pressures of gridpoints from now on.
+void set_pore_pressure(Model& model, Row gridpoint, const FieldValue& value) {
+    model.gridpoints.pore_pressure[gridpoint] = number(value);
+    model.settings.water = Water::points;
+}
+
 double density_scaling(const Model& model, Row gridpoint) {
     const double mass = model.gridpoints.mass[gridpoint];
     return mass > 0 ? model.gridpoints.inertial_mass[gridpoint] / mass : 1;
@@ -101,15 +122,15 @@ const Fields& gridpoint_fields() {
         {table, "z_reaction", "gp_zreaction", "block.gp.force.reaction.z", "force", "z reaction", call<reaction, 2>,
          nullptr},
         {table, "pore_pressure", "gp_pp", "block.gp.pp", "stress", "pore pressure given by initialize pp or insitu pp",
-         read<rows_of, &Gridpoints::pore_pressure>, write<rows_of, &Gridpoints::pore_pressure>},
+         read<rows_of, &Gridpoints::pore_pressure>, set_pore_pressure},
         {table, "load", "gp_load", "block.gp.force.app", "force", "applied force", read<rows_of, &Gridpoints::load>,
-         write<rows_of, &Gridpoints::load>},
+         set_load},
         {table, "x_load", "gp_xload", "block.gp.force.app.x", "force", "x applied force",
-         read<rows_of, &Gridpoints::load, 0>, write<rows_of, &Gridpoints::load, 0>},
+         read<rows_of, &Gridpoints::load, 0>, set_load_component<0>},
         {table, "y_load", "gp_yload", "block.gp.force.app.y", "force", "y applied force",
-         read<rows_of, &Gridpoints::load, 1>, write<rows_of, &Gridpoints::load, 1>},
+         read<rows_of, &Gridpoints::load, 1>, set_load_component<1>},
         {table, "z_load", "gp_zload", "block.gp.force.app.z", "force", "z applied force",
-         read<rows_of, &Gridpoints::load, 2>, write<rows_of, &Gridpoints::load, 2>},
+         read<rows_of, &Gridpoints::load, 2>, set_load_component<2>},
     };
     return rows;
 }

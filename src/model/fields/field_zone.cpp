@@ -22,7 +22,14 @@ const Material& material_of(const Model& model, Row zone) {
 
 std::int64_t material(const Model& model, Row zone) { return model.blocks.material[model.zones.block[zone]]; }
 double mass(const Model& model, Row zone) { return material_of(model, zone).density * model.zones.volume[zone]; }
-double bulk(const Model& model, Row zone) { return material_of(model, zone).bulk; }
+/// A modulus that `zone` or `block zone property` gave to the zone model, else that of the material.
+double modulus(const Model& model, Row zone, const char* name, double Material::*member) {
+    const Row block = model.zones.block[zone];
+    const auto& own = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])].values;
+    const auto given = own.find(name);
+    return given != own.end() ? given->second : material_of(model, zone).*member;
+}
+double bulk(const Model& model, Row zone) { return modulus(model, zone, "bulk", &Material::bulk); }
 double pore_pressure(const Model& model, Row zone) { return WaterPressure(model).of_zone(zone); }
 /// The symmetric part of the gradient of displacements or velocities, with the corners where they were when the zones were
 /// made.
@@ -67,7 +74,7 @@ double plastic_shear(const Model& model, Row zone) {
 double plastic_tension(const Model& model, Row zone) {
     return model.zones.history_columns > 1 ? model.zones.history[1][zone] : 0;
 }
-double shear(const Model& model, Row zone) { return material_of(model, zone).shear; }
+double shear(const Model& model, Row zone) { return modulus(model, zone, "shear", &Material::shear); }
 
 } // namespace
 

@@ -173,11 +173,26 @@ public:
     Column<std::uint32_t> field_set;                          ///< bit k: field k was set
     std::int32_t field_columns = 0;                           ///< as many as the joint model has, if one was set
 
+    /// Beside zones: where a pressure that is linear has its mean over the part of the joint that the sub-contact stands for, relative to `position`.
+    VectorColumn load_arm;
+    bool keeps_load_arms = false; ///< whether any block has zones; otherwise the column is empty
+
     Column<JointObject> object; ///< history of a joint model that plain numbers cannot hold
     bool keeps_objects = false; ///< whether a joint model does; otherwise the column is empty
 
     /// Where the shear force acts.
     Vec3 shear_place(Row row) const { return Vec3(position[row]) + Vec3(shear_arm[row]); }
+
+    /// Where a traction on the part of the joint that it stands for has its mean.
+    Vec3 load_place(Row row) const {
+        return keeps_load_arms ? Vec3(position[row]) + Vec3(load_arm[row]) : Vec3(position[row]);
+    }
+
+    /// Allocates the places of loads; they are never released.
+    void keep_load_arms() {
+        keeps_load_arms = true;
+        for (auto& column : load_arm.component) column.assign(size(), 0.0);
+    }
 
     /// Allocates objects for a joint model; they are never released.
     void keep_objects() {
@@ -237,6 +252,7 @@ public:
         for (std::size_t k = 0; k < field.size() && static_cast<std::int32_t>(k) < field_columns; ++k)
             visit("field_" + std::to_string(k), field[k], Role::setting);
         if (field_columns > 0) visit("field_set", field_set, Role::setting);
+        if (keeps_load_arms) visit_vector(visit, "load_arm", load_arm, Role::geometry);
         if (keeps_objects) visit("object", object, Role::state);
     }
 };

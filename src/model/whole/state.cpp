@@ -289,6 +289,8 @@ template <class T> void visit_table(Archive& archive, const char* name, T& table
                 archive.value("keeps_initial", table.keeps_initial);
                 archive.value("keeps_layers", table.keeps_layers);
             });
+        if constexpr (requires { table.keeps_load_arms; })
+            archive.aside([&] { archive.value("keeps_load_arms", table.keeps_load_arms); });
         if constexpr (requires { table.keeps_objects; }) archive.value("keeps_objects", table.keeps_objects);
         if constexpr (requires { table.field_columns; }) archive.value("field_columns", table.field_columns);
         archive.rows(rows);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import shutil
 import sys
@@ -81,8 +82,8 @@ class Model(Quantities):
         return self
 
     def cycle(self, count: int = 1) -> None:
-        """Runs that many cycles."""
-        self.command(f"cycle {int(count)}")
+        """Runs that many cycles. Raises TypeError where it is not a whole number."""
+        self.command(f"cycle {operator.index(count)}")
 
     def solve(self, *words: object) -> None:
         """The command `solve` with these words: m.solve("ratio", 1e-6). kaya.help("solve") lists them."""
@@ -118,8 +119,11 @@ class Model(Quantities):
 
     @property
     def histories(self) -> dict[str, History]:
-        """Histories by label."""
-        return {history[1]: History(*history) for history in self._session.histories()}
+        """Histories by label; those after the first of a label by their number, as text."""
+        found: dict[str, History] = {}
+        for history in map(lambda row: History(*row), self._session.histories()):
+            found.setdefault(history.label if history.label not in found else str(history.number), history)
+        return found
 
     @property
     def hash(self) -> str:

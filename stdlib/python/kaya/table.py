@@ -35,11 +35,24 @@ class Table:
         self.set(field, values)
 
     def set(self, field: str, values: Any, rows: ArrayLike | None = None) -> None:
-        """Sets a field of these rows (all of them when None). Raises kaya.Error where the field or a value does not allow it."""
-        chosen = np.arange(len(self)) if rows is None else np.asarray(rows, dtype=np.int64).ravel()
+        """Sets a field of these rows (all of them when None): row numbers, or True and False for each row. Raises kaya.Error where the field or a
+        value does not allow it, TypeError and IndexError where the rows are neither."""
+        chosen = self._rows(rows)
         if isinstance(values, np.ndarray) or (isinstance(values, (list, tuple)) and len(values) == len(chosen) and not _is_vector(values)):
             values = [v.tolist() if isinstance(v, (np.ndarray, np.generic)) else v for v in values]
         self._model._session.set_values(self._kind, field, chosen, values)
+
+    def _rows(self, rows: ArrayLike | None) -> np.ndarray:
+        if rows is None:
+            return np.arange(len(self))
+        wanted = np.asarray(rows).ravel()
+        if wanted.dtype == np.bool_:
+            if len(wanted) != len(self):
+                raise IndexError(f"{len(wanted)} times True or False for {len(self)} rows")
+            return np.flatnonzero(wanted)
+        if wanted.size and not np.issubdtype(wanted.dtype, np.integer):
+            raise TypeError(f"rows are whole numbers, or True and False for each row, not {wanted.dtype}")
+        return wanted.astype(np.int64)
 
     def fields(self) -> dict[str, dict[str, Any]]:
         """{name: {unit, help, classic, modern, writable}}: `unit` is a kind of quantity, such as "stress", in the units of the deck."""
