@@ -426,6 +426,19 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
 
 } // namespace
 
+namespace {
+
+bool have_stress(const Model& model, const std::vector<Row>& blocks) {
+    return std::ranges::any_of(blocks, [&](Row block) {
+        const Span zones = model.blocks.zones[block];
+        for (Row zone = zones.first; zone < zones.end(); ++zone)
+            if (model.blocks.body[block] != 0 && !model.zones.stress[zone].isZero(0)) return true;
+        return false;
+    });
+}
+
+} // namespace
+
 void run(Session& session, const lang::Join& command) {
     const auto rows = session.pick(ObjectKind::block, command.range);
     if (rows.empty()) return;
@@ -433,7 +446,13 @@ void run(Session& session, const lang::Join& command) {
         for (const Row row : rows) close_faces(session.engine.model, row);
         return join(session, adjacent_pairs(session.engine.model, rows), command.place);
     }
+    const bool stressed = have_stress(session.engine.model, rows);
     unjoin(session.engine.model, rows);
+    if (stressed)
+        session.warn(
+            Diagnostic("joints between blocks that were joined begin without force, and their zones have stress",
+                       "give them the stress with `insitu stress`, or let the model come to rest again")
+                .at(command.place));
 }
 
 void run(Session& session, const lang::JoinContact& command) {

@@ -29,11 +29,11 @@ public:
         const Span span = model_.blocks.triangles[block_];
         for (Row t = span.first; t < span.end(); ++t) {
             const Vec3 found = weights_in(t, place);
-            // How far it is beside the triangle, and above it.
-            const double beside = std::max(0.0, -found.minCoeff());
+            // How far it is outside of the triangle, and above it.
+            const double outside = std::max(0.0, -found.minCoeff());
             const Vec3 area = triangle_area_vector(model_, t), corner = at(t, 0);
             const double above = std::abs(area.normalized().dot(place - corner)) / std::sqrt(area.norm());
-            if (beside + above < least) least = beside + above, best = t, weights = found;
+            if (outside + above < least) least = outside + above, best = t, weights = found;
         }
         if (best == no_row) return;
         for (std::size_t k = 0; k < 3; ++k)
