@@ -137,6 +137,15 @@ class Changing(unittest.TestCase):
         self.assertEqual(abs(model.blocks["velocity"]).max(), 0)
         model.blocks.set("x_velocity", [1.0, 2.0], rows=[2, 0])
         np.testing.assert_array_equal(model.blocks["velocity"][[2, 0], 0], [1, 2])
+        mask = model.blocks["x_velocity"] > 1.5
+        model.blocks.set("x_velocity", 3.0, rows=mask)
+        np.testing.assert_array_equal(model.blocks["velocity"][[2, 0], 0], [1, 3])
+        with self.assertRaises(IndexError):
+            model.blocks.set("x_velocity", 1.0, rows=[True, False])
+        with self.assertRaises(TypeError):
+            model.blocks.set("x_velocity", 1.0, rows=[1.5])
+        with self.assertRaises(TypeError):
+            model.cycle(2.5)
         model.blocks["velocity"] = np.arange(27.0).reshape(9, 3)
         np.testing.assert_array_equal(model.blocks["velocity"], np.arange(27.0).reshape(9, 3))
         for field, value, rows in (("volume", 1.0, [0]), ("nosuch", 1.0, [0]), ("x_velocity", 1.0, [9]), ("x_velocity", 1.0, [-1]),

@@ -42,14 +42,14 @@ class Table:
             values = [v.tolist() if isinstance(v, (np.ndarray, np.generic)) else v for v in values]
         self._model._session.set_values(self._kind, field, chosen, values)
 
-    def _rows(self, rows: ArrayLike | None) -> np.ndarray:
+    def _rows(self, rows: ArrayLike | None) -> NDArray[np.int64]:
         if rows is None:
-            return np.arange(len(self))
+            return np.arange(len(self), dtype=np.int64)
         wanted = np.asarray(rows).ravel()
         if wanted.dtype == np.bool_:
             if len(wanted) != len(self):
                 raise IndexError(f"{len(wanted)} times True or False for {len(self)} rows")
-            return np.flatnonzero(wanted)
+            return np.flatnonzero(wanted).astype(np.int64)
         if wanted.size and not np.issubdtype(wanted.dtype, np.integer):
             raise TypeError(f"rows are whole numbers, or True and False for each row, not {wanted.dtype}")
         return wanted.astype(np.int64)
