@@ -3,6 +3,7 @@
 #include "commands/session/long_work.hpp"
 
 #include "base/counted.hpp"
+#include "mechanics/contact/load_before.hpp"
 #include "mechanics/supports/loads_to_zones.hpp"
 #include "model/edit/build.hpp"
 #include "model/measure/measure.hpp"
@@ -73,6 +74,7 @@ void run(Session& session, const lang::Seek& command) {
 void run(Session& session, const lang::Delete& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
+    lose_joints_of(session.engine.model, blocks);
     delete_blocks(session.engine.model, blocks);
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/polyhedra/plane.hpp"
 #include "mechanics/assign/contact_properties.hpp"
+#include "mechanics/contact/load_before.hpp"
 #include "model/edit/copy_blocks.hpp"
 #include "model/edit/excavation.hpp"
 #include "model/kinds/groups.hpp"
@@ -59,6 +60,7 @@ void run(Session& session, const lang::MarkJoint& command) {
 void run(Session& session, const lang::Excavate& command) {
     const auto blocks = session.pick(ObjectKind::block, command.range);
     if (blocks.empty()) return;
+    lose_joints_of(session.engine.model, blocks);
     excavate_blocks(session.engine.model, blocks);
 }
 

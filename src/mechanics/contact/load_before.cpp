@@ -105,4 +105,14 @@ double stored_in_parted(const Model& model, const std::vector<char>& kept) {
     return stored;
 }
 
+void lose_joints_of(Model& model, const std::vector<Row>& blocks) {
+    if (!model.settings.energy) return;
+    const auto& contacts = model.contacts;
+    std::vector<char> gone(model.blocks.size(), 0), kept(contacts.size(), 1);
+    for (const Row block : blocks) gone[block] = 1;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+        kept[c] = gone[contacts.block1[c]] == 0 && gone[contacts.block2[c]] == 0;
+    model.energy.joint_lost += stored_in_parted(model, kept);
+}
+
 } // namespace kaya

@@ -31,5 +31,7 @@ std::vector<LoadBefore> loads_of(const Model& model, const std::vector<ContactDr
 
 /// The energy in the springs of deleted contacts.
 double stored_in_parted(const Model& model, const std::vector<char>& kept);
+/// Before blocks are deleted: counts the energy in the springs of their joints as lost in contact updates, where there is an account.
+void lose_joints_of(Model& model, const std::vector<Row>& blocks);
 
 } // namespace kaya

@@ -115,6 +115,7 @@ void Cycle::prepare() {
         s.members = MemberLists(model_);
         if (!changed) take_zone_laws();
         s.step.forget(); // properties may have changed
+        if (changed) find_ends_of_water(model_);
         make_lists(changed ? Since::changed : Since::restored);
         if (!changed) s.joints.stiffness_changed.assign(model_.contacts.size(), 0);
         s.quiet = quiet_points(model_, s.elastic);
@@ -167,7 +168,6 @@ void Cycle::make_lists(Since since) {
     s.step.take(model_, s.batches);
     if (since == Since::changed) {
         note_curved(model_, s.batches);
-        find_ends_of_water(model_);
         put_water(model_);
     }
     s.boundary_histories = list_boundary_histories(model_);
@@ -254,7 +254,10 @@ ContactChange Cycle::refresh_contacts() {
     return times_.timed(Phase::search, [&] {
         if (!model_.settings.large_strain) return ContactChange::none;
         ContactChange change = s.search.refresh_slipped(model_, joints_);
-        if (ContactSearch::due(model_)) change = std::max(change, s.search.search(model_, joints_, true));
+        const bool far = ContactSearch::due(model_);
+        if (far) change = std::max(change, s.search.search(model_, joints_, true));
+        // Blocks that move together keep their contacts, but not their depth in water.
+        if (far || change != ContactChange::none) find_ends_of_water(model_);
         if (change == ContactChange::none) return change;
         // A new contact may have its own joint material.
         if (change == ContactChange::replaced) check_properties(model_, joints_);
@@ -262,7 +265,6 @@ ContactChange Cycle::refresh_contacts() {
             make_lists(Since::changed);
             use_large_pages();
         } else {
-            find_ends_of_water(model_);
             joint_forces_of_new(model_, s.joints);
         }
         s.pass.forget_gathered();

@@ -105,6 +105,9 @@ void rotate(Model& model, Row block, const Vec3& velocity) {
         throw Diagnostic(
             fmt::format("block {} is joined to others and cannot rotate separately", model.blocks.number[block]),
             "give it a rotation before `join`");
+    if (model.blocks.deformable[block])
+        throw Diagnostic(fmt::format("block {} is deformable and has no spin", model.blocks.number[block]),
+                         "set the velocities of its gridpoints");
     const double mass = model.blocks.mass[block];
     const double factor = mass > 0 ? model.blocks.inertial_mass[block] / mass : 1; // of density scaling
     const Vec3 momentum = factor * (inertia(model, block) * velocity);
