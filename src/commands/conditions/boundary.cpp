@@ -11,10 +11,8 @@
 #include "mechanics/shape/face_conditions.hpp"
 #include "mechanics/supports/held_directions.hpp"
 #include "mechanics/lanes/rotation.hpp"
-#include "model/measure/covered_faces.hpp"
 #include "model/edit/links.hpp"
 #include "model/edit/stop_motion.hpp"
-#include "model/edit/ties.hpp"
 #include "model/measure/measure.hpp"
 #include "model/kinds/nearest.hpp"
 
@@ -194,11 +192,12 @@ std::vector<Row> points_in_range(Session& session, const lang::Boundary& command
     return points;
 }
 
-/// The exterior triangles of the faces, or of the gridpoints when there are none.
-std::vector<Row> exterior_of(Session& session, const std::vector<Row>& faces, const std::vector<Row>& points) {
+/// The exterior triangles of the faces, or of the gridpoints when there are none, that are covered by this part at most.
+std::vector<Row> exterior_of(Session& session, const std::vector<Row>& faces, const std::vector<Row>& points,
+                             double most_covered = 1) {
     find_contacts(session.engine.model, session.engine.joints); // they define the exterior faces
-    return faces.empty() ? exterior_triangles(session.engine.model, points)
-                         : exterior_triangles_of_faces(session.engine.model, faces);
+    return faces.empty() ? exterior_triangles(session.engine.model, points, most_covered)
+                         : exterior_triangles_of_faces(session.engine.model, faces, most_covered);
 }
 
 /// The triangles on which nvel and quiet boundaries act: those that are free by half. Throws Diagnostic when all are of rigid blocks.
@@ -206,9 +205,7 @@ std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& comm
                                     const std::vector<Row>& points) {
     auto& model = session.engine.model;
     const bool quiet = quiet_bits(command) != 0;
-    auto triangles = exterior_of(session, faces, points);
-    const CoveredFaces covered(model, tied_face_pairs(model));
-    std::erase_if(triangles, [&](Row t) { return covered.share(t) > 0.5; });
+    const auto triangles = exterior_of(session, faces, points, 0.5);
     if (triangles.empty()) warn_of_no_face(session, command, points.size(), quiet ? "the quiet boundary" : "nvel");
     const auto soft = [&](Row t) { return model.blocks.deformable[model.faces.block[model.triangles.face[t]]] != 0; };
     if (!triangles.empty() && std::ranges::none_of(triangles, soft))

@@ -424,10 +424,6 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
                                            counted(bodies.size(), "body", "bodies")));
 }
 
-} // namespace
-
-namespace {
-
 bool have_stress(const Model& model, const std::vector<Row>& blocks) {
     return std::ranges::any_of(blocks, [&](Row block) {
         const Span zones = model.blocks.zones[block];

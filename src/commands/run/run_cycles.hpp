@@ -61,8 +61,8 @@ struct RestRatio {
 /// Prepares the model for a run and warns of what is doubtful in it. Throws Diagnostic where it cannot run.
 void make_ready(Session& session);
 
-/// For trials of a model that is ready: nothing is said of their strengths. Cycles until the ratio is at most `ratio` and no body gains displacement, or until that many cycles are done; checking bodies
-/// may take more. A monitor sees every cycle.
+/// For trials of a model that is ready: nothing is said of their strengths. Cycles until the ratio is at most `ratio` and no body gains
+/// displacement, or until that many cycles are done; checking bodies may take more. A monitor sees every cycle.
 RestSpan advance_span(Session& session, std::int64_t cycles, const RestRatio& ratio, FailureMonitor* monitor,
                       Progress* progress);
 

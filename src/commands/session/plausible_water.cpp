@@ -1,4 +1,4 @@
-// Joints of zones within which the water ends.
+// Joints within which the water ends that do not have its exact force: beside zones, and below a ground surface.
 #include "commands/session/plausible.hpp"
 
 #include "base/counted.hpp"

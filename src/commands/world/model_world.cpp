@@ -259,7 +259,7 @@ double ModelWorld::reduce(std::int32_t table, std::size_t field, std::string_vie
 std::optional<script::World::Samples> ModelWorld::history(const std::string& name) {
     const auto& all = model_.histories;
     auto found = std::ranges::find(all.all, name, &History::label);
-    if (found == all.all.end()) // no name is a number that another history has
+    if (found == all.all.end()) // a label that is the number of another history comes first
         found = std::ranges::find_if(all.all,
                                      [&](const History& history) { return std::to_string(history.number) == name; });
     if (found == all.all.end()) return std::nullopt;

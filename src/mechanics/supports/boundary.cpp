@@ -8,6 +8,7 @@
 #include "model/edit/placed_loads.hpp"
 #include "model/measure/cell_faces.hpp"
 #include "model/measure/covered_faces.hpp"
+#include "model/measure/measure.hpp"
 #include "model/edit/ties.hpp"
 
 #include <algorithm>
@@ -71,8 +72,8 @@ void add_boundary_history(Model& model, What what, const Target& target, double 
     histories.function[row] = function;
 }
 
-/// Splits velocity histories of blocks that have got zones into one per gridpoint, so that single ones can be removed; drops histories of
-/// deleted blocks and whole-block loads of blocks that have got zones.
+} // namespace
+
 void tidy_boundary_histories(Model& model) {
     auto& histories = model.boundary_histories;
     std::vector<Row> kept;
@@ -94,6 +95,8 @@ void tidy_boundary_histories(Model& model) {
     }
     if (kept.size() != count || histories.size() != count) histories.gather(kept);
 }
+
+namespace {
 
 /// Removes velocity histories of these targets. Sorts `targets`.
 void drop_velocity_histories(Model& model, std::vector<Target>& targets) {
@@ -171,12 +174,15 @@ private:
 
 namespace {
 
-/// The triangles of faces that other blocks do not cover whole, as far as they are wanted.
-template <class Wanted> std::vector<Row> uncovered_triangles(const Model& model, Wanted wanted) {
+/// The triangles that other blocks cover by this part at most, and not whole, as far as they are wanted.
+template <class Wanted> std::vector<Row> uncovered_triangles(const Model& model, double most, Wanted wanted) {
     const CoveredFaces covered(model, tied_face_pairs(model));
     std::vector<Row> rows;
-    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
-        if (wanted(t) && covered.share(t) < 1) rows.push_back(t);
+    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t) {
+        if (!wanted(t)) continue;
+        const double share = covered.share(t);
+        if (share < 1 && share <= most) rows.push_back(t);
+    }
     return rows;
 }
 
@@ -184,14 +190,14 @@ bool is_listed(const std::vector<Row>& sorted, Row row) { return std::ranges::bi
 
 } // namespace
 
-std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints) {
-    return uncovered_triangles(model, [&](Row t) {
+std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints, double most_covered) {
+    return uncovered_triangles(model, most_covered, [&](Row t) {
         return std::ranges::all_of(model.triangles.gridpoints[t], [&](Row g) { return is_listed(gridpoints, g); });
     });
 }
 
-std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces) {
-    return uncovered_triangles(model, [&](Row t) { return is_listed(faces, model.triangles.face[t]); });
+std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces, double most_covered) {
+    return uncovered_triangles(model, most_covered, [&](Row t) { return is_listed(faces, model.triangles.face[t]); });
 }
 
 std::int32_t time_function_row(Model& model, const TimeFunction& function) {
@@ -346,15 +352,6 @@ std::array<Vec3, 3> corner_loads(const StressField& stress, const Corners& x, co
     return load;
 }
 
-/// The weights of the corners of a triangle that interpolate at a place, or above it.
-Vec3 weights_at(const Corners& x, const Vec3& place) {
-    const Vec3 area = area_vector(x);
-    Vec3 weights;
-    for (int k = 0; k < 3; ++k)
-        weights[k] = area.dot(area_vector({place, x[(k + 1) % 3], x[(k + 2) % 3]})) / area.squaredNorm();
-    return weights;
-}
-
 Row block_of_triangle(const Model& model, Row triangle) { return model.faces.block[model.triangles.face[triangle]]; }
 
 /// Calls part(triangle, corners of a part of it) for all parts of the given triangles that another block of the same rigid body covers:
@@ -424,7 +421,7 @@ double add_stress_on(Model& model, const std::vector<Row>& triangles, const Stre
         }
         const Corners corners = corners_of(model, t);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 weights = weights_at(corners, x[k]);
+            const Vec3 weights = weights_in_triangle({corners[0], corners[1], corners[2]}, x[k]);
             for (int j = 0; j < 3; ++j)
                 for (int axis = 0; axis < 3; ++axis)
                     sums.at_gridpoint(model.triangles.gridpoints[t][j], axis, -weights[j] * load[k][axis]);

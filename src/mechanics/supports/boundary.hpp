@@ -60,18 +60,24 @@ struct StressField {
     Stress at(const Vec3& place) const;
 };
 
-/// Triangles with all three gridpoints in the list (sorted rows) that other blocks do not cover whole (model/measure/covered_faces.hpp).
-/// Contacts must be up to date. Ascending rows.
-std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints);
+/// Triangles with all three gridpoints in the list (sorted rows) that other blocks do not cover whole, nor by more than a part of their area
+/// (model/measure/covered_faces.hpp). Contacts must be up to date. Ascending rows.
+std::vector<Row> exterior_triangles(const Model& model, const std::vector<Row>& gridpoints, double most_covered = 1);
 /// The exterior triangles of faces in the list (sorted rows).
-std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces);
+std::vector<Row> exterior_triangles_of_faces(const Model& model, const std::vector<Row>& faces,
+                                             double most_covered = 1);
 
 /// Adds the tractions of a stress to exterior triangles (ascending rows), or to those with all three gridpoints in the list (sorted rows). What
-/// another block covers is not exterior, with it or with a joint. The two triangles of an outer face of a cell are loaded as the mean of both diagonals. Contacts must be up to date. Returns the loaded area.
+/// another block covers is not exterior, with a joint or joined to it. The two triangles of an outer face of a cell are loaded as the mean of
+/// both diagonals. Contacts must be up to date. Returns the loaded area.
 double add_stress_on(Model& model, const std::vector<Row>& triangles, const StressField& stress,
                      std::int32_t function = constant_in_time);
 double add_stress(Model& model, const std::vector<Row>& gridpoints, const StressField& stress,
                   std::int32_t function = constant_in_time);
+
+/// Splits velocity histories of blocks that have got zones into one per gridpoint, so that single ones can be removed; drops histories of
+/// deleted blocks and whole-block loads of blocks that have got zones.
+void tidy_boundary_histories(Model& model);
 
 /// Fixes or frees components of whole blocks: `which` is a sum of Fixity bits.
 void fix_blocks(Model& model, const std::vector<Row>& blocks, std::uint8_t which = fix_all);

@@ -1,10 +1,11 @@
-// What the corners of a rigid block have, for the corners of its pieces.
+// What the corners of a rigid block have, for those of its pieces or its zones.
 #pragma once
 
 #include "model/tables/model.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <vector>
 
 namespace kaya {
 

@@ -198,6 +198,28 @@ std::vector<PlacedLoad> take_placed_loads(Model& model, Row b) {
     return taken;
 }
 
+std::vector<PlacedLoad> divided(const PlacedLoad& load, int n) {
+    if (is_point(load)) return {load};
+    const LoadedPolygon whole = tractions_of(load);
+    const auto node = [&](int i, int j) {
+        const Vec3 weights = Vec3(i, j, n - i - j) / n;
+        Loaded at{Vec3::Zero(), Vec3::Zero()};
+        for (std::size_t k = 0; k < 3; ++k) {
+            at.place += weights[static_cast<int>(k)] * whole[k].place;
+            at.traction += weights[static_cast<int>(k)] * whole[k].traction;
+        }
+        return at;
+    };
+    std::vector<PlacedLoad> parts;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; i + j < n; ++j) {
+            parts.push_back(load_of(node(i, j), node(i + 1, j), node(i, j + 1)));
+            if (i + j + 1 < n) parts.push_back(load_of(node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)));
+        }
+    for (PlacedLoad& part : parts) part.function = load.function;
+    return parts;
+}
+
 std::vector<std::vector<PlacedLoad>> parts_on(const PlacedLoad& load, std::span<const Polyhedron> pieces) {
     std::vector<std::vector<PlacedLoad>> parts(pieces.size());
     if (!is_point(load) && share_triangle(load, pieces, parts)) return parts;

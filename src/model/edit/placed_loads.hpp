@@ -42,6 +42,9 @@ void forget_places(Model& model, Row block, std::initializer_list<int> axes);
 /// Removes the loads of a block from the table.
 std::vector<PlacedLoad> take_placed_loads(Model& model, Row block);
 
+/// A traction as loads on the equal parts, n² of them, of its triangle, with the same force and moment; a point load itself.
+std::vector<PlacedLoad> divided(const PlacedLoad& load, int n);
+
 /// The parts of a load on convex pieces that together fill a block. Points on the border of several belong to each in equal parts.
 std::vector<std::vector<PlacedLoad>> parts_on(const PlacedLoad& load, std::span<const Polyhedron> pieces);
 

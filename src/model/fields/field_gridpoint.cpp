@@ -10,34 +10,25 @@ namespace {
 constexpr auto table = ObjectKind::gridpoint;
 constexpr auto rows_of = &Model::gridpoints;
 
-/// A rigid block's vertex follows the block: its own velocity cannot be given.
-void need_deformable(const Model& model, Row gridpoint) {
-    if (!model.blocks.deformable[model.gridpoints.block[gridpoint]])
-        throw Diagnostic("the vertex of a rigid block follows its block and has no separate velocity",
-                         "set the velocity of the block");
+/// A vertex of a rigid block follows its block: it has no separate velocity or load.
+void need_deformable(const Model& model, Row gridpoint, const char* message, const char* hint) {
+    if (!model.blocks.deformable[model.gridpoints.block[gridpoint]]) throw Diagnostic(message, hint);
 }
-void set_velocity(Model& model, Row gridpoint, const FieldValue& value) {
-    need_deformable(model, gridpoint);
-    model.gridpoints.velocity[gridpoint] = vector(value);
+Vec3& velocity_to_set(Model& model, Row gridpoint) {
+    need_deformable(model, gridpoint, "the vertex of a rigid block follows its block and has no separate velocity",
+                    "set the velocity of the block");
+    return model.gridpoints.velocity[gridpoint];
 }
-template <int k> void set_velocity_component(Model& model, Row gridpoint, const FieldValue& value) {
-    need_deformable(model, gridpoint);
-    model.gridpoints.velocity[gridpoint][k] = number(value);
+Vec3& load_to_set(Model& model, Row gridpoint) {
+    need_deformable(model, gridpoint, "a vertex of a rigid block has no separate load",
+                    "give the block one (b_load, or apply ... at)");
+    return model.gridpoints.load[gridpoint];
 }
-
-/// Nor a load: the program would not look for it there.
-void need_zones_for_load(const Model& model, Row gridpoint) {
-    if (!model.blocks.deformable[model.gridpoints.block[gridpoint]])
-        throw Diagnostic("a vertex of a rigid block has no separate load",
-                         "give the block one (b_load, or apply ... at)");
+template <Vec3& (*of)(Model&, Row)> void set_vector(Model& model, Row gridpoint, const FieldValue& value) {
+    of(model, gridpoint) = vector(value);
 }
-void set_load(Model& model, Row gridpoint, const FieldValue& value) {
-    need_zones_for_load(model, gridpoint);
-    model.gridpoints.load[gridpoint] = vector(value);
-}
-template <int k> void set_load_component(Model& model, Row gridpoint, const FieldValue& value) {
-    need_zones_for_load(model, gridpoint);
-    model.gridpoints.load[gridpoint][k] = number(value);
+template <Vec3& (*of)(Model&, Row), int k> void set_component(Model& model, Row gridpoint, const FieldValue& value) {
+    of(model, gridpoint)[k] = number(value);
 }
 
 /// As `initialize pp`: joints and zones take the pressures of gridpoints from now on.
@@ -90,13 +81,13 @@ const Fields& gridpoint_fields() {
         {table, "fixed", "", "", "-", "sum of 1, 2, 4 for x, y, z velocities that are prescribed",
          read<rows_of, &Gridpoints::fixed>, nullptr},
         {table, "velocity", "gp_vel", "block.gp.vel", "length/time", "velocity", call<gridpoint_velocity>,
-         set_velocity},
+         set_vector<velocity_to_set>},
         {table, "x_velocity", "gp_xvel", "block.gp.vel.x", "length/time", "x velocity", call<gridpoint_velocity, 0>,
-         set_velocity_component<0>},
+         set_component<velocity_to_set, 0>},
         {table, "y_velocity", "gp_yvel", "block.gp.vel.y", "length/time", "y velocity", call<gridpoint_velocity, 1>,
-         set_velocity_component<1>},
+         set_component<velocity_to_set, 1>},
         {table, "z_velocity", "gp_zvel", "block.gp.vel.z", "length/time", "z velocity", call<gridpoint_velocity, 2>,
-         set_velocity_component<2>},
+         set_component<velocity_to_set, 2>},
         {table, "displacement", "gp_dis", "block.gp.disp", "length", "displacement",
          read<rows_of, &Gridpoints::displacement>, write<rows_of, &Gridpoints::displacement>},
         {table, "x_displacement", "gp_xdis", "block.gp.disp.x", "length", "x displacement",
@@ -124,13 +115,13 @@ const Fields& gridpoint_fields() {
         {table, "pore_pressure", "gp_pp", "block.gp.pp", "stress", "pore pressure given by initialize pp or insitu pp",
          read<rows_of, &Gridpoints::pore_pressure>, set_pore_pressure},
         {table, "load", "gp_load", "block.gp.force.app", "force", "applied force", read<rows_of, &Gridpoints::load>,
-         set_load},
+         set_vector<load_to_set>},
         {table, "x_load", "gp_xload", "block.gp.force.app.x", "force", "x applied force",
-         read<rows_of, &Gridpoints::load, 0>, set_load_component<0>},
+         read<rows_of, &Gridpoints::load, 0>, set_component<load_to_set, 0>},
         {table, "y_load", "gp_yload", "block.gp.force.app.y", "force", "y applied force",
-         read<rows_of, &Gridpoints::load, 1>, set_load_component<1>},
+         read<rows_of, &Gridpoints::load, 1>, set_component<load_to_set, 1>},
         {table, "z_load", "gp_zload", "block.gp.force.app.z", "force", "z applied force",
-         read<rows_of, &Gridpoints::load, 2>, set_load_component<2>},
+         read<rows_of, &Gridpoints::load, 2>, set_component<load_to_set, 2>},
     };
     return rows;
 }

@@ -71,21 +71,28 @@ std::vector<CoveredFaces::Corners> CoveredFaces::common_parts(Row triangle) cons
     return parts;
 }
 
+double CoveredFaces::share_of(const std::vector<Corners>& parts, Row triangle) const {
+    double covered = 0;
+    for (const Corners& part : parts) covered += area_vector(part).norm();
+    const double share = covered / triangle_area_vector(model_, triangle).norm();
+    return share < negligible ? 0 : share > 1 - negligible ? 1 : share;
+}
+
 double CoveredFaces::share(Row triangle) const {
     switch (cover_[model_.triangles.face[triangle]]) {
     case Cover::none: return 0;
     case Cover::whole: return 1;
     case Cover::part: break;
     }
-    double covered = 0;
-    for (const Corners& part : common_parts(triangle)) covered += area_vector(part).norm();
-    const double share = covered / triangle_area_vector(model_, triangle).norm();
-    return share < negligible ? 0 : share > 1 - negligible ? 1 : share;
+    return share_of(common_parts(triangle), triangle);
 }
 
 std::vector<CoveredFaces::Corners> CoveredFaces::parts(Row triangle) const {
-    const double covered = share(triangle);
-    return covered > 0 && covered < 1 ? common_parts(triangle) : std::vector<Corners>{};
+    if (cover_[model_.triangles.face[triangle]] != Cover::part) return {};
+    auto parts = common_parts(triangle);
+    const double covered = share_of(parts, triangle);
+    if (covered == 0 || covered == 1) parts.clear();
+    return parts;
 }
 
 } // namespace kaya

@@ -15,8 +15,8 @@ struct FacePair {
     double area; ///< that they have in common
 };
 
-/// What contacts of faces, and ties, cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or a triangle counts
-/// as nothing, covered or free.
+/// What contacts of faces, and ties, cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or
+/// a triangle counts as nothing, covered or free.
 class CoveredFaces {
 public:
     using Corners = std::array<Vec3, 3>;
@@ -39,6 +39,7 @@ private:
     };
     const std::vector<std::vector<Vec3>>& polygons_on(Row face) const;
     std::vector<Corners> common_parts(Row triangle) const;
+    double share_of(const std::vector<Corners>& parts, Row triangle) const;
 
     const Model& model_;
     std::vector<Cover> cover_; ///< by face

@@ -36,6 +36,15 @@ Vec3 triangle_area_vector(const Model& model, Row triangle) {
     return triangle_area_vector(position[corner[0]], position[corner[1]], position[corner[2]]);
 }
 
+Vec3 weights_in_triangle(const std::array<Vec3, 3>& corners, const Vec3& place) {
+    const Vec3 area = triangle_area_vector(corners[0], corners[1], corners[2]);
+    Vec3 weights;
+    for (int k = 0; k < 3; ++k)
+        weights[k] =
+            area.dot(triangle_area_vector(place, corners[(k + 1) % 3], corners[(k + 2) % 3])) / area.squaredNorm();
+    return weights;
+}
+
 Vec3 triangle_centroid(const Model& model, Row triangle) {
     const auto& corner = model.triangles.gridpoints[triangle];
     const auto& position = model.gridpoints.position;

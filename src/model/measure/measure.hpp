@@ -8,6 +8,8 @@ namespace kaya {
 /// Half the cross product of two edges: its length is the area, its direction outward.
 Vec3 triangle_area_vector(const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 triangle_area_vector(const Model& model, Row triangle);
+/// The weights of the corners of a triangle that interpolate at a place, or at its projection; they sum to 1, and some are below 0 outside of it.
+Vec3 weights_in_triangle(const std::array<Vec3, 3>& corners, const Vec3& place);
 Vec3 triangle_centroid(const Model& model, Row triangle);
 
 /// Sum over the face's triangles.
