@@ -1,5 +1,6 @@
 // structure cable, structure beam, structure liner, structure property, structure delete.
 #include "commands/session/handlers.hpp"
+#include "mechanics/structures/keep_forces.hpp"
 #include "model/structures/lining.hpp"
 #include "model/kinds/selection.hpp"
 #include "model/structures/structures.hpp"
@@ -143,7 +144,9 @@ void run(Session& session, const lang::StructureProperty& command) {
         properties.grout_cohesion = 0;
     if (properties.link_friction > 0 && !given("cohesion") && std::isinf(properties.link_cohesion))
         properties.link_cohesion = 0;
-    if (properties != before) ModelEdit(model, Change::properties);
+    if (properties == before) return;
+    keep_structure_forces(model, static_cast<std::int32_t>(command.number), before);
+    ModelEdit(model, Change::properties);
 }
 
 void run(Session& session, const lang::StructureDelete& command) {

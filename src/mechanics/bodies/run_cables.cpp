@@ -104,6 +104,7 @@ void fill_chain(const Model& model, Row cable, CableChain& chain) {
             const Vec3 direction = length > 0 ? Vec3(shift / length) : Vec3(Vec3::Zero());
             bar.stiffness = p.axial_stiffness() / nodes.bar_length[node];
             bar.gap = length - nodes.bar_length[node] - nodes.bar_yield[node];
+            bar.kept = nodes.bar_kept[node];
             bar.first_cosine = along.dot(direction);
             bar.second_cosine = direction_at(model, node + 1).dot(direction);
             bar.yield_tension = p.yield_tension;
@@ -137,7 +138,7 @@ void take_chain(Model& model, Row cable, const CableChain& chain) {
         nodes.bar_force[node] = force;
         nodes.bar_state[node] = next_state(nodes.bar_state[node], flows);
         if (!flows) continue;
-        nodes.bar_yield[node] += chain.elongation(i) - force / bar.stiffness;
+        nodes.bar_yield[node] += chain.elongation(i) - (force - bar.kept) / bar.stiffness;
         if (nodes.bar_yield[node] > p.rupture_strain * nodes.bar_length[node]) {
             nodes.bar_state[node] |= broken;
             nodes.bar_force[node] = 0;

@@ -65,7 +65,7 @@ void run_beam(Model& model, MemberLists& lists, std::size_t row) {
     const BeamMotion motion = beam_motion(axes, length, lists.poses[static_cast<std::size_t>(nodes[0])],
                                           lists.poses[static_cast<std::size_t>(nodes[1])]);
     BeamLoss loss{beams.extension_lost[row], beams.hinges[row]};
-    const BeamForces forces = beam_forces(section, length, motion, loss);
+    const BeamForces forces = beam_forces(section, length, motion, loss, beams.kept[row]);
     beams.extension_lost[row] = loss.extension;
     beams.hinges[row] = loss.hinge;
     beams.axial[row] = forces.axial;
@@ -88,7 +88,7 @@ void run_shell(Model& model, MemberLists& lists, std::size_t row) {
     const ShellShape& shape = lists.shells[row];
     std::array<NodePose, 3> poses;
     for (std::size_t k = 0; k < 3; ++k) poses[k] = lists.poses[static_cast<std::size_t>(liners.nodes[row][k])];
-    const ShellForces forces = shell_forces(shape, poses);
+    const ShellForces forces = shell_forces(shape, poses, liners.kept[row]);
     liners.normal[row] = forces.axes.col(2);
     liners.axis[row] = liner_axis(model.structures.members.axis[liners.member[row]], forces.axes.col(2));
     const double c = liners.axis[row].dot(forces.axes.col(0)), s = liners.axis[row].dot(forces.axes.col(1));
@@ -104,15 +104,15 @@ Vec3 link_force(Model& model, Row node, const Mat3& turn) {
         model.structures.properties.at(model.structures.members.property[nodes.member[node]]);
     const double share = nodes.share[node];
     const Vec3& normal = nodes.normal[node];
-    const Vec3 apart = turn.transpose() * (nodes.position[node] - nodes.rock[node]);
-    const double opening = apart.dot(normal);
+    const Vec3 stretch = turn.transpose() * (nodes.position[node] - nodes.rock[node]) - nodes.link_slip[node];
+    const double opening = stretch.dot(normal);
     double across = p.link_normal * share * opening; // tension
     std::uint8_t& state = nodes.link_state[node];
     if (across > p.link_tension * share) state |= broken;
     if ((state & broken) && across > 0) across = 0;
-    const Vec3 along = apart - opening * normal;
+    const Vec3 along = stretch - opening * normal;
     const double stiffness = p.link_shear * share;
-    Vec3 shear = stiffness * (along - nodes.link_slip[node]);
+    Vec3 shear = stiffness * along;
     const bool bonded = !(state & broken);
     const double friction = p.link_friction > 0 ? std::tan(p.link_friction * std::numbers::pi / 180) : 0;
     const double strength = (bonded ? p.link_cohesion * share : 0) + friction * std::max(0.0, -across);
@@ -120,7 +120,7 @@ Vec3 link_force(Model& model, Row node, const Mat3& turn) {
     const bool slips = size > strength;
     if (slips) {
         shear *= strength / size;
-        if (stiffness > 0) nodes.link_slip[node] = along - shear / stiffness;
+        if (stiffness > 0) nodes.link_slip[node] += along - shear / stiffness;
     }
     state = next_state(state, slips);
     return -(turn * (across * normal + shear));
@@ -199,7 +199,7 @@ double run_members(Model& model, MemberLists& lists, double step) {
             const Hold hold = lists.holds[i];
             take_rock_point(model, node, hold, step);
             if (!moves_by_itself(hold)) take_motion_of_rock(model, node, hold, step);
-            lists.poses[i] = {nodes.position[i], quaternion(nodes.rotation[i]).toRotationMatrix()};
+            lists.poses[i] = pose_of(nodes, node);
         }
     });
     for_chunks(lists.beams.size(), grain, [&](std::size_t first, std::size_t last) {

@@ -11,10 +11,10 @@ struct BendingPair {
 };
 
 /// Moments within the limit nearest to the elastic ones in the norm of the compliance; the excess becomes hinge rotation.
-BendingPair bend(double stiffness, double limit, double bend_first, double bend_last, double& hinge_first,
-                 double& hinge_last) {
+BendingPair bend(double stiffness, double limit, const BendingPair& kept, double bend_first, double bend_last,
+                 double& hinge_first, double& hinge_last) {
     const double a = bend_first - hinge_first, b = bend_last - hinge_last;
-    const BendingPair elastic{stiffness * (4 * a + 2 * b), stiffness * (2 * a + 4 * b)};
+    const BendingPair elastic{stiffness * (4 * a + 2 * b) + kept.first, stiffness * (2 * a + 4 * b) + kept.last};
     const bool beyond_first = std::abs(elastic.first) > limit, beyond_last = std::abs(elastic.last) > limit;
     if (!beyond_first && !beyond_last) return elastic;
     BendingPair m = elastic;
@@ -62,19 +62,23 @@ BeamMotion beam_motion(const Mat3& rest, double length, const NodePose& first, c
     return motion;
 }
 
-BeamForces beam_forces(const BeamSection& section, double length, const BeamMotion& motion, BeamLoss& loss) {
+BeamForces beam_forces(const BeamSection& section, double length, const BeamMotion& motion, BeamLoss& loss,
+                       const BeamKept& kept) {
     BeamForces forces;
-    const double stiffness = section.axial / length, elastic = stiffness * (motion.extension - loss.extension);
+    const double stiffness = section.axial / length,
+                 elastic = stiffness * (motion.extension - loss.extension) + kept[0];
     forces.axial = std::clamp(elastic, -section.yield_compression, section.yield_tension);
     forces.stretches = forces.axial != elastic;
     if (forces.stretches) loss.extension += (elastic - forces.axial) / stiffness;
-    forces.torsion = section.torsion / length * motion.twist;
+    forces.torsion = section.torsion / length * motion.twist + kept[1];
     auto& hinge = loss.hinge;
     const auto& turn = motion.bend;
-    const BendingPair y = bend(section.bending_y / length, section.plastic_y, turn[0], turn[1], hinge[0], hinge[1]);
-    const BendingPair z = bend(section.bending_z / length, section.plastic_z, turn[2], turn[3], hinge[2], hinge[3]);
-    forces.hinges = y.flows || z.flows;
     // The element acts on its first node with minus `first`: the section there faces the other way.
+    const BendingPair y =
+        bend(section.bending_y / length, section.plastic_y, {-kept[2], kept[3]}, turn[0], turn[1], hinge[0], hinge[1]);
+    const BendingPair z =
+        bend(section.bending_z / length, section.plastic_z, {-kept[4], kept[5]}, turn[2], turn[3], hinge[2], hinge[3]);
+    forces.hinges = y.flows || z.flows;
     forces.moment = {-y.first, y.last, -z.first, z.last};
     forces.shear_y = -(z.first + z.last) / motion.length;
     forces.shear_z = (y.first + y.last) / motion.length;

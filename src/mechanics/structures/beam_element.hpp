@@ -23,6 +23,9 @@ struct BeamLoss {
         hinge{}; ///< rotations: about y at the first and the last node, about z at the first and the last
 };
 
+/// Forces without deformation: axial force, torsion, end moments as BeamForces::moment.
+using BeamKept = std::array<double, 6>;
+
 /// Current deformation of the element.
 struct BeamMotion {
     Mat3 axes = Mat3::Identity(); ///< columns x, y, z
@@ -43,7 +46,8 @@ struct BeamForces {
 BeamMotion beam_motion(const Mat3& rest, double length, const NodePose& first, const NodePose& last);
 
 /// Elastic up to the strengths, perfectly plastic beyond; `loss` accumulates the plastic deformation.
-BeamForces beam_forces(const BeamSection& section, double length, const BeamMotion& motion, BeamLoss& loss);
+BeamForces beam_forces(const BeamSection& section, double length, const BeamMotion& motion, BeamLoss& loss,
+                       const BeamKept& kept = {});
 
 /// Forces and moments on the nodes. Their sum is zero, and so is the sum of their moments about any point.
 std::array<EndForce, 2> beam_ends(const BeamMotion& motion, const BeamForces& forces);

@@ -23,10 +23,14 @@ double CableChain::elongation(std::size_t bar) const {
     return b.gap + b.second_cosine * slip[bar + 1] - b.first_cosine * slip[bar];
 }
 
+double CableChain::elastic_force(std::size_t bar) const {
+    return bars[bar].stiffness * elongation(bar) + bars[bar].kept;
+}
+
 double CableChain::bar_force(std::size_t bar) const {
     const Bar& b = bars[bar];
     if (b.broken) return 0;
-    return std::clamp(b.stiffness * elongation(bar), -b.yield_compression, b.yield_tension);
+    return std::clamp(elastic_force(bar), -b.yield_compression, b.yield_tension);
 }
 
 double CableChain::grout_force(std::size_t node) const {
@@ -58,7 +62,7 @@ double CableChain::fill_step() {
     const double least = std::max(of_smallest * smallest, of_largest * largest);
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const Bar& b = bars[i];
-        const double force = b.stiffness * elongation(i);
+        const double force = elastic_force(i);
         if (b.broken || force > b.yield_tension || force < -b.yield_compression) continue;
         diagonal_[i] += b.stiffness * b.first_cosine * b.first_cosine;
         diagonal_[i + 1] += b.stiffness * b.second_cosine * b.second_cosine;

@@ -13,6 +13,7 @@ struct CableChain {
     struct Bar {
         double stiffness = 0;     ///< force/length
         double gap = 0;           ///< elongation without slip and without plastic elongation
+        double kept = 0;          ///< force without elongation
         double first_cosine = 1;  ///< between the bar and the cable's direction at its first node
         double second_cosine = 1; ///< the same at its second node
         double yield_tension = 0, yield_compression = 0;
@@ -29,6 +30,7 @@ struct CableChain {
     std::vector<double> slip; ///< in: where to begin; out: the equilibrium
 
     double elongation(std::size_t bar) const;
+    double elastic_force(std::size_t bar) const;
     double bar_force(std::size_t bar) const;
     double grout_force(std::size_t node) const; ///< of the rock on the cable
 

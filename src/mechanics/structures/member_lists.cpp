@@ -1,6 +1,7 @@
 #include "mechanics/structures/member_lists.hpp"
 
 #include "base/parallel.hpp"
+#include "model/measure/turn.hpp"
 #include "model/structures/members.hpp"
 
 #include <algorithm>
@@ -23,6 +24,10 @@ std::array<Vec3, count> places_of(const Model& model, const std::array<Row, coun
 }
 
 } // namespace
+
+NodePose pose_of(const MemberNodes& nodes, Row node) {
+    return {nodes.position[node], quaternion(nodes.rotation[node]).toRotationMatrix()};
+}
 
 BeamSection section_of_beam(const StructureProperties& p) {
     const double shear = 0.5 * p.young / (1 + p.poisson);

@@ -32,6 +32,7 @@ struct MemberLists {
     bool any() const { return !holds.empty(); }
 };
 
+NodePose pose_of(const MemberNodes& nodes, Row node);
 BeamSection section_of_beam(const StructureProperties& properties);
 ShellSection section_of_liner(const StructureProperties& properties);
 

@@ -79,8 +79,8 @@ ShellShape::ShellShape(const std::array<Vec3, 3>& corners, const ShellSection& s
     }
 }
 
-ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes) {
-    ShellForces forces;
+ShellMotion shell_motion(const ShellShape& shape, const std::array<NodePose, 3>& nodes) {
+    ShellMotion motion;
     // The plane through the nodes; within it the rotation of the polar decomposition, so that the rest is a symmetric stretch.
     const Mat3 plane = triangle_axes(nodes[0].place, nodes[1].place, nodes[2].place);
     Mat2 gradient = Mat2::Zero();
@@ -90,25 +90,43 @@ ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>&
     }
     const double turn = std::atan2(gradient(1, 0) - gradient(0, 1), gradient(0, 0) + gradient(1, 1));
     const double c = std::cos(turn), s = std::sin(turn);
-    forces.axes << c * plane.col(0) + s * plane.col(1), c * plane.col(1) - s * plane.col(0), plane.col(2);
+    motion.axes << c * plane.col(0) + s * plane.col(1), c * plane.col(1) - s * plane.col(0), plane.col(2);
     Mat2 back;
     back << c, s, -s, c;
-    const Mat2 stretch = back * gradient;
-    const Vec3 strain(stretch(0, 0) - 1, stretch(1, 1) - 1, stretch(0, 1) + stretch(1, 0));
-    forces.membrane = shape.membrane * strain;
-
-    Eigen::Matrix<double, 6, 1> bend;
-    Vec3 drill = Vec3::Zero();
+    motion.stretch = back * gradient;
+    const Mat2& stretch = motion.stretch;
+    motion.strain = Vec3(stretch(0, 0) - 1, stretch(1, 1) - 1, stretch(0, 1) + stretch(1, 0));
     for (int k = 0; k < 3; ++k) {
         const Vec3 rotation =
-            rotation_vector(forces.axes.transpose() * (nodes[static_cast<std::size_t>(k)].turn * shape.axes));
-        bend.segment<2>(2 * k) = rotation.head<2>();
-        drill[k] = rotation[2];
+            rotation_vector(motion.axes.transpose() * (nodes[static_cast<std::size_t>(k)].turn * shape.axes));
+        motion.bend.segment<2>(2 * k) = rotation.head<2>();
+        motion.drill[k] = rotation[2];
     }
-    const Eigen::Matrix<double, 6, 1> moments = -shape.rotations * bend;
-    const Vec3 drilling = -shape.drilling * drill;
-    const auto& rows = shape.curvatures; // linear in the plane: the mean of three points is the value at the centroid
-    forces.moment = -shape.bending * ((rows[0] + rows[1] + rows[2]) * bend) / 3;
+    return motion;
+}
+
+ShellResultants shell_resultants(const ShellShape& shape, const ShellMotion& motion) {
+    ShellResultants resultants;
+    resultants.col(0) = shape.membrane * motion.strain;
+    for (int k = 0; k < 3; ++k)
+        resultants.col(1 + k) = -shape.bending * (shape.curvatures[static_cast<std::size_t>(k)] * motion.bend);
+    resultants.col(4) = -shape.drilling * motion.drill;
+    return resultants;
+}
+
+ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes, const ShellResultants& kept) {
+    const ShellMotion motion = shell_motion(shape, nodes);
+    const Mat2& stretch = motion.stretch;
+    ShellForces forces;
+    forces.axes = motion.axes;
+    const ShellResultants resultants = shell_resultants(shape, motion) + kept;
+    forces.membrane = resultants.col(0);
+    const Vec3 drilling = resultants.col(4);
+    Eigen::Matrix<double, 6, 1> moments = Eigen::Matrix<double, 6, 1>::Zero();
+    for (int k = 0; k < 3; ++k)
+        moments += shape.area / 3 * shape.curvatures[static_cast<std::size_t>(k)].transpose() * resultants.col(1 + k);
+    // Linear in the plane: the mean is the value at the centroid.
+    forces.moment = (resultants.col(1) + resultants.col(2) + resultants.col(3)) / 3;
 
     // Forces across and in the plane that balance the moments of the nodes.
     const Vec2 sum(moments[0] + moments[2] + moments[4], moments[1] + moments[3] + moments[5]);

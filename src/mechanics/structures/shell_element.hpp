@@ -10,6 +10,7 @@ namespace kaya {
 /// Section of an isotropic elastic plate.
 struct ShellSection {
     double thickness = 0, young = 0, poisson = 0;
+    bool operator==(const ShellSection&) const = default;
 };
 
 /// Element data computed at creation from its corners and section.
@@ -27,7 +28,19 @@ struct ShellShape {
     std::array<Eigen::Matrix<double, 3, 6>, 3> curvatures; ///< at the middles of the sides, by the same rotations
 };
 
-/// Present deformation and forces of the element, in its rotated axes.
+/// Present deformation of the element, in its rotated axes.
+struct ShellMotion {
+    Mat3 axes = Mat3::Identity();
+    Eigen::Matrix2d stretch;
+    Vec3 strain;                      ///< xx, yy, 2 xy
+    Eigen::Matrix<double, 6, 1> bend; ///< rotations of the corners x, y against the element
+    Vec3 drill;                       ///< and about the normal
+};
+
+/// Columns: membrane, moments at the middles of the three sides, and moments of the nodes about the normal.
+using ShellResultants = Eigen::Matrix<double, 3, 5>;
+
+/// Present forces of the element, in its rotated axes.
 struct ShellForces {
     Mat3 axes = Mat3::Identity();
     Vec3 membrane = Vec3::Zero(); ///< force per length: xx, yy, xy; tension positive
@@ -37,7 +50,10 @@ struct ShellForces {
 };
 
 /// Strains and rotations relative to the element are small; its own motion may be large.
-ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes);
+ShellMotion shell_motion(const ShellShape& shape, const std::array<NodePose, 3>& nodes);
+ShellResultants shell_resultants(const ShellShape& shape, const ShellMotion& motion);
+/// `kept` are the resultants without deformation.
+ShellForces shell_forces(const ShellShape& shape, const std::array<NodePose, 3>& nodes, const ShellResultants& kept);
 
 EndStiffness shell_end_stiffness(const ShellShape& shape);
 

@@ -35,12 +35,13 @@ public:
     Column<Vec3> position;         ///< of the rock at the node
     Column<double> share;          ///< length of cable whose grout acts at the node
     Column<double> slip;           ///< of the cable past the rock, towards its end
-    Column<double> slip_lost;      ///< plastic part of it
+    Column<double> slip_lost;      ///< at which the grout has no force
     Column<double> grout;          ///< force of the rock on the cable along it
     Column<std::uint8_t> grout_state;
     Column<Vec3> force;        ///< on the rock
     Column<double> bar_length; ///< without force
     Column<double> bar_yield;  ///< plastic elongation
+    Column<double> bar_kept;   ///< force without elongation: what stayed when the stiffness changed
     Column<double> bar_force;  ///< tension positive
     Column<std::uint8_t> bar_state;
 
@@ -57,6 +58,7 @@ public:
         visit("force", force, Role::state);
         visit("bar_length", bar_length, Role::geometry);
         visit("bar_yield", bar_yield, Role::state);
+        visit("bar_kept", bar_kept, Role::state);
         visit("bar_force", bar_force, Role::state);
         visit("bar_state", bar_state, Role::state);
     }

@@ -66,7 +66,7 @@ public:
     Column<Vec3> last_moment;
     Column<Vec3> rock_force; ///< of the node on the rock
     Column<Vec3> rock_moment;
-    Column<Vec3> link_slip; ///< plastic slip relative to the rock, in the node's own axes
+    Column<Vec3> link_slip; ///< from the rock to where the link has no force, in the node's own axes
     Column<std::uint8_t> link_state;
 
     template <class Visit> void columns(Visit&& visit) {
@@ -108,7 +108,8 @@ public:
     Column<Vec3> axis_y;                  ///< when it was made
     Column<double> extension_lost;        ///< plastic part
     Column<std::array<double, 4>> hinges; ///< rotations: about y at the first and the last node, about z at both
-    Column<double> axial;                 ///< tension positive
+    Column<std::array<double, 6>> kept; ///< forces without deformation, of stiffnesses before: axial, torsion, moments
+    Column<double> axial;               ///< tension positive
     Column<double> torsion;
     Column<std::array<double, 2>> shear;   ///< y, z
     Column<std::array<double, 4>> moments; ///< as hinges
@@ -120,6 +121,7 @@ public:
         visit("axis_y", axis_y, Role::geometry);
         visit("extension_lost", extension_lost, Role::state);
         visit("hinges", hinges, Role::state);
+        visit("kept", kept, Role::state);
         visit("axial", axial, Role::state);
         visit("torsion", torsion, Role::state);
         visit("shear", shear, Role::state);
@@ -133,8 +135,11 @@ class LinerElements : public Table<LinerElements> {
 public:
     Column<Row> member;
     Column<std::array<Row, 3>> nodes;
-    Column<Vec3> axis;     ///< x, now
-    Column<Vec3> normal;   ///< now
+    Column<Vec3> axis;   ///< x, now
+    Column<Vec3> normal; ///< now
+    /// Resultants without deformation, of stiffnesses before, in the element's own axes: membrane, moments at the middles of the three
+    /// sides, and of the nodes about the normal.
+    Column<Eigen::Matrix<double, 3, 5>> kept;
     Column<Vec3> membrane; ///< tension positive
     Column<Vec3> moment;   ///< positive with tension on the side facing away from the rock
 
@@ -143,6 +148,7 @@ public:
         visit("nodes", nodes, link<MemberNodes>());
         visit("axis", axis, Role::geometry);
         visit("normal", normal, Role::geometry);
+        visit("kept", kept, Role::state);
         visit("membrane", membrane, Role::state);
         visit("moment", moment, Role::state);
     }

@@ -13,6 +13,7 @@ using namespace kaya::test;
 namespace {
 
 const ShellSection section{.thickness = 0.2, .young = 3e4, .poisson = 0.3};
+const ShellResultants nothing_kept = ShellResultants::Zero();
 
 /// A square of 4 by 4 cells, each divided into two triangles; inner nodes are displaced by up to a third of a cell.
 struct Patch {
@@ -63,7 +64,7 @@ PatchForces forces_of(const Patch& patch, const Mat3& frame, const Mat3& turn, c
         const auto at = [&](int k) { return static_cast<std::size_t>(t[static_cast<std::size_t>(k)]); };
         const ShellShape shape({frame * patch.places[at(0)], frame * patch.places[at(1)], frame * patch.places[at(2)]},
                                section);
-        result.elements.push_back(shell_forces(shape, {poses[at(0)], poses[at(1)], poses[at(2)]}));
+        result.elements.push_back(shell_forces(shape, {poses[at(0)], poses[at(1)], poses[at(2)]}, nothing_kept));
         for (int k = 0; k < 3; ++k) {
             result.nodes[at(k)].force += result.elements.back().ends[static_cast<std::size_t>(k)].force;
             result.nodes[at(k)].moment += result.elements.back().ends[static_cast<std::size_t>(k)].moment;
@@ -155,7 +156,7 @@ TEST(ShellElement, IsInBalanceHoweverItIsDeformed) {
         if (shape.area < 0.1) continue;
         std::array<NodePose, 3> nodes;
         for (std::size_t i = 0; i < 3; ++i) nodes[i] = {corners[i] + random.vector(0.05), turn_of(random.vector(0.3))};
-        const ShellForces f = shell_forces(shape, nodes);
+        const ShellForces f = shell_forces(shape, nodes, nothing_kept);
         Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
         double size = 0;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -186,7 +187,7 @@ TEST(ShellElement, IsNoStifferThanItsBound) {
                 nodes[n] = {corners[n] + shift[n], turn_of(rotation[n])};
                 allowed += bound.translation * shift[n].squaredNorm() + bound.rotation * rotation[n].squaredNorm();
             }
-            const ShellForces f = shell_forces(shape, nodes);
+            const ShellForces f = shell_forces(shape, nodes, nothing_kept);
             for (std::size_t n = 0; n < 3; ++n)
                 energy -= f.ends[n].force.dot(shift[n]) + f.ends[n].moment.dot(rotation[n]);
             most = std::max(most, energy / allowed);
