@@ -16,12 +16,15 @@
 #include "geometry/ground/ground_cuts.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/assign/cut_joints.hpp"
+#include "mechanics/assign/parted_joints.hpp"
+#include "mechanics/cycle/separate.hpp"
 #include "model/edit/build.hpp"
 #include "model/edit/cut_blocks.hpp"
 #include "model/edit/joined.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -102,9 +105,11 @@ void nothing_cut(Session& session, const char* by, const CutBlocks& cut, double 
                      .at(place));
 }
 
-/// Replaces blocks by their pieces and reports it in one line. Returns the row of each piece.
+using JoinPieces = std::function<void(const std::vector<Row>& pieces)>;
+
+/// Replaces blocks by their pieces, joins those that `join` names, and reports it in one line. Returns the row of each piece.
 std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const CutBlocks& cut, double thinnest,
-                       const std::string& by, double tolerance = 0) {
+                       const std::string& by, const JoinPieces& join = {}, double tolerance = 0) {
     const std::size_t whole = rows.size() - cut.parents.size();
     std::string line = fmt::format("{}: {} cut into {}, {} left whole", by,
                                    counted(cut.parents.size(), "block", "blocks"), cut.pieces.size(), whole);
@@ -118,9 +123,16 @@ std::vector<Row> apply(Session& session, const std::vector<Row>& rows, const Cut
         const auto whole = whole_joints(model, session.engine.joints, parents);
         pieces = replace_by_pieces(model, rows, cut);
         std::vector<BlockId> origin(model.blocks.id.begin(), model.blocks.id.end());
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(cut.pieces[i].parent)]];
+        std::vector<std::vector<Row>> bodies;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const int parent = cut.pieces[i].parent;
+            if (i == 0 || parent != cut.pieces[i - 1].parent) bodies.emplace_back();
+            bodies.back().push_back(pieces[i]);
+            origin[pieces[i]] = model.blocks.id[rows[static_cast<std::size_t>(parent)]];
+        }
         share_joints(model, session.engine.joints, whole, origin);
+        if (join) join(pieces);
+        load_parted_joints(model, session.engine.joints, bodies);
     }
     session.program.output.say(line);
     return pieces;
@@ -132,6 +144,11 @@ void join_pieces(Model& model, const CutBlocks& cut, const std::vector<Row>& pie
     for (std::size_t i = 1; i < pieces.size(); ++i)
         if (cut.pieces[i].parent == cut.pieces[i - 1].parent) pairs.emplace_back(pieces[i - 1], pieces[i]);
     join_pairs(model, pairs);
+}
+
+JoinPieces joined_if(bool wanted, Session& session, const CutBlocks& cut) {
+    if (!wanted) return {};
+    return [&](const std::vector<Row>& pieces) { join_pieces(session.engine.model, cut, pieces); };
 }
 
 /// Joins the pieces of each block that lie on one side.
@@ -245,8 +262,7 @@ void run(Session& session, const lang::JointSetCommand& command) {
         const std::string name = fmt::format("joint set {}", set.id);
         LongWork work(session, name);
         const CutBlocks cut = cut_blocks(shapes, set, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut, thinnest, name, set.tolerance);
-        if (command.join) join_pieces(session.engine.model, cut, pieces);
+        apply(session, rows, cut, thinnest, name, joined_if(command.join, session, cut), set.tolerance);
         if (cut.parents.empty())
             session.warn(Diagnostic("no block was cut by this joint set", cut.corners > 0 ? too_near(cut, set.tolerance)
                                                                           : cut.slivers > 0
@@ -270,11 +286,14 @@ void run(Session& session, const lang::TunnelCommand& command) {
         outline.id = next_joint_set(session);
         LongWork work(session, "tunnel");
         const SidedBlocks cut = cut_tunnel(shapes, outline, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id));
+        const auto join = [&](const std::vector<Row>& pieces) {
+            if (command.join) join_sides(session.engine.model, cut, pieces);
+        };
+        const auto pieces =
+            apply(session, rows, cut.blocks, thinnest, fmt::format("tunnel, joint set {}", outline.id), join);
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
             session.warn(
                 Diagnostic("no block lies in the tunnel", "look at the corners of its outline").at(command.place));
-        if (command.join) join_sides(session.engine.model, cut, pieces);
         if (command.region != 0) give_region(session.engine.model, cut, rows, pieces, command.region);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
@@ -291,14 +310,14 @@ void run(Session& session, const lang::CutGround& command) {
         const int id = joint_set_of(session, command.id);
         LongWork work(session, "cut ground");
         const SidedBlocks cut = cut_by_ground(shapes, ground, id, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id));
+        const auto join = [&](const std::vector<Row>& pieces) { join_sides(model, cut, pieces); };
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id), join);
         if (cut.blocks.parents.empty()) {
             session.warn(Diagnostic("no block was cut by this surface",
                                     "look at its place: list blocks shows those of the blocks")
                              .at(command.place));
             return;
         }
-        join_sides(model, cut, pieces);
         if (command.region) give_region(model, cut, rows, pieces, *command.region);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
@@ -316,9 +335,11 @@ void run(Session& session, const lang::CutSurface& command) {
         const std::string name = fmt::format("surface {}, joint set {}", command.file, id);
         LongWork work(session, name);
         const SidedBlocks cut = cut_by_surface(shapes, surface, id, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut.blocks, thinnest, name);
-        if (command.join) join_pieces(model, cut.blocks, pieces);
-        else join_sides(model, cut, pieces);
+        const auto join = [&](const std::vector<Row>& pieces) {
+            if (command.join) join_pieces(model, cut.blocks, pieces);
+            else join_sides(model, cut, pieces);
+        };
+        const auto pieces = apply(session, rows, cut.blocks, thinnest, name, join);
         if (command.region) give_region(model, cut, rows, pieces, *command.region);
         if (cut.blocks.parents.empty() && cut.swallowed.empty())
             nothing_cut(session, "surface", cut.blocks, thinnest, 0, command.place);
@@ -333,13 +354,11 @@ void run(Session& session, const lang::CutPolygons& command) {
         const std::vector<CuttingPolygon> polygons = polygons_of(session.deck.surface_sets, command.set);
         const auto [rows, shapes, thinnest] = to_be_cut(session, command);
         if (rows.empty()) return;
-        Model& model = session.engine.model;
         const int id = joint_set_of(session, command.id);
         const std::string name = fmt::format("geometry {}, joint set {}", command.set, id);
         LongWork work(session, name);
         const CutBlocks cut = cut_by_polygons(shapes, polygons, id, thinnest, std::ref(work));
-        const auto pieces = apply(session, rows, cut, thinnest, name);
-        if (command.join) join_pieces(model, cut, pieces);
+        apply(session, rows, cut, thinnest, name, joined_if(command.join, session, cut));
         if (cut.parents.empty()) nothing_cut(session, "set of surfaces", cut, thinnest, 0, command.place);
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
@@ -364,9 +383,11 @@ void run(Session& session, const lang::CutFractures& command) {
         const std::string name = fmt::format("dfn {}", command.network);
         LongWork work(session, name);
         const FractureCuts cut = cut_by_fractures(shapes, by_dominance(network), how, std::ref(work));
-        const auto pieces = apply(session, rows, cut.blocks, thinnest, name, how.nearest);
-        if (command.join) join_pieces(model, cut.blocks, pieces);
-        else if (command.limited) join_beyond(model, cut.blocks, pieces);
+        const auto join = [&](const std::vector<Row>& pieces) {
+            if (command.join) join_pieces(model, cut.blocks, pieces);
+            else if (command.limited) join_beyond(model, cut.blocks, pieces);
+        };
+        apply(session, rows, cut.blocks, thinnest, name, join, how.nearest);
         session.program.output.say(fmt::format("{}: area of fractures in these blocks {:.9g}, of joints {:.9g}", name,
                                                cut.of_fractures, cut.of_joints));
         if (cut.blocks.parents.empty())
@@ -394,8 +415,7 @@ void run(Session& session, const lang::Densify& command) {
     try {
         LongWork work(session, "densify");
         const CutBlocks cut = densify(shapes, parts, 0, thinnest, std::ref(work));
-        const std::vector<Row> pieces = apply(session, rows, cut, thinnest, "densify");
-        if (command.join) join_pieces(session.engine.model, cut, pieces);
+        apply(session, rows, cut, thinnest, "densify", joined_if(command.join, session, cut));
     } catch (Diagnostic& mistake) {
         mistake.at(command.place);
         throw;
@@ -424,15 +444,6 @@ void join(Session& session, const std::vector<std::pair<Row, Row>>& pairs, const
                                            counted(bodies.size(), "body", "bodies")));
 }
 
-bool have_stress(const Model& model, const std::vector<Row>& blocks) {
-    return std::ranges::any_of(blocks, [&](Row block) {
-        const Span zones = model.blocks.zones[block];
-        for (Row zone = zones.first; zone < zones.end(); ++zone)
-            if (model.blocks.body[block] != 0 && !model.zones.stress[zone].isZero(0)) return true;
-        return false;
-    });
-}
-
 } // namespace
 
 void run(Session& session, const lang::Join& command) {
@@ -442,13 +453,7 @@ void run(Session& session, const lang::Join& command) {
         for (const Row row : rows) close_faces(session.engine.model, row);
         return join(session, adjacent_pairs(session.engine.model, rows), command.place);
     }
-    const bool stressed = have_stress(session.engine.model, rows);
-    unjoin(session.engine.model, rows);
-    if (stressed)
-        session.warn(
-            Diagnostic("joints between blocks that were joined begin without force, and their zones have stress",
-                       "give them the stress with `insitu stress`, or let the model come to rest again")
-                .at(command.place));
+    separate(session.engine.model, session.engine.joints, rows);
 }
 
 void run(Session& session, const lang::JoinContact& command) {

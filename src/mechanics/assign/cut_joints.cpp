@@ -217,24 +217,45 @@ void give_blocks(Model& model, Row c, const Share& share, const WholeJoints& who
 
 /// Moves the sub-contacts of joints from the places of the whole joint, whose state they have, to their own.
 void move_to_places(Model& model, JointRegistry& joints, const WholeJoints& whole) {
+    constexpr double same = 1e-6;
     const auto& contacts = model.contacts;
     auto& subs = model.sub_contacts;
-    std::vector<char> moved(subs.size(), 0);
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const WholeJoint* joint = whole.of(contacts.block1[c], contacts.block2[c]);
-        if (joint == nullptr || contacts.kind[c] != ContactKind::joint) continue;
-        if (!joint->motion.along_normal() && !joint->motion.in_plane()) continue;
-        const double hand = whole.first_piece(contacts.block1[c]) == model.blocks.ids.row(joint->block1) ? 1 : -1;
+    std::vector<char> moved(subs.size(), 0), taken(subs.size(), 0);
+    const auto each_joint = [&](const auto& see) {
+        for (std::size_t c = 0; c < contacts.size(); ++c)
+            if (const WholeJoint* joint = whole.of(contacts.block1[c], contacts.block2[c]);
+                joint != nullptr && contacts.kind[c] == ContactKind::joint)
+                see(c, *joint,
+                    whole.first_piece(contacts.block1[c]) == model.blocks.ids.row(joint->block1) ? 1.0 : -1.0);
+    };
+    each_joint([&](std::size_t c, const WholeJoint& joint, double hand) {
+        const PlaneMotion& motion = joint.motion;
+        if (!motion.along_normal() && !motion.in_plane()) return;
         for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
-            const Eigen::Vector4d wanted = joint->motion.at(subs.position[s]);
+            const Eigen::Vector4d wanted = motion.at(subs.position[s]);
             const double more = wanted[0] - subs.normal_displacement[s];
             const Vec3 slide = hand * wanted.tail<3>() - Vec3(subs.shear_displacement[s]);
             moved[static_cast<std::size_t>(s)] = 1;
-            subs.normal_displacement_increment[s] = joint->motion.along_normal() ? more : 0;
-            subs.shear_displacement_increment.set(s, joint->motion.in_plane() ? slide : Vec3::Zero());
+            subs.normal_displacement_increment[s] = motion.along_normal() ? more : 0;
+            subs.shear_displacement_increment.set(s, motion.in_plane() ? slide : Vec3::Zero());
         }
-    }
+    });
     move_sub_contacts(model, joints, moved);
+    // Forces that do not come from displacements, as those of `insitu`.
+    each_joint([&](std::size_t c, const WholeJoint& joint, double hand) {
+        if (!joint.motion.carries()) return;
+        for (Row s = contacts.sub_contacts[c].first; s < contacts.sub_contacts[c].end(); ++s) {
+            const Eigen::Vector4d wanted = subs.area[s] * joint.motion.traction_at(subs.position[s]);
+            const Vec3 shear = hand * wanted.tail<3>();
+            const double off =
+                std::max(std::abs(wanted[0] - subs.normal_force[s]), (shear - Vec3(subs.shear_force[s])).norm());
+            if (off <= same * wanted.norm()) continue;
+            subs.normal_force[s] = wanted[0];
+            subs.shear_force.set(s, shear);
+            taken[static_cast<std::size_t>(s)] = 1;
+        }
+    });
+    initialise_sub_contacts(model, joints, taken);
 }
 
 /// The energy in the springs of joints of cut blocks.
@@ -260,17 +281,25 @@ PlaneMotion::PlaneMotion(const Model& model, Row c) {
     u_ = axes.u;
     v_ = axes.v;
     Eigen::MatrixX3d places(span.count, 3);
-    Eigen::MatrixX4d moved(span.count, 4);
+    Eigen::MatrixX4d moved(span.count, 4), stressed(span.count, 4);
+    bool all = true;
     for (Row k = 0; k < span.count; ++k) {
         const Row s = span.first + k;
         places.row(k) = coordinates(subs.position[s]);
         moved.row(k) << subs.normal_displacement[s], Vec3(subs.shear_displacement[s]).transpose();
+        stressed.row(k) << subs.normal_force[s], Vec3(subs.shear_force[s]).transpose();
+        stressed.row(k) /= subs.area[s];
+        all = all && subs.area[s] > 0;
     }
-    const Eigen::MatrixX4d fitted = places.completeOrthogonalDecomposition().solve(moved);
-    motion_ = fitted.transpose();
-    const Eigen::MatrixX4d off = (places * fitted - moved).cwiseAbs();
-    along_normal_ = off.col(0).maxCoeff() <= misfit * moved.col(0).cwiseAbs().maxCoeff();
-    in_plane_ = off.rightCols<3>().maxCoeff() <= misfit * moved.rightCols<3>().cwiseAbs().maxCoeff();
+    const auto fit = places.completeOrthogonalDecomposition();
+    const auto off = [&](const Eigen::MatrixX4d& values, Eigen::Matrix<double, 4, 3>& field) -> Eigen::MatrixX4d {
+        field = fit.solve(values).transpose();
+        return (places * field.transpose() - values).cwiseAbs();
+    };
+    const Eigen::MatrixX4d off_motion = off(moved, motion_);
+    along_normal_ = off_motion.col(0).maxCoeff() <= misfit * moved.col(0).cwiseAbs().maxCoeff();
+    in_plane_ = off_motion.rightCols<3>().maxCoeff() <= misfit * moved.rightCols<3>().cwiseAbs().maxCoeff();
+    carries_ = all && off(stressed, traction_).maxCoeff() <= misfit * stressed.cwiseAbs().maxCoeff();
 }
 
 std::vector<WholeJoint> whole_joints(Model& model, JointRegistry& joints, const std::vector<Row>& blocks) {

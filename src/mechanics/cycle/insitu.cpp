@@ -87,6 +87,31 @@ Vec3 inside_joint(const Model& model, Row s) {
     return (1 - 2 * hair) * subs.load_place(s) + hair * middle + hair * blocks;
 }
 
+/// Stresses at gridpoints: means of their zones by volume.
+class PointStresses {
+public:
+    explicit PointStresses(const Model& model)
+        : sum_(model.gridpoints.size(), Stress::Zero()), volume_(model.gridpoints.size(), 0.0) {
+        for (Row z = 0; z < static_cast<Row>(model.zones.size()); ++z)
+            for (const Row g : model.zones.gridpoints[z]) {
+                const double volume = zone_volume(model, z);
+                sum_[g] += volume * model.zones.stress[z];
+                volume_[g] += volume;
+            }
+    }
+    Stress at(const Attachment& place) const {
+        Stress stress = Stress::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const Row g = place.gridpoints[k]; g != no_row && volume_[g] > 0)
+                stress += place.weights[k] / volume_[g] * sum_[g];
+        return stress;
+    }
+
+private:
+    std::vector<Stress> sum_;
+    std::vector<double> volume_;
+};
+
 } // namespace
 
 OpenFaces set_insitu_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
@@ -114,6 +139,13 @@ OpenFaces set_topography_stress(Model& model, JointRegistry& joints, const std::
     note_initial_stress(model, zones);
     set_tie_tractions(model, zones);
     return put_joint_stress(model, joints, sub_contacts, [&](Row s) { return stress_at(inside_joint(model, s)); });
+}
+
+void set_stress_of_zones(Model& model, JointRegistry& joints, const std::vector<Row>& sub_contacts) {
+    const auto& subs = model.sub_contacts;
+    const PointStresses stresses(model);
+    put_joint_stress(model, joints, sub_contacts,
+                     [&](Row s) { return Stress(0.5 * (stresses.at(subs.side1[s]) + stresses.at(subs.side2[s]))); });
 }
 
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,

@@ -27,6 +27,10 @@ OpenFaces set_insitu_stress(Model& model, JointRegistry& joints, const std::vect
 OpenFaces set_topography_stress(Model& model, JointRegistry& joints, const std::vector<Row>& zones,
                                 const std::vector<Row>& sub_contacts, double kx, double ky);
 
+/// Gives sub-contacts between zones the forces of the stress there: the mean of both sides, each with the mean of its zones at the
+/// gridpoints of the place, by their volume.
+void set_stress_of_zones(Model& model, JointRegistry& joints, const std::vector<Row>& sub_contacts);
+
 /// Sets one component of the stress of zones to its value at their centroid; `component` counts xx yy zz xy xz yz.
 void set_stress_component(Model& model, const std::vector<Row>& zones, int component, double at_origin,
                           const Vec3& gradient);
