@@ -4,6 +4,7 @@
 #include "base/markup_text.hpp"
 #include "io/vtk_arrays.hpp"
 #include "geometry/grid/vtu_grid.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/joint_polygons.hpp"
 #include "model/measure/structure_rows.hpp"
 #include "system/whole_file.hpp"
@@ -202,7 +203,7 @@ std::string vtk_sub_contacts(const Model& model, const OwnValues& own) {
     const auto rows = all_rows(model.sub_contacts.size());
     std::vector<Row> contacts;
     for (const Row row : rows) {
-        grid.points.push_back(model.sub_contacts.position[row]);
+        grid.points.push_back(shown_place(model, row));
         grid.add_cell(VtuCell::vertex, std::array{row});
         contacts.push_back(model.sub_contacts.contact[row]);
     }

@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 #include "base/markup_text.hpp"
 #include "model/kinds/groups.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
 #include "model/whole/state_hash.hpp"
 
@@ -198,7 +199,7 @@ std::string contact_table(const Model& model) {
         const Vec3 force = sub.shear_force[i], moved = sub.shear_displacement[i];
         shear += force.norm();
         slip = std::max(slip, moved.norm());
-        opening = std::max(opening, sub.normal_displacement[i]);
+        opening = std::max(opening, shown_opening(model, static_cast<Row>(i)));
         if (sub.normal_force[i] <= 0) open += sub.area[i];
         slipping += sub.state[i] != 0;
     }

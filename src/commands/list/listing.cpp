@@ -12,6 +12,7 @@
 #include "mechanics/assign/contact_properties.hpp"
 #include "model/measure/compatibility.hpp"
 #include "model/kinds/groups.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
 #include "model/fields/sampling.hpp"
 #include "model/measure/time_step_fraction.hpp"
@@ -189,11 +190,12 @@ std::string list_extremes(Session& session, const lang::List&) {
         most_compressive.consider(std::min(principal[0], 0.0), centroid);
         most_tensile.consider(std::max(principal[2], 0.0), centroid);
     }
-    for (std::size_t row = 0; row < model.sub_contacts.size(); ++row) {
-        const auto& points = model.sub_contacts;
-        shear.consider(points.shear_displacement[row].norm(), points.position[row]);
-        closure.consider(std::min(points.normal_displacement[row], 0.0), points.position[row]);
-        opening.consider(std::max(points.normal_displacement[row], 0.0), points.position[row]);
+    for (Row row = 0; row < static_cast<Row>(model.sub_contacts.size()); ++row) {
+        const Vec3 place = shown_place(model, row);
+        const double apart = shown_opening(model, row);
+        shear.consider(model.sub_contacts.shear_displacement[row].norm(), place);
+        closure.consider(std::min(apart, 0.0), place);
+        opening.consider(std::max(apart, 0.0), place);
     }
     const auto along = [&](std::string_view axis) { return session.deck.units.heading(axis, "length"); };
     TextTable table({"largest", "value", along("x"), along("y"), along("z")});

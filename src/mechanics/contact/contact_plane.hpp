@@ -1,6 +1,7 @@
 // The common plane of two blocks, and points of a contact, before they are rows of the tables.
 #pragma once
 
+#include "model/measure/joint_opening.hpp"
 #include "model/tables/model.hpp"
 
 #include <algorithm>
@@ -81,22 +82,6 @@ inline bool on_same_gridpoints(const Attachment& a, const Attachment& b) {
         return true;
     };
     return all_in(a, b) && all_in(b, a);
-}
-
-/// Current position of one side of a sub-contact.
-inline Vec3 attached_position(const Model& model, const Attachment& side) {
-    const auto& x = model.gridpoints.position;
-    if (side.weights[0] == 1) return x[side.gridpoints[0]];
-    return side.weights[0] * x[side.gridpoints[0]] + side.weights[1] * x[side.gridpoints[1]] +
-           side.weights[2] * x[side.gridpoints[2]];
-}
-
-/// How far the sides of a sub-contact, which must be attached, are apart along the normal of its contact.
-inline double gap_of_sides(const Model& model, Row sub_contact) {
-    const auto& subs = model.sub_contacts;
-    const Vec3 between =
-        attached_position(model, subs.side2[sub_contact]) - attached_position(model, subs.side1[sub_contact]);
-    return model.contacts.normal[subs.contact[sub_contact]].dot(between);
 }
 
 } // namespace kaya

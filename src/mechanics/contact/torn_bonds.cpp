@@ -37,15 +37,6 @@ const std::vector<double>& values_of(const Model& model, Row contact) {
     return model.joint_properties[static_cast<std::size_t>(model.contacts.properties[contact])].values;
 }
 
-/// How far the blocks have closed at a place of the joint that an overlap was.
-double closure_at(const Model& model, Row contact, Row row) {
-    const auto& contacts = model.contacts;
-    const auto& subs = model.sub_contacts;
-    const Vec3 one = attached_position(model, subs.side1[row]), two = attached_position(model, subs.side2[row]);
-    const Vec3 arm = 0.5 * (one + two) - model.blocks.centroid[contacts.block1[contact]];
-    return contacts.offset[contact] + contacts.offset_tilt[contact].dot(arm) - gap_of_sides(model, row);
-}
-
 /// One row in a step in which it opens; its history agrees with its force afterwards.
 void open_row(Model& model, const JointModel& joint, Row contact, Row s, double opening, BatchColumns& made) {
     auto& subs = model.sub_contacts;
@@ -101,7 +92,7 @@ void note_torn(Model& model, Row contact) {
     const auto& subs = model.sub_contacts;
     for (Row s = span.first; s < span.end(); ++s)
         if (!is_torn(model, contact, s) && subs.side1[s].attached() && subs.side2[s].attached() &&
-            closure_at(model, contact, s) < -rounding * depth)
+            opening_on_faces(model, s) > rounding * depth)
             torn |= bit_of(model, contact, s);
 }
 

@@ -1,5 +1,6 @@
 // Quantities of contacts; forces are sums, displacements are means over the sub-contacts.
 #include "model/fields/field_rows.hpp"
+#include "model/measure/joint_opening.hpp"
 
 namespace kaya::field_rows {
 
@@ -28,8 +29,9 @@ double normal_displacement(const Model& model, Row contact) {
     const auto& sub_contacts = model.sub_contacts;
     double weighted = 0, plain = 0, area = 0;
     for (Row i = span.first; i < span.end(); ++i) {
-        weighted += sub_contacts.area[i] * sub_contacts.normal_displacement[i];
-        plain += sub_contacts.normal_displacement[i];
+        const double opening = shown_opening(model, i);
+        weighted += sub_contacts.area[i] * opening;
+        plain += opening;
         area += sub_contacts.area[i];
     }
     if (area > 0) return weighted / area;

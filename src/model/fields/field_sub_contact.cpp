@@ -1,5 +1,6 @@
 // Quantities of sub-contacts. Normal force: compression positive; normal displacement: opening positive.
 #include "model/fields/field_rows.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/overlap_rows.hpp"
 
 #include <algorithm>
@@ -92,14 +93,10 @@ const Fields& sub_contact_fields() {
          nullptr},
         {table, "type", "cx_type", "block.subcontact.type", "-", "1 vertex-face, 2 face-vertex, 3 edge-edge",
          read<rows_of, &SubContacts::type>, nullptr},
-        {table, "position", "cx_pos", "block.subcontact.pos", "length", "where it is now",
-         read<rows_of, &SubContacts::position>, nullptr},
-        {table, "x", "cx_x", "block.subcontact.pos.x", "length", "x", read<rows_of, &SubContacts::position, 0>,
-         nullptr},
-        {table, "y", "cx_y", "block.subcontact.pos.y", "length", "y", read<rows_of, &SubContacts::position, 1>,
-         nullptr},
-        {table, "z", "cx_z", "block.subcontact.pos.z", "length", "z", read<rows_of, &SubContacts::position, 2>,
-         nullptr},
+        {table, "position", "cx_pos", "block.subcontact.pos", "length", "where it is now", call<shown_place>, nullptr},
+        {table, "x", "cx_x", "block.subcontact.pos.x", "length", "x", call<shown_place, 0>, nullptr},
+        {table, "y", "cx_y", "block.subcontact.pos.y", "length", "y", call<shown_place, 1>, nullptr},
+        {table, "z", "cx_z", "block.subcontact.pos.z", "length", "z", call<shown_place, 2>, nullptr},
         {table, "normal", "", "", "-", "unit normal of the contact, from block1 to block2",
          of_contact<&Contacts::normal>, nullptr},
         {table, "x_normal", "", "", "-", "x of the normal", of_contact<&Contacts::normal, 0>, nullptr},
@@ -123,7 +120,7 @@ const Fields& sub_contact_fields() {
         {table, "model", "cx_model", "block.subcontact.model", "-", "name of its joint model, empty when it has none",
          joint_model, nullptr},
         {table, "normal_displacement", "cx_ndis", "block.subcontact.disp.norm", "length", "opening positive",
-         read<rows_of, &SubContacts::normal_displacement>, write<rows_of, &SubContacts::normal_displacement>},
+         call<shown_opening>, write<rows_of, &SubContacts::normal_displacement>},
         {table, "shear_displacement", "", "", "length", "length of the shear displacement vector",
          call<shear_displacement_size>, nullptr},
         {table, "shear_displacement_vector", "cx_sdis", "block.subcontact.disp.shear", "length", "in global axes",

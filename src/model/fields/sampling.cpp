@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "model/fields/field.hpp"
 #include "model/kinds/nearest.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/structure_rows.hpp"
 
 #include <algorithm>
@@ -53,6 +54,20 @@ bool any_rate(const Histories& histories) {
 
 bool is_due(const Model& model) { return model.clock.cycle % model.histories.interval == 0; }
 
+/// Joints that are open in part have moved their sub-contacts: the opening is that of the place where it was.
+bool is_opening(const Model& model, const HistorySource& source, Row row) {
+    return source.kind == Kind::sub_contact && source.quantity == "normal_displacement" && has_left_place(model, row);
+}
+
+Vec3 place_of(const Model& model, const HistorySource& source, Row row) {
+    return is_opening(model, source, row) ? place_on_faces(model, row) : info_of(source.kind).place(model, row);
+}
+
+double value_of(const Model& model, const HistorySource& source, const Field& field) {
+    return is_opening(model, source, source.row) ? opening_on_faces(model, source.row)
+                                                 : sample(model, field, source.row);
+}
+
 } // namespace
 
 const Field* sampled_field(const HistorySource& source) {
@@ -79,7 +94,7 @@ void locate(const Model& model, HistorySource& source) {
     double nearest = std::numeric_limits<double>::infinity();
     source.row = rows.front();
     for (const Row row : rows) {
-        const double distance = (info.place(model, row) - source.place).squaredNorm();
+        const double distance = (place_of(model, source, row) - source.place).squaredNorm();
         if (distance < nearest) {
             nearest = distance;
             source.row = row;
@@ -109,7 +124,7 @@ std::optional<SampledObject> sampled_object(const Model& model, const HistorySou
     const KindInfo& info = info_of(source.kind);
     SampledObject object;
     object.name = fmt::format("{} {}", info.noun, info.number(model, row));
-    object.place = info.place(model, row);
+    object.place = place_of(model, source, row);
     object.distance = (object.place - source.place).norm();
     const Row block = info.block(model, row);
     object.far = block != no_row && distance_to(model, info.kind, row, source.place) > block_size(model, block);
@@ -119,7 +134,7 @@ std::optional<SampledObject> sampled_object(const Model& model, const HistorySou
 History& add_history(Model& model, HistorySource source, std::string label) {
     const Field* field = sampled_field(source);
     locate(model, source);
-    if (field) source.last = sample(model, *field, source.row); // a text or a vector is refused now, not while cycling
+    if (field) source.last = value_of(model, source, *field); // a text or a vector is refused now, not while cycling
     History history;
     const auto& all = model.histories.all;
     history.number = all.empty() ? 1 : all.back().number + 1;
@@ -168,7 +183,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
                                           : std::numeric_limits<double>::quiet_NaN());
             continue;
         }
-        const double value = sample(model, *field, source.row);
+        const double value = value_of(model, source, *field);
         values.push_back(source.rate ? (value - source.last) / model.clock.time_step : value);
         source.last = value;
     }

@@ -1,6 +1,7 @@
 #include "model/measure/joint_polygons.hpp"
 
 #include "geometry/polyhedra/kept_part.hpp"
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -135,7 +136,7 @@ Row nearest_sub_contact(const Model& model, Row contact, const Vec3& place) {
     Row best = span.first;
     double least = std::numeric_limits<double>::infinity();
     for (Row row = span.first; row < span.end(); ++row) {
-        const Vec3 position = model.sub_contacts.position[row];
+        const Vec3 position = shown_place(model, row);
         const double distance = (position - place).squaredNorm();
         if (distance < least) least = distance, best = row;
     }
