@@ -73,6 +73,8 @@ template <class Command> void add_multiplier(Entry<Command>& entry) {
     entry.keyword({"hist", "history"}, Parts<Command>().in(made(&Command::multiplier), multiplier_parts()),
                   "all velocities, loads and stresses of the line are multiplied by a function of time, or by "
                   "@name: the value of a FISH function or variable in each cycle");
+    entry.once(&Command::multiplier, "hist is given twice, and one function multiplies all values of a line",
+               "write a line for each function");
 }
 
 /// The words xvel to rzvel.
@@ -243,6 +245,8 @@ CommandSpec apply() {
     entry.wrong("apply dload 1 0 0 0", "(0, 0, 0) is not a direction");
     entry.wrong("apply", "apply has no velocity and no load");
     entry.wrong("apply xvel", "a number is missing after 'xvel'");
+    entry.wrong("apply xvel 1 hist sine 1 yvel 1 hist sine 2",
+                "hist is given twice, and one function multiplies all values of a line");
     entry.wrong("apply xvle 1", "'xvle' is not a keyword of apply");
     return entry;
 }

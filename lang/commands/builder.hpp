@@ -11,6 +11,9 @@
 
 namespace kaya::lang {
 
+/// An incomplete line: "change needs mat, cons, jmat or jcons".
+[[noreturn]] void incomplete_line(const Reader& reader, std::string message, std::string hint = {});
+
 /// A list of keywords that act on one struct.
 template <class Struct> class Keywords {
 public:
@@ -53,6 +56,16 @@ public:
     Keywords& said(std::string_view classic) { return list_.back().classic = classic, *this; }
     /// The words added last cannot end a line.
     Keywords& between() { return list_.back().between = true, *this; }
+    /// The words added last fill `member`; a line has them once. Otherwise a Diagnostic with these texts.
+    template <class Member>
+    Keywords& once(std::optional<Member> Struct::*member, std::string mistake, std::string hint) {
+        auto& read = list_.back().read;
+        read = [first = read, member, mistake, hint](Reader& reader, void* at) {
+            if ((static_cast<Struct*>(at)->*member).has_value()) incomplete_line(reader, mistake, hint);
+            first(reader, at);
+        };
+        return *this;
+    }
     /// The words added last are read without effect.
     Keywords& ignored() { return list_.back().support = Support::ignored, *this; }
 
@@ -136,6 +149,9 @@ public:
     }
 
     Entry& between() { return keywords_.between(), *this; }
+    template <class Member> Entry& once(std::optional<Member> Command::*member, std::string mistake, std::string hint) {
+        return keywords_.once(member, std::move(mistake), std::move(hint)), *this;
+    }
     /// The keyword added last is read without effect.
     Entry& ignored() { return keywords_.ignored(), *this; }
     /// Keywords that are known and refused; `help` explains them.
@@ -243,8 +259,5 @@ protected:
 std::string name_at(Reader& reader, const ArgumentSpec& name);
 /// `@name value`, or also `name value`.
 Parts<std::pair<std::string, Value>> fish_variable(bool needs_mark);
-
-/// An incomplete line: "change needs mat, cons, jmat or jcons".
-[[noreturn]] void incomplete_line(const Reader& reader, std::string message, std::string hint = {});
 
 } // namespace kaya::lang

@@ -77,8 +77,8 @@ public:
         points_.clear();
         ContactGeometry geometry{{}, ContactPoints(points_)};
         const double reach = 0.5 * (margin[share.block1] + margin[share.block2]);
-        const bool found =
-            find_geometry(model_, surfaces_, share.block1, share.block2, no_row, reach, geometry, scratch_);
+        const bool found = find_geometry(model_, surfaces_, share.block1, share.block2, no_row, FinePlaces::none, reach,
+                                         geometry, scratch_);
         const bool on_faces = found && geometry.kind == ContactKind::joint && geometry.type == ContactType::face_face &&
                               std::abs(geometry.normal.dot(contacts.normal[share.from])) > 1 - nearly_parallel;
         if (on_faces) {

@@ -7,6 +7,7 @@
 #include "mechanics/lanes/rotation.hpp"
 #include "mechanics/supports/water.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/block_box.hpp"
 #include "model/measure/held.hpp"
 #include "model/measure/turn.hpp"
 #include "model/structures/rock_points.hpp"
@@ -77,7 +78,10 @@ public:
     PartedBody(const Model& model, const Loads& loads, const std::vector<Row>& blocks) : model_(model) {
         origin_ = model.blocks.centroid[blocks.front()];
         size_ = 0;
-        for (const Row b : blocks) size_ += std::cbrt(model.blocks.volume[b]);
+        for (const Row b : blocks) {
+            const Box box = block_box(model, b);
+            size_ = std::max(size_, (box.high - box.low).maxCoeff());
+        }
         std::map<std::int32_t, std::size_t> of_joined;
         for (const Row b : blocks) {
             std::size_t part = parts_.size();

@@ -1,7 +1,6 @@
 #include "mechanics/contact/contact_geometry.hpp"
 
 #include "geometry/overlay/polygon_overlay.hpp"
-#include "mechanics/contact/contact_slip.hpp"
 #include "mechanics/contact/corner_contact.hpp"
 #include "mechanics/contact/face_joint.hpp"
 #include "mechanics/contact/surface_shares.hpp"
@@ -64,20 +63,27 @@ void add_middles(std::vector<Vec2>& polygon) {
     polygon = finer;
 }
 
-/// Distance of sub-contacts over the diameter of a joint that turns as it slides: the sum of friction is within 1 % then.
-constexpr double fine_spacing = 0.1;
+/// Distance of fine sub-contacts over the diameter of a joint that turns, whose sum of friction is within 1 % then; and over the width of one
+/// that bends, twice its area over its diameter: the moment at which a bond tears is within 5 %. Slivers count as wide as this part of
+/// their diameter.
+constexpr double fine_spacing = 0.1, least_width = 0.25;
 
-/// The greatest distance of two corners.
-double diameter(const std::vector<Vec2>& polygon) {
-    double square = 0;
-    for (const Vec2& a : polygon)
-        for (const Vec2& b : polygon) square = std::max(square, (a - b).squaredNorm());
-    return std::sqrt(square);
+double fine_edge(const std::vector<Vec2>& polygon, FinePlaces fine) {
+    if (fine == FinePlaces::none) return 0;
+    double square = 0, doubled = 0; // of the greatest distance of two corners; the area
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 a = polygon[i] - polygon[0], next = polygon[(i + 1) % polygon.size()] - polygon[0];
+        doubled += a.x() * next.y() - a.y() * next.x();
+        for (const Vec2& b : polygon) square = std::max(square, (polygon[i] - b).squaredNorm());
+    }
+    const double diameter = std::sqrt(square);
+    return fine_spacing *
+           (fine == FinePlaces::turns ? diameter : std::max(std::abs(doubled) / diameter, least_width * diameter));
 }
 
 /// Sub-contacts of two faces of rigid blocks: they depend on the common polygon, not on the triangulation of the faces.
 bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, ContactGeometry& geometry, double margin,
-                           double tolerance, bool turns, SearchScratch& scratch) {
+                           double tolerance, FinePlaces fine, SearchScratch& scratch) {
     const PlaneAxes axes = axes_of(geometry.normal);
     const Row block1 = model.faces.block[geometry.face1], block2 = model.faces.block[geometry.face2];
     const Vec3 origin = model.blocks.centroid[block2]; // keeps coordinates small
@@ -95,9 +101,8 @@ bool intersect_rigid_faces(const Model& model, const Surfaces& surfaces, Contact
     if (middles(block1) || middles(block2)) add_middles(common);
     if (stands_on_corners(model, block1, block2)) corners_of_polygon(common, found);
     else
-        points_of_polygon(
-            common, shorter_length(edge_between(model, block1, block2), turns ? fine_spacing * diameter(common) : 0),
-            tolerance, found, scratch.overlay);
+        points_of_polygon(common, shorter_length(edge_between(model, block1, block2), fine_edge(common, fine)),
+                          tolerance, found, scratch.overlay);
     bool near = false;
     for (const auto& p : found.points) {
         ContactPoint& point = geometry.points.add();
@@ -319,8 +324,8 @@ double narrowest_contact(const Model& model, Row block1, Row block2) {
     return narrowest * std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
 }
 
-bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, double margin,
-                   ContactGeometry& geometry, SearchScratch& scratch) {
+bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row block2, Row old, FinePlaces fine,
+                   double margin, ContactGeometry& geometry, SearchScratch& scratch) {
     // A block's margin is a small part of its size.
     const double size = std::min(model.blocks.margin[block1], model.blocks.margin[block2]);
     const double tolerance = coincidence * size, sliver = narrowest_contact(model, block1, block2);
@@ -348,8 +353,7 @@ bool find_geometry(const Model& model, const Surfaces& surfaces, Row block1, Row
             (geometry.reference == 1 ? geometry.face2 : geometry.face1) = separation.opposite;
             geometry.lie_on_faces(model, block1, block2, surfaces.normal(geometry.face1),
                                   surfaces.normal(geometry.face2));
-            const bool turns = old != no_row && turns_as_it_slides(model, old);
-            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, turns, scratch);
+            const bool found = intersect_rigid_faces(model, surfaces, geometry, margin, tolerance, fine, scratch);
             if (found && geometry.area >= least_joint * geometry.least_area) return true;
             if (!found && !overlaps) return false;
             // An approaching block with less common area meets an edge or a corner: a block that slides across the lip left by the closure

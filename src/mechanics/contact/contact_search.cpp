@@ -5,6 +5,7 @@
 #include "base/stop_point.hpp"
 #include "mechanics/contact/contact_geometry.hpp"
 #include "mechanics/contact/contact_slip.hpp"
+#include "mechanics/contact/fine_places.hpp"
 #include "mechanics/shape/corner_joints.hpp"
 #include "mechanics/contact/open_corner.hpp"
 #include "mechanics/contact/overlap_contact.hpp"
@@ -85,13 +86,13 @@ double widest_gap(const Model& model, Row contact) {
 }
 
 /// The contact of two blocks, given their present one, which is kept across a gap that carries force.
-bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, double margin,
-                     ContactGeometry& geometry, SearchScratch& scratch) {
+bool update_geometry(const Model& model, const Surfaces& surfaces, Row b1, Row b2, Row contact, FinePlaces fine,
+                     double margin, ContactGeometry& geometry, SearchScratch& scratch) {
     // Where faces are still parallel, their distance is not needed.
-    const bool found = find_geometry(model, surfaces, b1, b2, contact, margin, geometry, scratch);
+    const bool found = find_geometry(model, surfaces, b1, b2, contact, fine, margin, geometry, scratch);
     if (contact == no_row || (found && geometry.type == ContactType::face_face)) return found;
     const double gap = widest_gap(model, contact);
-    return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, margin + 2 * gap, geometry, scratch) : found;
+    return gap > 0 ? find_geometry(model, surfaces, b1, b2, contact, fine, margin + 2 * gap, geometry, scratch) : found;
 }
 
 Box box_of(const Model& model, Row b, double margin) {
@@ -290,10 +291,16 @@ DraftKind kind_of_rigid(const Model& model, const JointRegistry& joints, Row b1,
                                                                                     : DraftKind::as_it_was;
 }
 
+double strength_of(const Model& model, const std::vector<double>& strengths, Row contact) {
+    const Row properties = model.contacts.properties[contact];
+    return properties == no_row ? 0 : strengths[static_cast<std::size_t>(properties)];
+}
+
 /// Drafts of the pairs in contact; their points are in `found`.
 std::vector<ContactDraft> find_all(const Model& model, const JointRegistry& joints, const Surfaces& surfaces,
-                                   const std::vector<double>& beyond, const std::vector<Pair>& pairs, bool moving,
-                                   std::vector<FoundContacts>& found, PerThread<SearchScratch>& scratch_of) {
+                                   const std::vector<double>& strengths, const std::vector<double>& beyond,
+                                   const std::vector<Pair>& pairs, bool moving, std::vector<FoundContacts>& found,
+                                   PerThread<SearchScratch>& scratch_of) {
     found.resize(std::max(found.size(), (pairs.size() + grain - 1) / grain)); // existing entries keep their memory
     for (auto& part : found) part.clear();
     for_chunks(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
@@ -307,8 +314,10 @@ std::vector<ContactDraft> find_all(const Model& model, const JointRegistry& join
                 continue;
             }
             ContactGeometry geometry{{}, ContactPoints(part.points)};
-            if (!update_geometry(model, surfaces, block1, block2, old, reach(model, beyond, block1, block2), geometry,
-                                 scratch)) {
+            const FinePlaces fine =
+                old == no_row ? FinePlaces::none : fine_places(model, old, strength_of(model, strengths, old));
+            if (!update_geometry(model, surfaces, block1, block2, old, fine, reach(model, beyond, block1, block2),
+                                 geometry, scratch)) {
                 geometry.points.clear();
                 continue;
             }
@@ -401,7 +410,9 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
     const std::vector<Pair> pairs = pairs_of(model, near_.of(boxes_), boxes_, beyond_, moved_);
     stop_point();
     surfaces_.update(model, blocks_due(model, pairs));
-    return replace_contacts(model, joints, find_all(model, joints, surfaces_, beyond_, pairs, moving, found_, scratch_),
+    strengths_ = tensile_strengths(model, joints);
+    return replace_contacts(model, joints,
+                            find_all(model, joints, surfaces_, strengths_, beyond_, pairs, moving, found_, scratch_),
                             moving, scratch_.local().overlap);
 }
 
@@ -409,11 +420,14 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
     const bool all_together = model.clock.cycle % slide_interval == 0;
+    if (strengths_.size() != model.joint_properties.size()) strengths_ = tensile_strengths(model, joints);
     const auto has_slipped = [&](std::size_t c) {
         if (contacts.kind[c] == ContactKind::overlap) return all_together && may_close(model, static_cast<Row>(c));
         if (contacts.slip_since_update[c] * contacts.slip_since_update[c] <=
-            slide_tolerance * slide_tolerance * contacts.area[c])
-            return false;
+            slide_tolerance * slide_tolerance * contacts.area[c]) {
+            const double strength = all_together ? strength_of(model, strengths_, static_cast<Row>(c)) : 0;
+            return strength > 0 && must_be_finer(model, static_cast<Row>(c), strength);
+        }
         return all_together || contacts.slip_since_update[c] >
                                    far_slide * std::min(margin[contacts.block1[c]], margin[contacts.block2[c]]);
     };
@@ -432,7 +446,8 @@ ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints
     beyond_.resize(model.blocks.size());
     for (const Row b : wanted) beyond_[b] = travel_beyond(model, b);
     surfaces_.update(model, wanted);
-    std::vector<ContactDraft> drafts = find_all(model, joints, surfaces_, beyond_, pairs, true, found_, scratch_);
+    std::vector<ContactDraft> drafts =
+        find_all(model, joints, surfaces_, strengths_, beyond_, pairs, true, found_, scratch_);
     OverlapScratch& scratch = scratch_.local().overlap;
     if (drafts.size() == pairs.size() && refresh_contacts(model, joints, drafts, scratch))
         return ContactChange::refreshed;

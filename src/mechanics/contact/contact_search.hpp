@@ -40,7 +40,8 @@ private:
     NearPairs near_;
     Surfaces surfaces_;
     std::vector<Box> boxes_;
-    std::vector<double> beyond_; ///< how far each block may be beyond half its margin, see travel_beyond
+    std::vector<double> beyond_;    ///< how far each block may be beyond half its margin, see travel_beyond
+    std::vector<double> strengths_; ///< tensile, by row of joint properties
     std::vector<char> moved_;
     std::vector<FoundContacts> found_;
     PerThread<SearchScratch> scratch_;

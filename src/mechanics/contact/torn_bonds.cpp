@@ -12,10 +12,12 @@ namespace kaya {
 
 namespace {
 
-constexpr Row most_bits = 32; ///< later places share the last one
+constexpr Row most_bits = 32; ///< of more places, neighbours in order share one
 
 std::uint32_t bit_of(const Model& model, Row contact, Row row) {
-    return 1u << std::min<Row>(row - model.contacts.sub_contacts[contact].first, most_bits - 1);
+    const Span span = model.contacts.sub_contacts[contact];
+    const std::int64_t place = row - span.first;
+    return 1u << (span.count <= most_bits ? place : place * most_bits / span.count);
 }
 
 /// Whether a place, a row of the joint, has been open.
