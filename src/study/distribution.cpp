@@ -9,6 +9,7 @@
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/distributions/uniform.hpp>
 #include <boost/math/distributions/weibull.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <exception>
 
@@ -37,6 +38,33 @@ template <class Use> auto with(const Distribution& d, Use&& use) {
     return use(bm::normal(d.a, d.b));
 }
 
+/// Where `is_below` changes from true to false, to the last bit.
+template <class IsBelow> double halved(std::pair<double, double> range, IsBelow&& is_below) {
+    auto [low, high] = range;
+    for (;;) {
+        const double middle = 0.5 * low + 0.5 * high;
+        if (!(middle > low && middle < high)) return low;
+        (is_below(middle) ? low : high) = middle;
+    }
+}
+
+/// Quantiles. Boost finds none of some beta distributions.
+template <class Dist> double number_at(const Dist& dist, double part) {
+    try {
+        return bm::quantile(dist, part);
+    } catch (const bm::evaluation_error&) {
+        return halved(bm::support(dist), [&](double x) { return bm::cdf(dist, x) < part; });
+    }
+}
+template <class Dist> double number_at(const bm::complemented2_type<Dist, double>& above) {
+    try {
+        return bm::quantile(above);
+    } catch (const bm::evaluation_error&) {
+        return halved(bm::support(above.dist),
+                      [&](double x) { return bm::cdf(bm::complement(above.dist, x)) > above.param; });
+    }
+}
+
 /// Converts a number of Boost's distribution to one of ours.
 double scaled(const Distribution& d, double x) {
     return d.kind == Distribution::Kind::beta ? d.a + (d.b - d.a) * x : x;
@@ -61,22 +89,74 @@ double part_inside(const Distribution& d) {
     return (std::isfinite(d.most) ? part_below(d, d.most) : 1) - part_below_least(d);
 }
 
+/// What a truncated distribution leaves on both sides of its limits, and between them.
+struct Cut {
+    double below = 0, above = 0, inside = 1;
+};
+
+Cut cut_of(const Distribution& d) {
+    return with(d, [&](const auto& dist) {
+        const auto [low, high] = bm::support(dist);
+        const double least = unscaled(d, d.least), most = unscaled(d, d.most);
+        Cut cut;
+        if (std::isfinite(d.least) && least > low) cut.below = least >= high ? 1 : bm::cdf(dist, least);
+        if (std::isfinite(d.most) && most < high) cut.above = most <= low ? 1 : bm::cdf(bm::complement(dist, most));
+        // The difference of the two smaller numbers has the more digits.
+        if (cut.below <= 0.5) cut.inside = 1 - cut.above - cut.below;
+        else cut.inside = (least >= high ? 0 : bm::cdf(bm::complement(dist, least))) - cut.above;
+        return cut;
+    });
+}
+
+/// The mean of `use` over a truncated distribution: the integral over the quantile function by Takahasi and Mori (1974), whose points crowd
+/// at both ends, where the function may be infinite. Each half takes the side of the distribution that has the more digits.
+template <class Use> double mean_over(const Distribution& d, const Cut& cut, Use&& use) {
+    thread_local bm::quadrature::tanh_sinh<double> quadrature(10);
+    constexpr double least_part = 1e-30, tolerance = 1e-10;
+    const auto at = [&](double value) { return use(std::clamp(scaled(d, value), d.least, d.most)); };
+    return with(d, [&](const auto& dist) {
+        const auto from_below = [&](double part) {
+            return at(number_at(dist, std::max(cut.below + part * cut.inside, least_part)));
+        };
+        const auto from_above = [&](double part) {
+            return at(number_at(bm::complement(dist, std::max(cut.above + part * cut.inside, least_part))));
+        };
+        const auto lower = [&](double part) { return cut.below > 0.5 ? from_above(1 - part) : from_below(part); };
+        const auto upper = [&](double part) { return cut.above > 0.5 ? from_below(1 - part) : from_above(part); };
+        return quadrature.integrate(lower, 0.0, 0.5, tolerance) + quadrature.integrate(upper, 0.0, 0.5, tolerance);
+    });
+}
+
 } // namespace
 
 double Distribution::quantile(double p) const {
     const double part = part_below_least(*this) + p * part_inside(*this);
     const double value =
-        with(*this, [&](const auto& dist) { return bm::quantile(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
+        with(*this, [&](const auto& dist) { return number_at(dist, std::clamp(part, 1e-300, 1 - 1e-16)); });
     return std::clamp(scaled(*this, value), least, most);
 }
 
 double Distribution::mean() const {
+    if (const Cut cut = cut_of(*this); cut.inside < 1) return mean_over(*this, cut, [](double x) { return x; });
     return with(*this, [&](const auto& dist) { return scaled(*this, bm::mean(dist)); });
 }
 
 double Distribution::deviation() const {
+    if (const Cut cut = cut_of(*this); cut.inside < 1) {
+        const double middle = mean();
+        return std::sqrt(mean_over(*this, cut, [&](double x) { return (x - middle) * (x - middle); }));
+    }
     const double own = with(*this, [](const auto& dist) { return bm::standard_deviation(dist); });
     return kind == Kind::beta ? own * (b - a) : own;
+}
+
+std::pair<double, double> Distribution::range() const {
+    const auto [low, high] = with(*this, [&](const auto& dist) {
+        auto [from, to] = bm::support(dist);
+        if (from > 0 && from < 1e-300) from = 0; // Boost excludes zero, a limit of the distribution
+        return std::pair{scaled(*this, from), scaled(*this, to)};
+    });
+    return {std::max(low, least), std::min(high, most)};
 }
 
 std::string Distribution::mistake() const {

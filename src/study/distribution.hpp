@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kaya {
@@ -22,9 +23,11 @@ struct Distribution {
 
     /// The quantile of the fraction `p` (0 to 1, both excluded).
     double quantile(double p) const;
-    /// Mean of the distribution without its limits.
+    /// Mean and standard deviation of the numbers between `least` and `most`; relative error below 1e-6.
     double mean() const;
     double deviation() const;
+    /// All of its numbers lie between these.
+    std::pair<double, double> range() const;
     /// "" when it is valid, otherwise the reason: "the deviation must be above 0".
     std::string mistake() const;
 };
