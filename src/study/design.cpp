@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <fmt/format.h>
@@ -139,6 +140,38 @@ std::vector<Case> sampled(const Study& study) {
     return cases;
 }
 
+/// Mean minus and plus a deviation, both within the range of the distribution.
+std::array<double, 2> two_points(const Factor& factor) {
+    const auto& d = *factor.distribution;
+    const double mean = d.mean(), deviation = d.deviation();
+    const auto [low, high] = d.range();
+    const double rounding = 1e-9 * deviation;
+    std::array<double, 2> points{mean - deviation, mean + deviation};
+    for (double& point : points) {
+        if (point < low - rounding || point > high + rounding)
+            throw Diagnostic(
+                fmt::format("a point estimate takes '{}' at its mean {:g} {} one deviation of {:g}, which is {:g}, and "
+                            "its distribution lies {} {:g}",
+                            factor.name, mean, point < low ? "less" : "plus", deviation, point,
+                            point < low ? "above" : "below", point < low ? low : high),
+                "use method = \"latin-hypercube\" with samples = 200, or give a smaller deviation")
+                .at(factor.place);
+        point = std::clamp(point, low, high);
+    }
+    return points;
+}
+
+/// Rosenblueth's weights are probabilities only when none is negative.
+void check_weights(const Study& study, const std::vector<Case>& cases) {
+    const auto negative = std::ranges::count_if(cases, [](const Case& one) { return one.weight < 0; });
+    if (negative == 0) return;
+    throw Diagnostic(fmt::format("with these correlations {} of the {} runs of a point estimate have negative weights, "
+                                 "which are not probabilities",
+                                 negative, cases.size()),
+                     "use method = \"latin-hypercube\" with samples = 200, or weaker correlations")
+        .at(study.factors[study.design.correlations.back().one].place);
+}
+
 /// Rosenblueth's two points of each parameter, mean plus and minus a deviation. The weight of a corner is
 /// (1 + sum over pairs of correlation times both signs) / 2^n.
 std::vector<Case> point_estimate(const Study& study) {
@@ -148,20 +181,22 @@ std::vector<Case> point_estimate(const Study& study) {
                          "use a Latin hypercube", Fault::deck)
             .at(study.factors.back().place);
     if (!study.design.correlations.empty()) triangle_of(study);
+    std::vector<std::array<double, 2>> points;
+    for (const auto& factor : study.factors) points.push_back(two_points(factor));
     std::vector<Case> cases;
     for (std::size_t corner = 0; corner < (std::size_t{1} << n); ++corner) {
-        const auto sign = [&](std::size_t j) { return (corner >> j) & 1 ? 1.0 : -1.0; };
+        const auto side = [&](std::size_t j) { return (corner >> j) & 1; };
+        const auto sign = [&](std::size_t j) { return side(j) == 1 ? 1.0 : -1.0; };
         Case one;
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto& d = *study.factors[j].distribution;
-            one.values.emplace_back(study.factors[j].name,
-                                    std::clamp(d.mean() + sign(j) * d.deviation(), d.least, d.most));
-        }
+        for (std::size_t j = 0; j < n; ++j) one.values.emplace_back(study.factors[j].name, points[j][side(j)]);
         double weight = 1;
         for (const auto& c : study.design.correlations) weight += c.value * sign(c.one) * sign(c.other);
+        constexpr double rounding = 1e-12;
+        if (std::abs(weight) < rounding) weight = 0;
         one.weight = weight / static_cast<double>(std::size_t{1} << n);
         cases.push_back(std::move(one));
     }
+    check_weights(study, cases);
     return cases;
 }
 

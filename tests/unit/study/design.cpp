@@ -136,6 +136,63 @@ TEST(Design, APointEstimateGivesMeanAndVarianceOfALinearFunction) {
     EXPECT_NEAR(square - mean * mean, 4 * 1 + 4 + 2 * 2 * 0.5 * 1 * 2, 1e-9); // a²σx² + σy² + 2 a ρ σx σy
 }
 
+/// The message and the hint of a study that cannot be designed.
+std::string refusal(const Study& study) {
+    try {
+        cases_of(study);
+    } catch (const Diagnostic& error) { return error.message + "; " + error.hint; }
+    return "";
+}
+
+TEST(Design, APointEstimateHasTheMomentsBetweenTheLimits) {
+    Study study = sampled(Design::Method::point_estimate, 0);
+    study.factors = {scattering("x", Distribution::Kind::normal, 1, 2),
+                     scattering("y", Distribution::Kind::exponential, 1, 0)};
+    study.factors[0].distribution->least = 0;
+    study.factors[1].distribution->most = 1.5;
+    const auto cases = cases_of(study);
+    const auto x = column(cases, 0), y = column(cases, 1);
+    EXPECT_NEAR(0.5 * (x[0] + x[3]), 2.0183, 1e-4); // 1 + 2 phi(0.5) / Phi(0.5)
+    EXPECT_NEAR(0.5 * (x[3] - x[0]), 1.3945, 1e-4);
+    EXPECT_NEAR(0.5 * (y[0] + y[3]), 0.5692, 1e-4); // 1 - 1.5 / (e^1.5 - 1)
+    EXPECT_NEAR(0.5 * (y[3] - y[0]), 0.4101, 1e-4);
+}
+
+TEST(Design, APointEstimateRefusesPointsOutsideOfADistribution) {
+    using Kind = Distribution::Kind;
+    Study study = sampled(Design::Method::point_estimate, 0);
+    for (const auto& wide : {scattering("c", Kind::lognormal, 1, 2), scattering("c", Kind::gamma, 1, 1.2),
+                             scattering("c", Kind::weibull, 0.7, 3)}) {
+        study.factors = {study.factors[0], wide};
+        EXPECT_THAT(refusal(study),
+                    testing::AllOf(testing::HasSubstr("a point estimate takes 'c' at its mean "),
+                                   testing::HasSubstr("lies above 0; use method = \"latin-hypercube\"")));
+    }
+    study.factors[1] = scattering("c", Kind::beta, 10, 20);
+    study.factors[1].distribution->alpha = 5, study.factors[1].distribution->beta = 0.5;
+    EXPECT_THAT(refusal(study), testing::HasSubstr("lies below 20"));
+    study.factors[1] = scattering("c", Kind::lognormal, 1, 2);
+    study.factors[1].distribution->least = 0.1;
+    EXPECT_THAT(refusal(study), testing::HasSubstr("lies above 0.1"));
+    // One deviation below its mean an exponential distribution ends.
+    study.factors[1] = scattering("c", Kind::exponential, 4, 0);
+    EXPECT_EQ(refusal(study), "");
+    EXPECT_EQ(number_of(cases_of(study)[0].values[1].second), 0);
+}
+
+TEST(Design, APointEstimateRefusesNegativeWeights) {
+    Study study = sampled(Design::Method::point_estimate, 0);
+    study.design.correlations = {{0, 1, -0.4}, {0, 2, -0.4}, {1, 2, -0.4}};
+    EXPECT_THAT(refusal(study),
+                testing::AllOf(testing::HasSubstr("2 of the 8 runs"), testing::HasSubstr("negative weights"),
+                               testing::HasSubstr("latin-hypercube")));
+    for (auto& c : study.design.correlations) c.value = -1.0 / 3; // the corner where all are high has the weight 0
+    EXPECT_EQ(refusal(study), "");
+    study.design.method = Design::Method::latin_hypercube, study.design.samples = 50;
+    for (auto& c : study.design.correlations) c.value = -0.4;
+    EXPECT_EQ(refusal(study), "");
+}
+
 TEST(Design, CorrelationsThatCannotHoldTogetherAreSaid) {
     for (const auto method :
          {Design::Method::latin_hypercube, Design::Method::random, Design::Method::point_estimate}) {
