@@ -6,38 +6,48 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numeric>
 
 namespace kaya {
 
 namespace {
 
-/// Ranks from 1 on; equal numbers share the mean of theirs.
-std::vector<double> ranks_of(const std::vector<double>& numbers) {
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Ranks from 1 on, where each number counts with its weight; equal numbers share the mean of theirs.
+std::vector<double> ranks_of(const std::vector<double>& numbers, const std::vector<double>& weights) {
     std::vector<std::size_t> order(numbers.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
     std::vector<double> ranks(numbers.size());
+    double below = 0;
     for (std::size_t first = 0; first < order.size();) {
         std::size_t end = first;
-        while (end < order.size() && numbers[order[end]] == numbers[order[first]]) ++end;
-        for (std::size_t i = first; i < end; ++i) ranks[order[i]] = 0.5 * static_cast<double>(first + 1 + end);
+        double equal = 0;
+        while (end < order.size() && numbers[order[end]] == numbers[order[first]]) equal += weights[order[end++]];
+        for (std::size_t i = first; i < end; ++i) ranks[order[i]] = below + 0.5 * (equal + 1);
+        below += equal;
         first = end;
     }
     return ranks;
 }
 
-double correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    const double n = static_cast<double>(x.size());
-    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
-                 mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+double correlation(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights) {
+    const double n = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const double mean_x = std::inner_product(x.begin(), x.end(), weights.begin(), 0.0) / n,
+                 mean_y = std::inner_product(y.begin(), y.end(), weights.begin(), 0.0) / n;
     double xx = 0, yy = 0, xy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        yy += (y[i] - mean_y) * (y[i] - mean_y);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
+        xx += weights[i] * (x[i] - mean_x) * (x[i] - mean_x);
+        yy += weights[i] * (y[i] - mean_y) * (y[i] - mean_y);
+        xy += weights[i] * (x[i] - mean_x) * (y[i] - mean_y);
     }
-    return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0;
+    return xy / std::sqrt(xx * yy);
+}
+
+bool varies(const std::vector<double>& numbers) {
+    return std::ranges::any_of(numbers, [&](double number) { return number != numbers[0]; });
 }
 
 /// The parameters that are numbers and differ from run to run.
@@ -47,9 +57,9 @@ std::vector<std::size_t> numeric_columns(const std::vector<Case>& cases) {
     for (std::size_t j = 0; j < cases[0].values.size(); ++j) {
         const auto number = [&](const Case& one) { return number_of(one.values[j].second); };
         const bool all = std::ranges::all_of(cases, [&](const Case& one) { return !std::isnan(number(one)); });
-        const bool varies =
+        const bool differ =
             std::ranges::any_of(cases, [&](const Case& one) { return number(one) != number(cases[0]); });
-        if (all && varies) columns.push_back(j);
+        if (all && differ) columns.push_back(j);
     }
     return columns;
 }
@@ -67,13 +77,60 @@ std::vector<Bar> bars_one_at_a_time(const Study& study, const std::vector<Case>&
                     wanted = k == j || values[k].second == *study.factors[k].base;
                 if (wanted) return number_of(result_of(outcomes[i], study.tornado_of));
             }
-            return std::numeric_limits<double>::quiet_NaN();
+            return unknown;
         };
-        const Bar bar{factor.name, result_at(factor.values.front()), result_at(factor.values.back()),
-                      text_of(factor.values.front()), text_of(factor.values.back())};
-        if (!std::isnan(bar.low) && !std::isnan(bar.high)) bars.push_back(bar);
+        bars.push_back({factor.name, result_at(factor.values.front()), result_at(factor.values.back()),
+                        text_of(factor.values.front()), text_of(factor.values.back())});
     }
     return bars;
+}
+
+/// A term of a polynomial: the product of two columns, where the number of columns is 1.
+using Product = std::pair<std::size_t, std::size_t>;
+
+/// All terms up to the second degree of n columns, by degree.
+std::vector<Product> products_of(std::size_t n) {
+    std::vector<Product> products{{n, n}};
+    for (std::size_t j = 0; j < n; ++j) products.emplace_back(j, n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t k = j; k < n; ++k) products.emplace_back(j, k);
+    return products;
+}
+
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& numbers, const std::vector<Product>& products) {
+    Eigen::MatrixXd matrix(numbers.rows(), products.size());
+    const auto number = [&](Eigen::Index row, std::size_t j) {
+        const auto column = static_cast<Eigen::Index>(j);
+        return column == numbers.cols() ? 1.0 : numbers(row, column);
+    };
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+        for (std::size_t t = 0; t < products.size(); ++t)
+            matrix(i, static_cast<Eigen::Index>(t)) = number(i, products[t].first) * number(i, products[t].second);
+    return matrix;
+}
+
+/// Whether the runs determine each term: false for a combination of terms before it. Parameters count from their middle, in parts of their
+/// range, so that a modulus from 1000 to 1001 is not taken for a constant.
+std::vector<bool> determined_by(Eigen::MatrixXd numbers, const std::vector<Product>& products) {
+    for (auto column : numbers.colwise()) {
+        const double middle = 0.5 * (column.minCoeff() + column.maxCoeff());
+        const double half = 0.5 * (column.maxCoeff() - column.minCoeff());
+        column = (column.array() - middle) / (half > 0 ? half : 1);
+    }
+    Eigen::MatrixXd rest = columns_of(numbers, products);
+    std::vector<bool> determined;
+    constexpr double rounding = 1e-8;
+    for (Eigen::Index t = 0; t < rest.cols(); ++t) {
+        const double size = rest.col(t).norm();
+        // Twice is enough: Kahan, in Parlett (1980).
+        for (int pass = 0; pass < 2; ++pass)
+            for (Eigen::Index k = 0; k < t; ++k)
+                if (determined[static_cast<std::size_t>(k)]) rest.col(t) -= rest.col(k).dot(rest.col(t)) * rest.col(k);
+        const double left = rest.col(t).norm();
+        determined.push_back(left > rounding * size);
+        if (determined.back()) rest.col(t) /= left;
+    }
+    return determined;
 }
 
 } // namespace
@@ -115,7 +172,10 @@ Probability probability_of(const std::vector<double>& truths, const std::vector<
         ++p.count, all += weights[i];
         if (truths[i] != 0) ++p.hits, hits += weights[i];
     }
-    if (p.count == 0) return p;
+    if (!(all > 0)) {
+        p.value = unknown, p.has_interval = false;
+        return p;
+    }
     p.value = hits / all;
     p.has_interval = std::ranges::all_of(weights, [](double weight) { return weight == 1; });
     if (!p.has_interval) return p;
@@ -126,11 +186,13 @@ Probability probability_of(const std::vector<double>& truths, const std::vector<
     return p;
 }
 
-double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    std::vector<double> xs, ys;
+double rank_correlation(const std::vector<double>& x, const std::vector<double>& y,
+                        const std::vector<double>& weights) {
+    std::vector<double> xs, ys, ws;
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (!std::isnan(x[i]) && !std::isnan(y[i])) xs.push_back(x[i]), ys.push_back(y[i]);
-    return xs.size() < 2 ? 0 : correlation(ranks_of(xs), ranks_of(ys));
+        if (!std::isnan(x[i]) && !std::isnan(y[i]) && weights[i] > 0)
+            xs.push_back(x[i]), ys.push_back(y[i]), ws.push_back(weights[i]);
+    return varies(xs) && varies(ys) ? correlation(ranks_of(xs, ws), ranks_of(ys, ws), ws) : unknown;
 }
 
 std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes) {
@@ -138,15 +200,17 @@ std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, 
     if (study.design.method == Design::Method::one_at_a_time) {
         bars = bars_one_at_a_time(study, cases, outcomes);
     } else {
-        std::vector<double> results;
+        std::vector<double> results, weights;
         for (const auto& outcome : outcomes) results.push_back(number_of(result_of(outcome, study.tornado_of)));
+        for (const auto& one : cases) weights.push_back(one.weight);
         for (const std::size_t j : numeric_columns(cases)) {
             std::vector<double> numbers;
             for (const auto& one : cases) numbers.push_back(number_of(one.values[j].second));
-            bars.push_back({cases[0].values[j].first, 0, rank_correlation(numbers, results), "", ""});
+            bars.push_back({cases[0].values[j].first, 0, rank_correlation(numbers, results, weights), "", ""});
         }
     }
-    std::ranges::stable_sort(bars, [](const Bar& a, const Bar& b) { return a.length() > b.length(); });
+    std::ranges::stable_sort(
+        bars, [](const Bar& a, const Bar& b) { return a.is_known() && (!b.is_known() || a.length() > b.length()); });
     return bars;
 }
 
@@ -158,42 +222,41 @@ std::optional<Response> response_of(const std::string& result, const std::vector
         if (std::isfinite(number_of(result_of(outcomes[i], result)))) rows.push_back(i);
     const std::size_t n = columns.size(), terms = 1 + n + n * (n + 1) / 2;
     if (n == 0 || rows.size() < terms) return std::nullopt;
-    Response response;
-    std::vector<std::pair<std::size_t, std::size_t>> products; // of columns; n: 1
-    products.emplace_back(n, n);
-    for (std::size_t j = 0; j < n; ++j) products.emplace_back(j, n);
-    for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t k = j; k < n; ++k) products.emplace_back(j, k);
-    Eigen::MatrixXd matrix(rows.size(), products.size());
+    Eigen::MatrixXd numbers(rows.size(), n);
     Eigen::VectorXd right(rows.size());
-    const auto number = [&](std::size_t row, std::size_t j) {
-        return j == n ? 1.0 : number_of(cases[row].values[columns[j]].second);
-    };
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        right(static_cast<Eigen::Index>(i)) = number_of(result_of(outcomes[rows[i]], result));
-        for (std::size_t t = 0; t < products.size(); ++t)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) =
-                number(rows[i], products[t].first) * number(rows[i], products[t].second);
+        const auto row = static_cast<Eigen::Index>(i);
+        right(row) = number_of(result_of(outcomes[rows[i]], result));
+        for (std::size_t j = 0; j < n; ++j)
+            numbers(row, static_cast<Eigen::Index>(j)) = number_of(cases[rows[i]].values[columns[j]].second);
     }
-    // Scales columns to one size: a modulus in Pa is next to a friction angle. Terms that the runs do not determine get the smallest
-    // factors.
+    const std::vector<Product> all = products_of(n);
+    const std::vector<bool> determined = determined_by(numbers, all);
+    Response response;
+    std::vector<Product> products;
+    const auto name = [&](std::size_t j) { return cases[0].values[columns[j]].first; };
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        const auto [one, other] = all[t];
+        const std::string text = one == n       ? "1"
+                                 : other == n   ? name(one)
+                                 : one == other ? name(one) + "^2"
+                                                : name(one) + " " + name(other);
+        if (determined[t]) products.push_back(all[t]), response.terms.push_back({text, 0});
+        else response.undetermined.push_back(text);
+    }
+    const Eigen::MatrixXd matrix = columns_of(numbers, products);
+    // Scales columns to one size: a modulus in Pa is next to a friction angle.
     const Eigen::VectorXd scale = matrix.colwise().norm().cwiseMax(1e-300);
     const Eigen::VectorXd solution = (matrix * scale.cwiseInverse().asDiagonal())
                                          .completeOrthogonalDecomposition()
                                          .solve(right)
                                          .cwiseQuotient(scale);
-    const auto name = [&](std::size_t j) { return cases[0].values[columns[j]].first; };
-    for (std::size_t t = 0; t < products.size(); ++t) {
-        const auto [one, other] = products[t];
-        const std::string text = one == n       ? "1"
-                                 : other == n   ? name(one)
-                                 : one == other ? name(one) + "^2"
-                                                : name(one) + " " + name(other);
-        response.terms.push_back({text, solution(static_cast<Eigen::Index>(t))});
-    }
-    const double rest = (matrix * solution - right).squaredNorm(),
-                 all = (right.array() - right.mean()).matrix().squaredNorm();
-    response.determination = all > 0 ? 1 - rest / all : 1;
+    for (std::size_t t = 0; t < products.size(); ++t) response.terms[t].factor = solution(static_cast<Eigen::Index>(t));
+    // As many terms as runs go through all runs, whatever the result is.
+    if (products.size() == rows.size() || (right.array() == right(0)).all()) response.determination = unknown;
+    else
+        response.determination =
+            1 - (matrix * solution - right).squaredNorm() / (right.array() - right.mean()).matrix().squaredNorm();
     return response;
 }
 

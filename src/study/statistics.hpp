@@ -19,7 +19,7 @@ struct Moments {
 Moments moments_of(const std::vector<double>& numbers, const std::vector<double>& weights);
 
 /// How often something is true, and the interval that holds the true part with 95 % (Clopper and Pearson 1934). Of a point estimate:
-/// no interval.
+/// no interval. NaN when no run has a value.
 struct Probability {
     std::size_t count = 0, hits = 0;
     double value = 0, low = 0, high = 1;
@@ -27,15 +27,17 @@ struct Probability {
 };
 Probability probability_of(const std::vector<double>& truths, const std::vector<double>& weights);
 
-/// Rank correlation of both; 0 where one does not vary.
-double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
+/// Rank correlation of both; NaN where one does not vary.
+double rank_correlation(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights);
 
 /// A bar of a tornado plot. One at a time: the result at the low and high value of the parameter; otherwise the rank correlation in `high`.
+/// NaN where a number is not known.
 struct Bar {
     std::string parameter;
     double low = 0, high = 0;
     std::string low_text, high_text; ///< values of the parameter
     double length() const { return high > low ? high - low : low - high; }
+    bool is_known() const { return low == low && high == high; }
 };
 std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, const std::vector<Outcome>& outcomes);
 
@@ -45,8 +47,9 @@ struct Response {
         std::string name; ///< "1", "friction", "friction cohesion", "friction^2"
         double factor = 0;
     };
-    std::vector<Term> terms;
-    double determination = 0; ///< R squared
+    std::vector<Term> terms;               ///< that the runs determine
+    std::vector<std::string> undetermined; ///< combinations, at these runs, of the terms before them
+    double determination = 0; ///< R squared; NaN when as many terms as runs, or a constant result, leave none
 };
 /// None when there are too few runs for it.
 std::optional<Response> response_of(const std::string& result, const std::vector<Case>& cases,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kaya {
 
@@ -65,6 +66,29 @@ std::string fit_text(const FitAnswer& fit) {
     return text;
 }
 
+/// `form` is that of fmt: "{:.3f}".
+std::string known_text(double number, const char* form) {
+    return std::isnan(number) ? "unknown" : fmt::format(fmt::runtime(form), number);
+}
+
+std::string probability_text(const std::string& result, const Probability& p) {
+    if (std::isnan(p.value)) return fmt::format("probability of '{}': unknown, no run has a value\n", result);
+    std::string text = fmt::format("probability of '{}': {:.4g}", result, p.value);
+    if (p.has_interval)
+        text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", p.hits, p.count, p.low, p.high);
+    return text + '\n';
+}
+
+std::string response_text(const std::string& result, const Response& response) {
+    std::string text =
+        fmt::format("'{}' is about, with R^2 = {}:\n", result, known_text(response.determination, "{:.4f}"));
+    for (const auto& term : response.terms) text += fmt::format("  {:+.6g} * {}\n", term.factor, term.name);
+    if (!response.undetermined.empty())
+        text += fmt::format("  left out, as these runs do not determine them: {}\n",
+                            fmt::join(response.undetermined, ", "));
+    return text;
+}
+
 } // namespace
 
 StudyAnswers answer(const Study& study, Runs& runs) {
@@ -102,27 +126,18 @@ std::string summary_text(const Study& study, const StudyAnswers& answers) {
         for (const auto& [name, m] : answers.moments)
             text += fmt::format("{}: mean {:.6g}, deviation {:.4g}, {:.6g} to {:.6g}, median {:.6g}\n", name, m.mean,
                                 m.deviation, m.least, m.most, m.median);
-    if (answers.probability) {
-        text += fmt::format("probability of '{}': {:.4g}", study.probability_of, answers.probability->value);
-        if (answers.probability->has_interval)
-            text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", answers.probability->hits,
-                                answers.probability->count, answers.probability->low, answers.probability->high);
-        text += '\n';
-    }
+    if (answers.probability) text += probability_text(study.probability_of, *answers.probability);
     if (!answers.tornado.empty()) {
         text += fmt::format("sensitivity of '{}':\n", study.tornado_of);
         for (const auto& bar : answers.tornado)
-            text += bar.low_text.empty() ? fmt::format("  {}: rank correlation {:.3f}\n", bar.parameter, bar.high)
-                                         : fmt::format("  {}: {:.6g} at {} to {:.6g} at {}\n", bar.parameter, bar.low,
-                                                       bar.low_text, bar.high, bar.high_text);
+            text += bar.low_text.empty()
+                        ? fmt::format("  {}: rank correlation {}\n", bar.parameter, known_text(bar.high, "{:.3f}"))
+                        : fmt::format("  {}: {} at {} to {} at {}\n", bar.parameter, known_text(bar.low, "{:.6g}"),
+                                      bar.low_text, known_text(bar.high, "{:.6g}"), bar.high_text);
     }
     if (!study.response_of.empty() && !answers.response)
         text += fmt::format("too few runs for a response surface of '{}'\n", study.response_of);
-    if (answers.response) {
-        text += fmt::format("'{}' is about, with R^2 = {:.4f}:\n", study.response_of, answers.response->determination);
-        for (const auto& term : answers.response->terms)
-            text += fmt::format("  {:+.6g} * {}\n", term.factor, term.name);
-    }
+    if (answers.response) text += response_text(study.response_of, *answers.response);
     return text;
 }
 

@@ -107,26 +107,30 @@ std::string scatter(const Axis& x, const Axis& y) {
     return svg + "</svg>\n";
 }
 
-/// The part of all runs at or below each value.
-std::string distribution_curve(const Axis& axis) {
-    std::vector<double> sorted;
-    for (const double number : axis.numbers)
-        if (std::isfinite(number)) sorted.push_back(number);
+/// The part of all runs at or below each value, where each run counts with its weight.
+std::string distribution_curve(const Axis& axis, const std::vector<Case>& cases) {
+    std::vector<std::pair<double, double>> sorted; // number and weight
+    double all = 0;
+    for (std::size_t i = 0; i < axis.numbers.size(); ++i)
+        if (std::isfinite(axis.numbers[i]))
+            sorted.emplace_back(axis.numbers[i], cases[i].weight), all += cases[i].weight;
     std::ranges::sort(sorted);
     Chart chart;
     chart.width = 560, chart.height = 360;
     chart.x_label = axis.name, chart.y_label = "part of the runs at or below";
     Curve curve{"", {}, {}};
-    const double n = static_cast<double>(sorted.size());
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-        curve.x.push_back(sorted[i]), curve.y.push_back(static_cast<double>(i) / n);
-        curve.x.push_back(sorted[i]), curve.y.push_back(static_cast<double>(i + 1) / n);
+    double below = 0;
+    for (const auto& [number, weight] : sorted) {
+        curve.x.push_back(number), curve.y.push_back(below / all);
+        below += weight;
+        curve.x.push_back(number), curve.y.push_back(below / all);
     }
     chart.curves.push_back(std::move(curve));
     return svg_of(chart);
 }
 
-std::string tornado(const std::vector<Bar>& bars) {
+std::string tornado(std::vector<Bar> bars) {
+    std::erase_if(bars, [](const Bar& bar) { return !bar.is_known(); });
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& bar : bars) low = std::min({low, bar.low, bar.high}), high = std::max({high, bar.low, bar.high});
     if (!(low < high)) return {};
@@ -203,7 +207,7 @@ std::string report_page(const Study& study, const StudyAnswers& answers, const s
     if (!scatters.empty()) page += "<h2>Results over parameters</h2>\n" + scatters;
     std::string curves;
     for (const auto& axis : axes)
-        if (axis.is_result) curves += distribution_curve(axis);
+        if (axis.is_result) curves += distribution_curve(axis, answers.cases);
     if (!curves.empty()) page += "<h2>Distributions</h2>\n" + curves;
     page += "<h2>Runs</h2>\n<div class=\"wide\">" + table(answers, study.asked) + "</div>\n<h2>The study</h2>\n<pre>" +
             markup_text(study.text) + "</pre>\n</body></html>\n";
