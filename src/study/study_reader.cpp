@@ -76,6 +76,15 @@ Distribution read_distribution(TomlSection& in, const std::string& word) {
     return d;
 }
 
+/// Steps that end between two values would leave out 'to'.
+[[noreturn]] void refuse_step(const TomlSection& in, double from, double to, double by) {
+    const double fewer = std::floor((to - from) / by), range = to - from;
+    const auto form = [&](double steps) { return fmt::format("by = {:.10g}", range / steps); };
+    in.fail(in.place_of("by"), fmt::format("steps of {:g} from {:g} do not end at {:g}", by, from, to),
+            fewer < 1 ? "write " + form(1) + ", or count = 2"
+                      : fmt::format("write {} or {}, or count = {}", form(fewer), form(fewer + 1), fewer + 2));
+}
+
 /// from, to and `count` or `by`: evenly spaced values, both ends among them.
 std::vector<StudyValue> read_span(TomlSection& in, double from, double to) {
     const auto count = in.count("count");
@@ -90,14 +99,17 @@ std::vector<StudyValue> read_span(TomlSection& in, double from, double to) {
         const double parts = (to - from) / *by;
         if (!(parts > 0) || parts > static_cast<double>(most_grid_values))
             in.fail(in.place_of("by"), "'by' must lead from 'from' to 'to'");
-        steps = static_cast<std::size_t>(std::floor(parts + 1e-9));
+        const double whole = std::max(1.0, std::round(parts));
+        if (std::abs(parts - whole) > 1e-9 * whole) refuse_step(in, from, to, *by);
+        steps = static_cast<std::size_t>(whole);
     } else {
         return {};
     }
     std::vector<StudyValue> values;
     for (std::size_t i = 0; i <= steps; ++i)
-        values.emplace_back(by ? from + static_cast<double>(i) * *by
-                               : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps));
+        values.emplace_back(i == steps ? to
+                            : by       ? from + static_cast<double>(i) * *by
+                                       : from + (to - from) * static_cast<double>(i) / static_cast<double>(steps));
     return values;
 }
 

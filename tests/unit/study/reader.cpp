@@ -1,9 +1,12 @@
 #include "study/study.hpp"
 
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace kaya {
 namespace {
@@ -72,6 +75,26 @@ TEST_F(Reader, TextsOfValuesGiveBackTheSameBitsAndKind) {
     EXPECT_EQ(text_of(StudyValue(true)), "true");
 }
 
+TEST_F(Reader, StepsIncludeBothEnds) {
+    for (const auto& [from, to, by, count] : {std::tuple{20.0, 40.0, 5.0, 5U},
+                                              {0.0, 1.0, 0.1, 11U},
+                                              {-0.3, 0.6, 0.3, 4U},
+                                              {1e5, 3e5, 2e5, 2U},
+                                              {1.1, 1.4, 0.1, 4U},
+                                              {0.0, 1.0, 0.333333333333, 4U},
+                                              {0.0, 7.0, 0.007, 1001U}}) {
+        const auto values = read(fmt::format("deck = \"a.3dd\"\nresults = {{ slip = \"@slip\" }}\n[parameters]\n"
+                                             "f = {{ from = {}, to = {}, by = {} }}\n",
+                                             from, to, by))
+                                .factors[0]
+                                .values;
+        ASSERT_EQ(values.size(), count) << by;
+        EXPECT_EQ(number_of(values.front()), from);
+        EXPECT_EQ(number_of(values.back()), to);
+        EXPECT_NEAR(number_of(values[1]), from + by, 1e-12 * std::abs(by));
+    }
+}
+
 struct Wrong {
     const char* text; ///< after deck and results
     int line;
@@ -131,6 +154,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[parameters]\nf = { distribution = \"normal\", mean = 1, deviation = 1 }\n", 4, "no [design] says how"},
         Wrong{"[parameters]\nf = { from = 2, to = 1 }\n", 4, "'to' must be above 'from'"},
         Wrong{"[parameters]\nf = { from = 1, to = 2, by = -1 }\n", 4, "'by' must lead"},
+        Wrong{"[parameters]\nf = { from = 1, to = 10, by = 4 }\n", 4, "steps of 4 from 1 do not end at 10",
+              "write by = 4.5 or by = 3, or count = 4"},
+        Wrong{"[parameters]\nf = { from = 20, to = 40, by = 25 }\n", 4, "steps of 25 from 20 do not end at 40",
+              "write by = 20, or count = 2"},
+        Wrong{"[parameters]\nf = { from = -0.1, to = 0.2, by = 0.0999 }\n", 4, "do not end at 0.2",
+              "write by = 0.1 or by = 0.075, or count = 5"},
         Wrong{"[parameters]\nf = { from = 1, to = 2, count = 1 }\n", 4, "'count' must be"},
         Wrong{"[parameters]\nf = { from = nan, to = 2 }\n", 4, "expected a number"},
         Wrong{same_with_itself.c_str(), 9, "not correlated with itself"},
