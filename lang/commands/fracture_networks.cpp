@@ -4,9 +4,14 @@
 #include "lang/commands/fracture_words.hpp"
 #include "lang/commands/language.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace kaya::lang {
 
 namespace {
+
+using FromTo = std::array<double, 2>;
 
 auto angle_at(std::size_t k) {
     return [k](FractureTemplate & made) -> auto& { return made.angles[k]; };
@@ -73,15 +78,68 @@ Parts<FractureTemplate> sizes() {
 }
 
 void add_limits(Entry<FractureTemplate>& entry, const char* word, const Argument<double>& limit,
-                std::optional<std::array<double, 2>> FractureTemplate::*limits, const char* help) {
-    using Limits = std::array<double, 2>;
+                std::optional<FromTo> FractureTemplate::*limits, const char* help) {
     entry.keyword({word},
-                  Parts<FractureTemplate>().in(made(limits), Parts<Limits>()
+                  Parts<FractureTemplate>().in(made(limits), Parts<FromTo>()
                                                                  .then(
-                                                                     limit, [](Limits & l) -> auto& { return l[0]; })
+                                                                     limit, [](FromTo & l) -> auto& { return l[0]; })
                                                                  .then(
-                                                                     limit, [](Limits & l) -> auto& { return l[1]; })),
+                                                                     limit, [](FromTo & l) -> auto& { return l[1]; })),
                   help);
+}
+
+void check_order(const std::optional<FromTo>& limits, const char* what) {
+    if (limits && (*limits)[0] > (*limits)[1])
+        throw Diagnostic(fmt::format("the limits of {} are {:g} and {:g}: the first is the greater one", what,
+                                     (*limits)[0], (*limits)[1]),
+                         "give the least value first");
+}
+
+/// `scatters`: angles of the law are not all the same.
+void check_dips(const FromTo& limits, bool scatters) {
+    const double low = std::max(limits[0], 0.0), high = std::min(limits[1], 90.0);
+    if (low > high)
+        throw Diagnostic(
+            fmt::format("a dip is 0 to 90 degrees, and its limits are {:g} and {:g}", limits[0], limits[1]),
+            "correct dip-limits");
+    if (low == high && scatters)
+        throw Diagnostic(fmt::format("no fracture is drawn with a dip of exactly {:g}", low),
+                         "give dip-limits some width, or orientation gauss with the deviation 0");
+}
+
+/// An arc from the first to the second: the first may be the greater one.
+void check_directions(const FromTo& limits, bool scatters) {
+    const double span = limits[1] - limits[0];
+    if (!(span <= 360 && span > -360))
+        throw Diagnostic(
+            fmt::format("the limits of dip directions, {:g} and {:g}, are not an arc of at most 360 degrees", limits[0],
+                        limits[1]),
+            "give 0 360 for all directions, or 330 30 for those from 330 across north to 30");
+    if (span == 0 && scatters)
+        throw Diagnostic(fmt::format("no fracture is drawn with a dip direction of exactly {:g}", limits[0]),
+                         "give dip-direction-limits some width, or orientation gauss with the deviation 0");
+}
+
+/// Normal distributions of the deviation 0 draw one dip.
+void check_one_dip(const FractureTemplate& made) {
+    const double dip = made.angles[0];
+    const auto [low, high] = *made.dip_limits;
+    if (made.angles[1] == 0 && dip >= 0 && dip <= 90 && (dip < low || dip > high))
+        throw Diagnostic(
+            fmt::format("all fractures have a dip of {:g}, and its limits are {:g} and {:g}", dip, low, high),
+            "correct dip-limits, or give the dip a deviation");
+}
+
+/// Limits between which nothing can be drawn.
+void check_limits(const FractureTemplate& made) {
+    using enum FractureTemplate::Orientation;
+    check_order(made.size_limits, "sizes");
+    check_order(made.dip_limits, "dips");
+    const bool measured = made.orientation == bootstrapped, normal = made.orientation == gauss;
+    if (made.dip_limits) check_dips(*made.dip_limits, !measured && !(normal && made.angles[1] == 0));
+    if (made.dip_limits && normal) check_one_dip(made);
+    if (made.dip_direction_limits)
+        check_directions(*made.dip_direction_limits, !measured && !(normal && made.angles[3] == 0));
 }
 
 CommandSpec make_template() {
@@ -102,21 +160,48 @@ CommandSpec make_template() {
     add_limits(entry, "dip-limits", angle, &FractureTemplate::dip_limits,
                "least and greatest dip, 0 and 90 if not given");
     add_limits(entry, "dip-direction-limits", angle, &FractureTemplate::dip_direction_limits,
-               "least and greatest dip direction, 0 and 360 if not given");
+               "dip directions from the first clockwise to the second, 0 and 360 if not given; 330 30 crosses north");
     add_limits(entry, "size-limits", real("diameter").unit("length").above(0), &FractureTemplate::size_limits,
                "least and greatest diameter; if not given 1 and no limit, of bootstrapped sizes none");
     entry.finish([](const Reader& reader, FractureTemplate& made) {
         if (!made.size)
             incomplete_line(reader, "a template needs a law of sizes", "write: size power-law 3 size-limits 1 50");
+        if (reader.wildcards()) return;
+        try {
+            check_limits(made);
+        } catch (Diagnostic& mistake) { throw mistake.at(made.place); }
     });
     entry.right("fracture template create 'set-1' orientation fisher 30 120 50 size power-law 3 size-limits 2 40");
     entry.right("fracture template create bed orientation gauss 30 5 120 10 dip-limits 10 60 size log-normal 5 2");
+    entry.right(
+        "fracture template create 'north' orientation fisher 70 0 20 dip-direction-limits 330 30 size uniform size-limits 2 5");
     entry.right("fracture template create wall orientation bootstrapped 'planes.txt' size bootstrapped 'sizes.txt'");
     entry.wrong("fracture template create 'a'", "a template needs a law of sizes");
     entry.wrong("fracture template create 'a' size powerlow 3", "'powerlow' is not a law of sizes");
     entry.wrong("fracture template create 'a' orientation fisher 30 120 size uniform",
                 "expected a number, found 'size'");
     entry.wrong("fracture template create 'a' size exponential 0", "mean must be greater than 0, not 0");
+    entry.right(
+        "fracture template create 'a' orientation gauss 30 0 390 0 dip-limits 30 30 dip-direction-limits 30 30 size uniform size-limits 1 2");
+    entry.right("fracture template create 'a' dip-direction-limits -180 180 size uniform size-limits 1 2");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-direction-limits 0 400",
+                "are not an arc of at most 360 degrees");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-direction-limits 360 0",
+                "are not an arc of at most 360 degrees");
+    entry.wrong("fracture template create 'a' orientation uniform size exponential 3 dip-direction-limits 30 30",
+                "no fracture is drawn with a dip direction of exactly 30");
+    entry.wrong("fracture template create 'a' orientation fisher 30 40 5 size exponential 3 dip-direction-limits 30 30",
+                "no fracture is drawn with a dip direction of exactly 30");
+    entry.wrong(
+        "fracture template create 'a' orientation gauss 30 0 120 5 size exponential 3 dip-direction-limits 30 30",
+        "no fracture is drawn with a dip direction of exactly 30");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 90 120", "with a dip of exactly 90");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 100 120", "its limits are 100 and 120");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits -20 -10", "its limits are -20 and -10");
+    entry.wrong("fracture template create 'a' orientation gauss 20 0 90 5 size exponential 3 dip-limits 40 50",
+                "all fractures have a dip of 20");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 60 40", "the first is the greater one");
+    entry.wrong("fracture template create 'a' size exponential 3 size-limits 6 5", "the first is the greater one");
     entry.wrong("fracture template create 'a' size bootstrapped", "a word is missing after 'bootstrapped'");
     return entry;
 }

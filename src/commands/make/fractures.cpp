@@ -48,7 +48,7 @@ FractureLaw law_of(Session& session, const lang::FractureTemplate& command) {
         law.diameters = read_diameters(text_of(session, command.diameters), command.diameters);
         law.sizes = {0, largest_fracture}; // what was measured is drawn
     }
-    const auto take = [](const auto& limits, Interval& into) {
+    const auto take = [](const auto& limits, auto& into) {
         if (limits) into = {(*limits)[0], (*limits)[1]};
     };
     take(command.dip_limits, law.dips);

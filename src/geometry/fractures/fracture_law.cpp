@@ -11,6 +11,8 @@
 namespace kaya {
 namespace {
 
+constexpr double full_turn = 360;
+
 /// In (0, 1].
 double above_zero(Random& random) { return 1 - random.uniform(); }
 
@@ -21,7 +23,7 @@ double normal_number(Random& random) {
 }
 
 /// A value within the limits.
-template <class Draw> double within(const Interval& limits, const char* what, Draw draw) {
+template <class Limits, class Draw> double within(const Limits& limits, const char* what, Draw draw) {
     constexpr int most_tries = 100'000;
     for (int k = 0; k < most_tries; ++k)
         if (const double x = draw(); limits.hold(x)) return x;
@@ -111,6 +113,18 @@ void check_samples(const FractureLaw& law) {
 
 } // namespace
 
+double Directions::width() const {
+    const double span = high - low;
+    return span < 0 ? span + full_turn : span;
+}
+
+bool Directions::hold(double direction) const {
+    constexpr double rounding = 1e-9; // of 330.1 and -29.9
+    double beyond = std::fmod(direction - low, full_turn);
+    if (beyond < 0) beyond += full_turn;
+    return beyond <= width() + rounding || beyond >= full_turn - rounding;
+}
+
 void check(const FractureLaw& law) {
     using enum FractureLaw::Size;
     const bool open = std::isinf(law.sizes.high);
@@ -120,8 +134,7 @@ void check(const FractureLaw& law) {
         throw Diagnostic(
             fmt::format("a power law with the exponent {:g} has no mean without a greatest size", law.exponent),
             "give an exponent above 1, or limits: size-limits 1 50");
-    for (const auto& [limits, what] :
-         {std::pair{law.sizes, "sizes"}, {law.dips, "dips"}, {law.dip_directions, "dip directions"}})
+    for (const auto& [limits, what] : {std::pair{law.sizes, "sizes"}, {law.dips, "dips"}})
         if (!(limits.low <= limits.high))
             throw Diagnostic(fmt::format("the limits of {} are {:g} and {:g}: the first is the greater one", what,
                                          limits.low, limits.high),

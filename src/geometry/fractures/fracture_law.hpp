@@ -17,13 +17,23 @@ struct Interval {
     bool operator==(const Interval&) const = default;
 };
 
+/// Dip directions from `low` clockwise to `high`, modulo 360 degrees: -30 to 30, 330 to 390 and 330 to 30 are the same.
+struct Directions {
+    double low, high;
+    /// Of the arc, in degrees.
+    double width() const;
+    bool hold(double direction) const;
+    bool operator==(const Directions&) const = default;
+};
+
 /// How fractures are directed and how large they are.
 struct FractureLaw {
     enum class Orientation { uniform, fisher, gauss, bootstrapped } orientation = Orientation::uniform;
     double dip = 0, dip_direction = 0; ///< degrees: the mean
     double kappa = 0;                  ///< of Fisher's distribution
     double dip_deviation = 0, dip_direction_deviation = 0;
-    Interval dips{0, 90}, dip_directions{0, 360};
+    Interval dips{0, 90};
+    Directions dip_directions{0, 360};
     Sample<MeasuredPlane> planes = {}; ///< of bootstrapped orientations
 
     enum class Size { power_law, log_normal, gauss, exponential, uniform, bootstrapped } size = Size::uniform;

@@ -234,6 +234,70 @@ TEST(Fractures, LawsThatGiveNothingAreRefused) {
 
 namespace {
 
+/// Of each kind, around north.
+std::vector<FractureLaw> laws_around_north() {
+    using enum FractureLaw::Orientation;
+    std::vector<FractureLaw> laws;
+    for (const auto orientation : {uniform, fisher, gauss, bootstrapped}) {
+        FractureLaw law = sizes(FractureLaw::Size::uniform, 0, 0, {1, 2});
+        law.orientation = orientation;
+        law.dip = 50, law.dip_direction = 5;
+        law.kappa = 8;
+        law.dip_deviation = 10, law.dip_direction_deviation = 40;
+        for (int k = 0; k < 36; ++k) law.planes.add({60, 10.0 * k});
+        laws.push_back(law);
+    }
+    return laws;
+}
+
+} // namespace
+
+/// Limits of directions are an arc, however it is written.
+TEST(Fractures, LimitsOfDirectionsCrossNorth) {
+    for (FractureLaw law : laws_around_north())
+        for (const auto& [low, high] :
+             {std::pair{330.0, 390.0}, {40.0, 60.0}, {300.0, 420.0}, {90.0, 270.0}, {170.0, 520.0}})
+            for (const std::uint64_t seed : {1, 2, 3}) {
+                law.dip_directions = {low, high};
+                const auto discs = grow(law, of_count(100), Random(seed));
+                ASSERT_EQ(discs.size(), 100U);
+                for (const Disc& disc : discs) {
+                    const double from_low = std::fmod(disc.dip_direction - low + 720, 360);
+                    EXPECT_TRUE(from_low <= high - low + 1e-8 || from_low > 360 - 1e-8)
+                        << low << ' ' << disc.dip_direction;
+                }
+                for (const auto& [a, b] : {std::pair{low - 360, high - 360},
+                                           {low, high - 360},
+                                           {low - 720, high - 720},
+                                           {low + 360, high + 360},
+                                           {low + 360, high}}) {
+                    if (b - a <= -360) continue;
+                    law.dip_directions = {a, b};
+                    EXPECT_EQ(grow(law, of_count(100), Random(seed)), discs) << a << ' ' << b;
+                }
+            }
+}
+
+TEST(Fractures, AllDirectionsAreAFullTurn) {
+    for (FractureLaw law : laws_around_north()) {
+        const auto all = grow(law, of_count(200), Random(4));
+        for (const double low : {-360.0, -180.0, -30.0, 10.0, 360.0}) {
+            law.dip_directions = {low, low + 360};
+            EXPECT_EQ(grow(law, of_count(200), Random(4)), all);
+        }
+    }
+}
+
+/// Measured planes are often at the limits themselves.
+TEST(Fractures, LimitsOfDirectionsHoldTheirEnds) {
+    for (const auto& limits : {Directions{-29.9, 40.3}, {330.1, 400.3}, {330.1, 40.3}, {690.1, 760.3}}) {
+        for (const double inside : {330.1, 0.0, 40.3, 360.0, -29.9}) EXPECT_TRUE(limits.hold(inside)) << inside;
+        for (const double outside : {330.0, 40.4, 180.0}) EXPECT_FALSE(limits.hold(outside)) << outside;
+    }
+}
+
+namespace {
+
 std::vector<Fracture> read(std::string_view text, FractureFormat format = FractureFormat::discs) {
     return read_fractures(text, "a.txt", format);
 }
