@@ -46,7 +46,41 @@ std::string remarks(const BenchOrder& order, const LoadPath& path) {
     return text;
 }
 
-std::string report_of(const JointCurve& curve) {
+/// The largest difference of two answers, as a part of the largest answer.
+struct Difference {
+    double apart = 0, largest = 0;
+    void add(double fine, double coarse) {
+        apart = std::max(apart, std::abs(fine - coarse)), largest = std::max(largest, std::abs(fine));
+    }
+    std::string text() const {
+        constexpr double rounding = 1e-6;
+        return apart <= rounding * largest ? std::string("less than 1e-6") : fmt::format("{:.2g}", apart / largest);
+    }
+};
+
+/// Dependence of the answer on the number of steps: the same path in half as many, at the points of the path.
+std::string step_text(const JointModel& model, const std::vector<double>& values, const LoadPath& path,
+                      CurveSettings settings, const JointCurve& curve) {
+    if (settings.steps < 2) return "not compared with fewer: the pieces of the path have one step";
+    settings.steps /= 2;
+    settings.tangents = false;
+    JointCurve coarse;
+    try {
+        coarse = follow_path(model, values, path, settings);
+    } catch (const Diagnostic& error) { return fmt::format("half as many fail: {}", error.message); }
+    Difference stress, opening, work;
+    for (std::size_t k = 0; k < curve.at_path.size(); ++k) {
+        const CurvePoint &fine = curve.points[curve.at_path[k]], &other = coarse.points[coarse.at_path[k]];
+        stress.add(fine.normal_stress, other.normal_stress);
+        for (std::size_t i = 0; i < 2; ++i) stress.add(fine.resistance[i], other.resistance[i]);
+        opening.add(fine.opening, other.opening);
+        work.add(fine.put_in, other.put_in);
+    }
+    return fmt::format("half as many change the stress by {}, the opening by {} and the work by {} of the largest",
+                       stress.text(), opening.text(), work.text());
+}
+
+std::string report_of(const JointCurve& curve, const std::string& steps) {
     Span shear, normal, opening, normal_ratio, shear_ratio;
     double peak_at = 0;
     for (const auto& p : curve.points) {
@@ -71,6 +105,7 @@ std::string report_of(const JointCurve& curve) {
         line("normal tangent", fmt::format("{} of the stiffness reported", normal_ratio.text()));
     if (std::isfinite(shear_ratio.least))
         line("shear tangent", fmt::format("{} of the stiffness reported", shear_ratio.text()));
+    if (!steps.empty()) line("steps", steps);
     for (const auto& f : curve.findings) line("found", fmt::format("step {}: {}", f.step, f.text));
     if (curve.findings.empty()) line("found", "no jump, no energy from nothing, no stiffness above the one reported");
     return text;
@@ -84,10 +119,12 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
     const LoadPath path = read_load_path(order.path);
     BenchReport report;
     JointCurve curve;
+    std::string steps;
     std::string heading = fmt::format("{} {} along {}: {} points\n", model.name, model.version,
                                       order.path.filename().string(), path.points.size());
     if (order.fitted.empty()) {
         curve = follow_path(model, values, path, order.settings);
+        steps = step_text(model, values, path, order.settings, curve);
     } else {
         CurveFit fit = fit_curve(model, values, order.fitted, path, {order.settings, order.offsets});
         heading += fit_text(fit);
@@ -112,7 +149,7 @@ BenchReport run_bench(JointRegistry& registry, const BenchOrder& order) {
             {0, fmt::format("it changes {}; that was put back after each call", text_of_changes(model.arithmetic()))});
     if (const auto fault = fault_without_area(model, values); !fault.empty()) curve.findings.push_back({0, fault});
     report.odd = !curve.findings.empty();
-    report.text = heading + report_of(curve) + remarks(order, path) +
+    report.text = heading + report_of(curve, steps) + remarks(order, path) +
                   fmt::format("  wrote {}, {}", report.curve.string(), report.figure.string());
     return report;
 }

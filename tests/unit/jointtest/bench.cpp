@@ -183,6 +183,44 @@ TEST_F(JointBench, WritesCurveAndFigure) {
     EXPECT_THAT(report.text, HasSubstr("largest at"));
 }
 
+/// The number behind a text of the report.
+double number_behind(const std::string& report, const std::string& text) {
+    const auto found = report.find(text);
+    if (found == report.npos) return std::nan("");
+    return std::atof(report.c_str() + found + text.size());
+}
+
+TEST_F(JointBench, SaysHowMuchHalfTheStepsChange) {
+    const std::string few = "half as many change the stress by ";
+    auto o = order("mohr", coulomb, "normal_stress,shear_displacement\n2,0\n2,1e-4\n");
+    o.settings.steps = 40;
+    EXPECT_THAT(run_bench(registry, o).text,
+                HasSubstr(few + "less than 1e-6, the opening by less than 1e-6 and the work by less than 1e-6 of"));
+    o.settings.steps = 1;
+    EXPECT_THAT(run_bench(registry, o).text, HasSubstr("the pieces of the path have one step"));
+    // The shear stiffness grows with the normal stress, which rises with the shear.
+    for (const auto* path : {"normal_stress,shear_displacement\n1,0\n4,1e-3\n",
+                             "normal_displacement,shear_displacement\n-1e-4,0\n-4e-4,1e-3\n"}) {
+        const std::vector<std::pair<std::string, double>> values{
+            {"jkn", 1e4}, {"jks", 1e3}, {"exponent-normal", 0.5}, {"exponent-shear", 0.8}, {"jfric", 60}};
+        auto stiffening = order("nonlinear", values, path);
+        double changes[2];
+        for (const std::size_t steps : {40, 80}) {
+            stiffening.settings.steps = steps;
+            const std::string text = run_bench(registry, stiffening).text;
+            const auto at = [&](std::size_t n) { return follow("nonlinear", values, path, n).points.back(); };
+            const CurvePoint fine = at(steps), coarse = at(steps / 2);
+            const double change = std::max(std::abs(fine.resistance[0] - coarse.resistance[0]),
+                                           std::abs(fine.normal_stress - coarse.normal_stress)) /
+                                  std::max(fine.resistance[0], fine.normal_stress);
+            changes[steps / 80] = number_behind(text, few);
+            EXPECT_NEAR(changes[steps / 80] / change, 1, 0.06) << text;
+        }
+        EXPECT_GT(changes[0], 1e-5);
+        EXPECT_LT(changes[1], changes[0]);
+    }
+}
+
 TEST_F(JointBench, SaysWhatIsWrongWithPathOrValues) {
     const std::string good = "normal_stress,shear_displacement\n2,0\n2,0.002\n";
     EXPECT_THAT(refusal(order("mohr", {{"jkn", 1e4}}, good)), HasSubstr("lacks stiffness-shear"));
