@@ -185,9 +185,9 @@ CommandSpec make_template() {
         "fracture template create 'a' orientation gauss 30 0 390 0 dip-limits 30 30 dip-direction-limits 30 30 size uniform size-limits 1 2");
     entry.right("fracture template create 'a' dip-direction-limits -180 180 size uniform size-limits 1 2");
     entry.wrong("fracture template create 'a' size exponential 3 dip-direction-limits 0 400",
-                "are not an arc of at most 360 degrees");
+                "the limits of dip directions, 0 and 400, are not an arc of at most 360 degrees");
     entry.wrong("fracture template create 'a' size exponential 3 dip-direction-limits 360 0",
-                "are not an arc of at most 360 degrees");
+                "the limits of dip directions, 360 and 0, are not an arc of at most 360 degrees");
     entry.wrong("fracture template create 'a' orientation uniform size exponential 3 dip-direction-limits 30 30",
                 "no fracture is drawn with a dip direction of exactly 30");
     entry.wrong("fracture template create 'a' orientation fisher 30 40 5 size exponential 3 dip-direction-limits 30 30",
@@ -195,13 +195,18 @@ CommandSpec make_template() {
     entry.wrong(
         "fracture template create 'a' orientation gauss 30 0 120 5 size exponential 3 dip-direction-limits 30 30",
         "no fracture is drawn with a dip direction of exactly 30");
-    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 90 120", "with a dip of exactly 90");
-    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 100 120", "its limits are 100 and 120");
-    entry.wrong("fracture template create 'a' size exponential 3 dip-limits -20 -10", "its limits are -20 and -10");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 90 120",
+                "no fracture is drawn with a dip of exactly 90");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 100 120",
+                "a dip is 0 to 90 degrees, and its limits are 100 and 120");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits -20 -10",
+                "a dip is 0 to 90 degrees, and its limits are -20 and -10");
     entry.wrong("fracture template create 'a' orientation gauss 20 0 90 5 size exponential 3 dip-limits 40 50",
-                "all fractures have a dip of 20");
-    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 60 40", "the first is the greater one");
-    entry.wrong("fracture template create 'a' size exponential 3 size-limits 6 5", "the first is the greater one");
+                "all fractures have a dip of 20, and its limits are 40 and 50");
+    entry.wrong("fracture template create 'a' size exponential 3 dip-limits 60 40",
+                "the limits of dips are 60 and 40: the first is the greater one");
+    entry.wrong("fracture template create 'a' size exponential 3 size-limits 6 5",
+                "the limits of sizes are 6 and 5: the first is the greater one");
     entry.wrong("fracture template create 'a' size bootstrapped", "a word is missing after 'bootstrapped'");
     return entry;
 }

@@ -82,7 +82,7 @@ namespace {
 
 /// Throws Diagnostic when the faces of the rigid blocks, divided by that edge, would have more sub-contacts than a model can hold.
 void refuse_too_fine(const Model& model, const std::vector<Row>& picked, double edge, const Place& place) {
-    constexpr double most_places = 1e7;
+    constexpr double most_places = 2e6;
     double area = 0;
     for (const Row block : picked) {
         if (model.blocks.deformable[block]) continue;

@@ -3,7 +3,6 @@
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/contact/advance_joints.hpp"
 #include "mechanics/contact/contact_table.hpp"
-#include "mechanics/contact/take_over.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "mechanics/supports/water.hpp"
 #include "model/edit/joined.hpp"
@@ -31,7 +30,8 @@ using Reach = Eigen::Matrix<double, 3, 6>; ///< motion of a place by that of its
 class Loads {
 public:
     Loads(const Model& model, const JointForces& forces)
-        : model_(model), force_(model.blocks.size(), Vec3::Zero()), moment_(model.blocks.size(), Vec3::Zero()) {
+        : model_(model), force_(model.blocks.size(), Vec3::Zero()), moment_(model.blocks.size(), Vec3::Zero()),
+          pushed_(model.blocks.size(), 0) {
         const auto& contacts = model.contacts;
         for (std::size_t c = 0; c < contacts.size(); ++c) {
             push(contacts.block1[c], -forces.of_contact[c], contacts.position[c], -forces.moment[c]);
@@ -49,15 +49,19 @@ public:
 
     Vec3 force(Row b, double mass) const { return force_[b] + model_.blocks.load[b] + mass * model_.settings.gravity; }
     Vec3 moment(Row b) const { return moment_[b] + load_moment(model_, b); }
+    /// Whether other bodies or structures act on it.
+    bool pushed(Row b) const { return pushed_[b] != 0; }
 
 private:
     void push(Row b, const Vec3& force, const Vec3& place, const Vec3& moment) {
         force_[b] += force;
         moment_[b] += (place - model_.blocks.centroid[b]).cross(force) + moment;
+        pushed_[b] = pushed_[b] || !force.isZero(0);
     }
 
     const Model& model_;
     std::vector<Vec3> force_, moment_;
+    std::vector<char> pushed_;
 };
 
 Mat3 cross_of(const Vec3& v) {
@@ -94,7 +98,7 @@ public:
         std::iota(together_.begin(), together_.end(), std::size_t{0});
     }
 
-    bool usable() const { return known_ && parts_.size() > 1; }
+    bool usable() const { return known_ && pushed_ && parts_.size() > 1; }
 
     void add_joint(Row contact) {
         joints_.push_back(contact);
@@ -155,6 +159,7 @@ private:
         const auto& blocks = model_.blocks;
         const double mass = mass_of(model_, b);
         known_ = known_ && std::isfinite(mass) && !blocks.deformable[b] && !is_held(model_, b) && blocks.fixed[b] == 0;
+        pushed_ = pushed_ || loads.pushed(b);
         const Reach reach = reach_of(blocks.centroid[b]);
         const Mat3 turn = turn_of(blocks, b);
         part.load += reach.transpose() * loads.force(b, mass);
@@ -196,7 +201,7 @@ private:
     const Model& model_;
     Vec3 origin_;
     double size_;
-    bool known_ = true;
+    bool known_ = true, pushed_ = false;
     std::vector<Part> parts_;
     std::map<Row, std::size_t> part_of_;
     std::vector<Row> joints_;
@@ -206,7 +211,7 @@ private:
 } // namespace
 
 void load_parted_joints(Model& model, JointRegistry& joints, const std::vector<std::vector<Row>>& bodies) {
-    if (bodies.empty() || model.clock.cycle == 0) return;
+    if (bodies.empty() || (model.contacts.empty() && !model.structures.stand())) return;
     find_contacts(model, joints);
     find_ends_of_water(model);
     put_water(model);
@@ -237,7 +242,6 @@ void load_parted_joints(Model& model, JointRegistry& joints, const std::vector<s
             marked[s] = 1;
         });
     initialise_sub_contacts(model, joints, marked);
-    note_taken_over(model, marked);
     ModelEdit(model, Change::properties);
 }
 
