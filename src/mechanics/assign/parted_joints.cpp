@@ -208,10 +208,22 @@ private:
     std::vector<std::size_t> together_; ///< by part: an earlier one that joints connect with it, or itself
 };
 
+/// Whether any body acts on another one, or a structure does.
+bool any_force(const Model& model) {
+    const auto acts = [](double force) { return force != 0; };
+    const auto pulls = [](const Vec3& force) { return !force.isZero(0); };
+    const auto& subs = model.sub_contacts;
+    return std::ranges::any_of(subs.normal_force, acts) ||
+           std::ranges::any_of(subs.shear_force.component,
+                               [&](const auto& c) { return std::ranges::any_of(c, acts); }) ||
+           std::ranges::any_of(model.structures.member_nodes.rock_force, pulls) ||
+           std::ranges::any_of(model.structures.cable_nodes.force, pulls);
+}
+
 } // namespace
 
 void load_parted_joints(Model& model, JointRegistry& joints, const std::vector<std::vector<Row>>& bodies) {
-    if (bodies.empty() || (model.contacts.empty() && !model.structures.stand())) return;
+    if (bodies.empty() || !any_force(model)) return;
     find_contacts(model, joints);
     find_ends_of_water(model);
     put_water(model);
