@@ -4,6 +4,7 @@
 #include "commands/list/listing.hpp"
 #include "commands/list/model_strengths.hpp"
 
+#include "mechanics/common/masses.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "mechanics/bodies/run_cables.hpp"
@@ -104,11 +105,11 @@ private:
     }
 
     double mass_of(Row block) const {
-        const auto material = model_.materials.find(model_.blocks.material[block]);
-        if (material == model_.materials.end() || std::isnan(material->second.density))
+        const double density = density_of(model_, block);
+        if (std::isnan(density))
             throw Diagnostic(fmt::format("block {} has no density", model_.blocks.number[block]),
                              "give it with `prop mat`; block theory needs weights");
-        return material->second.density * model_.blocks.volume[block];
+        return density * model_.blocks.volume[block];
     }
 
     void add_loads(Row block, Held& held) const {
@@ -126,21 +127,14 @@ private:
 
     /// Cables pull with the tension that they have, beams and liners with the forces of the last cycle.
     void add_structures() {
-        const auto& members = model_.structures.member_nodes;
-        for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
-            if (const Row block = rock_block(model_, members, node); block != no_row)
-                bodies_[body_of_[static_cast<std::size_t>(block)]].push(members.rock_force[node],
-                                                                        members.position[node]);
-        if (model_.structures.cables.empty()) return;
-        take_structure_properties(model_);
-        std::vector<CableChain> chains;
-        run_cables(model_, chains, 0);
-        const auto& nodes = model_.structures.cable_nodes;
-        for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node) {
-            const Row block = block_of_node(model_, node);
-            if (block != no_row)
-                bodies_[body_of_[static_cast<std::size_t>(block)]].push(nodes.force[node], nodes.position[node]);
+        if (!model_.structures.cables.empty()) {
+            take_structure_properties(model_);
+            std::vector<CableChain> chains;
+            run_cables(model_, chains, 0);
         }
+        each_structure_force(model_, [this](Row block, const Vec3& force, const Vec3& place, const Vec3&) {
+            bodies_[body_of_[static_cast<std::size_t>(block)]].push(force, place);
+        });
     }
 
     /// Whether a velocity is prescribed anywhere on it.

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "base/plane_cross.hpp"
 #include "commands/list/model_strengths.hpp"
+#include "mechanics/common/masses.hpp"
 #include "mechanics/assign/contact_properties.hpp"
 #include "mechanics/lanes/rotation.hpp"
 #include "mechanics/bodies/run_cables.hpp"
@@ -219,18 +220,14 @@ private:
 
     /// Cables have the tension of now, beams and liners the forces of the last cycle.
     void add_structures(SlopeSection& section) const {
-        const auto visible = [&](Row block) { return block != no_row && !model_.blocks.hidden[block]; };
-        const auto& members = model_.structures.member_nodes;
-        for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
-            if (visible(rock_block(model_, members, node)))
-                add(members.rock_force[node], members.position[node], section);
-        if (model_.structures.cables.empty()) return;
-        take_structure_properties(model_);
-        std::vector<CableChain> chains;
-        run_cables(model_, chains, 0);
-        const auto& nodes = model_.structures.cable_nodes;
-        for (Row node = 0; node < static_cast<Row>(nodes.size()); ++node)
-            if (visible(block_of_node(model_, node))) add(nodes.force[node], nodes.position[node], section);
+        if (!model_.structures.cables.empty()) {
+            take_structure_properties(model_);
+            std::vector<CableChain> chains;
+            run_cables(model_, chains, 0);
+        }
+        each_structure_force(model_, [&](Row block, const Vec3& force, const Vec3& place, const Vec3&) {
+            if (!model_.blocks.hidden[block]) add(force, place, section);
+        });
     }
 
     Model& model_;
@@ -239,12 +236,13 @@ private:
 };
 
 double unit_weight(const Model& model, Row block) {
-    const auto number = model.blocks.material[block];
-    const auto material = model.materials.find(number);
-    if (material == model.materials.end() || std::isnan(material->second.density))
+    const double density = density_of(model, block);
+    if (std::isnan(density)) {
+        const auto number = model.blocks.material[block];
         throw Diagnostic(fmt::format("block {} (material {}) has no density", model.blocks.number[block], number),
                          fmt::format("give it, e.g. `prop mat {} density 2500`", number));
-    return material->second.density * model.settings.gravity.norm();
+    }
+    return density * model.settings.gravity.norm();
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "mechanics/assign/parted_joints.hpp"
 
 #include "mechanics/assign/contact_properties.hpp"
+#include "mechanics/common/masses.hpp"
 #include "mechanics/contact/advance_joints.hpp"
 #include "mechanics/contact/contact_table.hpp"
 #include "mechanics/lanes/rotation.hpp"
@@ -9,7 +10,7 @@
 #include "model/measure/block_box.hpp"
 #include "model/measure/held.hpp"
 #include "model/measure/turn.hpp"
-#include "model/structures/rock_points.hpp"
+#include "model/structures/structures.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
@@ -37,14 +38,9 @@ public:
             push(contacts.block1[c], -forces.of_contact[c], contacts.position[c], -forces.moment[c]);
             push(contacts.block2[c], forces.of_contact[c], contacts.position[c], forces.moment[c]);
         }
-        const auto& members = model.structures.member_nodes;
-        for (Row node = 0; node < static_cast<Row>(members.size()); ++node)
-            if (const Row block = rock_block(model, members, node); block != no_row)
-                push(block, members.rock_force[node], members.position[node], members.rock_moment[node]);
-        const auto& cables = model.structures.cable_nodes;
-        for (Row node = 0; node < static_cast<Row>(cables.size()); ++node)
-            if (const Row block = rock_block(model, cables, node); block != no_row)
-                push(block, cables.force[node], cables.position[node], Vec3::Zero());
+        each_structure_force(model, [this](Row block, const Vec3& force, const Vec3& place, const Vec3& moment) {
+            push(block, force, place, moment);
+        });
     }
 
     Vec3 force(Row b, double mass) const { return force_[b] + model_.blocks.load[b] + mass * model_.settings.gravity; }
@@ -68,12 +64,6 @@ Mat3 cross_of(const Vec3& v) {
     Mat3 m;
     m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
     return m;
-}
-
-/// NaN where the density is not known.
-double mass_of(const Model& model, Row b) {
-    const auto material = model.materials.find(model.blocks.material[b]);
-    return material == model.materials.end() ? std::nan("") : material->second.density * model.blocks.volume[b];
 }
 
 /// The parts of what was one body, and the joints between them. Lengths in parts of the body's size, from one of its places.
@@ -157,7 +147,7 @@ private:
 
     void add_block(Part& part, const Loads& loads, Row b) {
         const auto& blocks = model_.blocks;
-        const double mass = mass_of(model_, b);
+        const double mass = density_of(model_, b) * blocks.volume[b];
         known_ = known_ && std::isfinite(mass) && !blocks.deformable[b] && !is_held(model_, b) && blocks.fixed[b] == 0;
         pushed_ = pushed_ || loads.pushed(b);
         const Reach reach = reach_of(blocks.centroid[b]);

@@ -8,12 +8,6 @@ namespace kaya {
 
 namespace {
 
-const Material& material_of(const Model& model, Row block) {
-    static const Material none;
-    const auto found = model.materials.find(model.blocks.material[block]);
-    return found == model.materials.end() ? none : found->second;
-}
-
 [[noreturn]] void missing(const Model& model, Row block, const char* what) {
     const auto material = model.blocks.material[block];
     Advised d(fmt::format("block {} (material {}) has no {}", model.blocks.number[block], material, what),
@@ -27,18 +21,23 @@ double inertial_factor(double inertial, double mass) { return inertial > 0 && ma
 
 } // namespace
 
+double density_of(const Model& model, Row block) {
+    const auto found = model.materials.find(model.blocks.material[block]);
+    return found == model.materials.end() ? std::nan("") : found->second.density;
+}
+
 void compute_masses(Model& model) {
     auto& blocks = model.blocks;
     auto& g = model.gridpoints;
     // All densities are checked before the first mass is written.
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const Row row = static_cast<Row>(b);
-        const double density = material_of(model, row).density;
+        const double density = density_of(model, row);
         const bool held = !blocks.deformable[b] && blocks.fixed[b] == fix_all && blocks.body[b] == 0;
         if (!(density > 0) && !held) missing(model, row, density == 0 ? "mass: its density is 0" : "density");
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const double density = material_of(model, static_cast<Row>(b)).density;
+        const double density = density_of(model, static_cast<Row>(b));
         const double factor = inertial_factor(blocks.inertial_mass[b], blocks.mass[b]);
         blocks.mass[b] = density > 0 ? density * blocks.volume[b] : 0;
         blocks.inertial_mass[b] = factor * blocks.mass[b];

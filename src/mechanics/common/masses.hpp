@@ -7,6 +7,9 @@
 
 namespace kaya {
 
+/// Of the material of a block, mass/length^3; NaN when it is not given.
+double density_of(const Model& model, Row block);
+
 /// Computes masses from densities. Throws Diagnostic when one is missing.
 void compute_masses(Model& model);
 

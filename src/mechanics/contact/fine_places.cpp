@@ -38,7 +38,11 @@ Pull pull_of(const Model& model, Row contact) {
     return pull;
 }
 
-bool is_inside(const Model& model, Row row) { return model.sub_contacts.type[row] == SubContactType::face_face; }
+/// Whether more than so many sub-contacts of a joint lie inside of its polygon; they follow those at its corners.
+bool has_inside(const Model& model, const Span& span, Row places) {
+    return span.count > places && model.sub_contacts.type[span.end() - 1 - places] == SubContactType::face_face;
+}
+bool is_fine(const Model& model, const Span& span) { return has_inside(model, span, inner); }
 
 } // namespace
 
@@ -59,8 +63,8 @@ std::vector<double> tensile_strengths(const Model& model, const JointRegistry& j
 
 bool must_be_finer(const Model& model, Row contact, double strength) {
     const Span span = model.contacts.sub_contacts[contact];
-    if (!(strength > 0) || span.count <= inner || !between_rigid(model, contact)) return false;
-    if (!is_inside(model, span.end() - 1) || is_inside(model, span.end() - 1 - inner)) return false;
+    if (!(strength > 0) || !between_rigid(model, contact)) return false;
+    if (!has_inside(model, span, 0) || is_fine(model, span)) return false;
     const Pull pull = pull_of(model, contact);
     return pull.greatest > near_strength * strength && pull.greatest - pull.least > bending * strength;
 }
@@ -70,7 +74,7 @@ FinePlaces fine_places(const Model& model, Row contact, double strength) {
     if (is_joint && must_be_finer(model, contact, strength)) return FinePlaces::bends;
     if (is_joint && turns_as_it_slides(model, contact)) return FinePlaces::turns;
     const Span span = model.contacts.sub_contacts[contact];
-    if (!(strength > 0) || span.count <= inner || !is_inside(model, span.end() - 1 - inner)) return FinePlaces::none;
+    if (!(strength > 0) || !is_fine(model, span)) return FinePlaces::none;
     const auto still = [&] {
         if (!is_joint) return model.contacts.torn[contact] != 0;
         const Pull pull = pull_of(model, contact);

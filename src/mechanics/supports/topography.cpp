@@ -1,3 +1,4 @@
+#include "mechanics/common/masses.hpp"
 #include "mechanics/supports/topography.hpp"
 
 #include "mechanics/common/remedy.hpp"
@@ -36,8 +37,7 @@ Overburden::Overburden(const Model& model) : model_(model) {
         throw Advised("stresses below the surface need gravity, straight down along z", Advice::give_gravity);
     std::vector<double> weight(model.blocks.size()); // per volume
     for (std::size_t b = 0; b < weight.size(); ++b) {
-        const auto material = model.materials.find(model.blocks.material[b]);
-        const double density = material == model.materials.end() ? 0 : material->second.density;
+        const double density = density_of(model, static_cast<Row>(b));
         if (!(density > 0))
             throw Advised(fmt::format("block {} (material {}) has no density, so it has no weight",
                                       model.blocks.number[b], model.blocks.material[b]),
