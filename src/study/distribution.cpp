@@ -89,7 +89,7 @@ double part_inside(const Distribution& d) {
     return (std::isfinite(d.most) ? part_below(d, d.most) : 1) - part_below_least(d);
 }
 
-/// What a truncated distribution leaves on both sides of its limits, and between them.
+/// Probabilities of a distribution below, above and between its limits.
 struct Cut {
     double below = 0, above = 0, inside = 1;
 };

@@ -1,4 +1,4 @@
-// What the corners of a rigid block have, for those of its pieces or its zones.
+// Values at the corners of a rigid block, passed on to the corners of its pieces or its zones.
 #pragma once
 
 #include "model/tables/model.hpp"

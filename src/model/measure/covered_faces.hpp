@@ -15,7 +15,7 @@ struct FacePair {
     double area; ///< that they have in common
 };
 
-/// What contacts of faces, and ties, cover of the faces of blocks. The contacts must be up to date, and stay. Less than a thousandth of a face or
+/// The parts of faces that contacts and ties cover. The contacts must be up to date, and stay. Less than a thousandth of a face or
 /// a triangle counts as nothing, covered or free.
 class CoveredFaces {
 public:

@@ -33,7 +33,7 @@ Vec3 place_on_faces(const Model& model, Row row);
 /// The opening there: the gap less the closure without force. Only where has_left_place.
 double opening_on_faces(const Model& model, Row row);
 
-/// What users see of a sub-contact: where it lies and its normal displacement, opening positive. Carriers of an overlap lie where the force
+/// Place and normal displacement of a sub-contact as users see them, opening positive. Carriers of an overlap lie where the force
 /// acts; its unloaded rows stand for the places that the joint had, from the first on.
 Vec3 shown_place(const Model& model, Row row);
 double shown_opening(const Model& model, Row row);
