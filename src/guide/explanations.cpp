@@ -173,10 +173,9 @@ constexpr Explanation explanations[] = {
      "The joint had them from another model, from 'insitu' or from a script. They are cut to the strength of the new model,\n"
      "and the rest is lost. Check the strength, or bring the model to rest before the change."},
     {"water-line", "the water of a joint ends between two of its sub-contacts",
-     "Sub-contacts beside zones, and those below a ground surface, have the pressure at their places, each on its area: where\n"
-     "the water ends within a joint of few places, the sum is not the force of the water. The message has both forces. Cut\n"
-     "the blocks at the water level, or give smaller cells. Joints of rigid blocks have the exact force and moment below a\n"
-     "plane table and of 'water pressure'."},
+     "Sub-contacts below a ground surface have the pressure at their places, each on its area: where the water ends within a\n"
+     "joint of few places, the sum is not the force of the water. The message has both forces. Cut the blocks at the water\n"
+     "level, or give smaller cells. Below a plane table and with 'water pressure', joints have the exact force and moment."},
     // Runs.
     {"motion-lost", "the run diverged: a velocity became NaN or infinite",
      "The step was too long, nearly always because a stiffness was reported too low, or because loads are in other units\n"

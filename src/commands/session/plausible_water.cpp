@@ -1,4 +1,4 @@
-// Joints within which the water ends that do not have its exact force: beside zones, and below a ground surface.
+// Joints within which the water below a ground surface ends: they do not have its exact force.
 #include "commands/session/plausible.hpp"
 
 #include "base/counted.hpp"
@@ -50,7 +50,7 @@ void doubt_water_lines(Session& session) {
     constexpr double noticeable = 0.02; // of the weight of the lighter block
     const Model& model = session.engine.model;
     const double g = model.settings.gravity.norm();
-    if (model.settings.water == Water::none || model.settings.water == Water::points || !(g > 0)) return;
+    if (model.settings.water != Water::ground || !(g > 0)) return;
     if (!is_new(session)) return;
     const WaterPressure water(model);
     const auto weight = [&](Row block) {
@@ -62,7 +62,7 @@ void doubt_water_lines(Session& session) {
     double most = 0, there = 0, exact = 0;
     Row worst = no_row;
     for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c) {
-        if ((water.is_linear() && between_rigid(model, c)) || !ends_within(model, water, c)) continue;
+        if (!ends_within(model, water, c)) continue;
         double force = 0;
         push_water(model, c, water, [&](double part, const Vec3&) { force += part; });
         const double found = by_sub_contacts(model, water, c), off = std::abs(found - force);

@@ -117,10 +117,10 @@ Bracket bracket_below(StrengthSearch& search, Bracket bracket, double resolution
     return {0, bracket.fails};
 }
 
-/// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again to the end where its trial ended
-/// early; the stable one is tried again with other beginnings. If either changes, the search continues from there.
+/// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again, to the end and from the stable one, where its
+/// trial ended early or began with more strength; the stable one is tried again with other beginnings. If either changes, the search continues from there.
 Bracket confirmed(StrengthSearch& search, Bracket bracket, double resolution) {
-    if (search.failed() && search.failed()->goes_on) {
+    if (search.failed() && (search.failed()->goes_on || search.failed()->began < bracket.stands)) {
         search.enter(StrengthSearch::Stage::patient);
         if (search.stands(bracket.fails)) bracket = bracket_above(search, bracket.fails, resolution);
     }

@@ -161,7 +161,9 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
     // Step by step: a sudden reduction could push joints past their peak, irreversibly.
     else
         for (int step = 1; step < lowering_steps && !rest.tired && run.crushed().empty(); ++step) {
-            const double lowered = first * std::pow(factor / first, static_cast<double>(step) / lowering_steps);
+            const double part = rule.settles_between ? 1 - std::pow(0.5, step)
+                                                     : static_cast<double>(step) / lowering_steps,
+                         lowered = first * std::pow(factor / first, part);
             run.lower(lowered);
             if (rule.settles_between) {
                 mode.emplace(run.mode()); // it may fail on the way
@@ -176,7 +178,7 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
                                static_cast<std::int64_t>(rule.window * static_cast<double>(bench.span)));
         rest = run.settle(factor, bench.ratio, first_spans, to_its_end ? nullptr : &monitor);
     }
-    trial.cycles = run.cycles(start), trial.crushed = run.crushed();
+    trial.began = start.factor, trial.cycles = run.cycles(start), trial.crushed = run.crushed();
     trial.stands = rest.last.at_rest, trial.goes_on = rest.last.fails, trial.moving = rest.last.moving;
     if (trial.stands) run.lower(factor); // what is new
     else if (mode) trial.mode = run.shares(*mode);

@@ -35,6 +35,7 @@ struct TrialRule {
 struct Trial {
     bool stands = false;
     bool goes_on = false; ///< ended early because motion continued
+    double began = 0;     ///< by which the strength was divided where it began
     std::int64_t cycles = 0;
     std::optional<MovingBody> moving;
     std::string crushed;                     ///< the zone that was crushed, and ended it; empty: none

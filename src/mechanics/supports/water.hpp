@@ -1,5 +1,5 @@
 // Water pressure in joints: docs/theory/loads.md, "Water in joints and zones".
-// reads: sub_contacts.position, gridpoints.pore_pressure, settings.water, water_ground
+// reads: sub_contacts.position, sub_contacts.load_arm, sub_contacts.area, gridpoints.pore_pressure, settings.water, water_ground
 // writes: sub_contacts.pore_pressure, contacts.water_pressure, contacts.water_slope
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace kaya {
 
-/// Gives each joint of rigid blocks within which the water ends the pressure, linear over the joint, that has the force and the moment of the
+/// Gives each joint within which the water ends a pressure, linear over the joint (beside zones in addition to that of the places), so that it has the force and the moment of the
 /// water on its wet part, where that is linear; others have none. Where contacts or the water have changed: cuts the common area of faces.
 void find_ends_of_water(Model& model);
 

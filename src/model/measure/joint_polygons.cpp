@@ -47,17 +47,16 @@ std::vector<Polygon> parts_of(const Model& model, Row face) {
     return all;
 }
 
-bool apart(const Polygon& a, const Polygon& b, double margin) {
-    const auto box = [](const Polygon& polygon) {
-        std::pair<Vec3, Vec3> ends{polygon[0], polygon[0]};
-        for (const Vec3& corner : polygon)
-            ends.first = ends.first.cwiseMin(corner), ends.second = ends.second.cwiseMax(corner);
-        return ends;
-    };
-    const auto [low_a, high_a] = box(a);
-    const auto [low_b, high_b] = box(b);
-    return ((low_a - high_b).array() > margin).any() || ((low_b - high_a).array() > margin).any();
-}
+struct Extent {
+    Vec3 low, high;
+
+    explicit Extent(const Polygon& polygon) : low(polygon[0]), high(polygon[0]) {
+        for (const Vec3& corner : polygon) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+    }
+    bool apart(const Extent& other, double margin) const {
+        return ((low - other.high).array() > margin).any() || ((other.low - high).array() > margin).any();
+    }
+};
 
 /// Twice the area projected along the normal.
 double doubled_area(std::span<const Vec3> polygon, const Vec3& normal) {
@@ -121,13 +120,17 @@ std::vector<std::vector<Vec3>> common_polygons(const Model& model, Row face1, Ro
     const auto& margins = model.blocks.margin;
     const double margin = margins[model.faces.block[face1]] + margins[model.faces.block[face2]];
     const auto second = parts_of(model, face2);
-    for (const Polygon& a : parts_of(model, face1))
-        for (const Polygon& b : second) {
-            if (apart(a, b, margin)) continue;
+    const std::vector<Extent> extents(second.begin(), second.end());
+    for (const Polygon& a : parts_of(model, face1)) {
+        const Extent extent(a);
+        for (std::size_t i = 0; i < second.size(); ++i) {
+            if (extent.apart(extents[i], margin)) continue;
+            const Polygon& b = second[i];
             auto part = common_part(a, b, normal);
             // Polygons that share only a corner or an edge have a sliver of rounding in common.
             if (doubled_area(part, normal) > 1e-9 * doubled_area(a, normal)) parts.push_back(std::move(part));
         }
+    }
     return parts;
 }
 

@@ -69,8 +69,8 @@ public:
     Column<double> energy_taken;  ///< energy taken and not yet returned
     Column<double> withheld;      ///< part of its force that does not act, so that it returns no more than that
     Column<double> whole_area;    ///< common area of the faces of an overlap; 0 when it is not known
-    // Of joints of rigid blocks within which the water ends: mechanics/supports/water.hpp.
-    Column<double> water_pressure; ///< continued to the centroid of block1
+    // Of joints within which the water ends: mechanics/supports/water.hpp.
+    Column<double> water_pressure; ///< continued to the centroid of block1, beside zones to the first sub-contact
     Column<Vec3>
         water_slope; ///< of the pressure, in the plane; both are 0 where water covers all of the joint or nothing
     Column<std::uint32_t> torn; ///< bit k: place k of the joint has been open; mechanics/contact/torn_bonds.hpp

@@ -63,7 +63,7 @@ constexpr kaya_jproperty properties[] = {
 };
 static_assert(std::size(properties) == property_count);
 
-enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, history_count };
+enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, waiting, history_count };
 
 constexpr kaya_jhistory history[] = {
     {"closure", "length", "closure of the joint; negative: how far it is open"},
@@ -71,6 +71,7 @@ constexpr kaya_jhistory history[] = {
     {"reversal-x", "stress", "shear stress at the last reversal of the motion"},
     {"reversal-y", "stress", "shear stress at the last reversal of the motion"},
     {"reversal-z", "stress", "shear stress at the last reversal of the motion"},
+    {"waiting", "stress*length", "energy of shear beyond what the strength lets the joint store"},
 };
 static_assert(std::size(history) == history_count);
 
@@ -151,12 +152,16 @@ struct Path {
     double fallen;                       ///< 1: the residual strength holds
     double from_x, from_y, from_z;       ///< stress at the last reversal
     double spent_before;                 ///< displacement spent on the curve
+    double size;                         ///< of the shear stress before
+    double waits;                        ///< energy of shear that the strength did not let the joint store
+    double energy;                       ///< of shear, with what waits
     double free_closure;                 ///< closure without dilation
 };
 
 /// The elastic trial, and the part of the motion along the mobilised curve.
 struct Trial {
-    double kept; ///< part of the stress before that is left
+    double kept;    ///< how many times the stress before is left
+    double waiting; ///< energy that the strength does not let the joint store
     double x, y, z, size;
     double stiffness;
     double limit0, limit1; ///< mobilised strength before, and if all of the motion is spent
@@ -178,16 +183,20 @@ template <bool thesis>
     Trial t;
     t.limit0 = mobilised_strength<thesis>(law, s, path.before, path.fallen);
     t.limit1 = mobilised_strength<thesis>(law, s, path.after, path.fallen);
-    // A decreasing normal stress reduces the shear stress with its stiffness; an increasing one adds none.
-    t.kept = std::min(1.0, s.stiffness / std::max(path.stiffness, tiny));
+    // A change of the normal stress keeps the energy of shear, as far as the strength lets the joint store it.
+    const double stored = path.on_curve > 0 ? path.energy : path.energy - path.waits;
+    const double held = path.stiffness > 0 && path.size > 0
+                            ? std::min(std::sqrt(2 * s.stiffness * stored), std::max(t.limit0, 0.0))
+                            : path.size;
+    t.kept = path.size > 0 ? held / path.size : 1;
+    t.waiting = std::max(0.0, path.energy - 0.5 * held * held / std::max(s.stiffness, tiny));
     // On the curve the trial is at least as steep as the curve, so that the strength limits it.
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
     const double left = 1 - law.half_failure_ratio * path.swing * t.kept / std::max(s.peak, tiny);
     const double hyperbola = std::max(0.0, left);
     t.stiffness = path.on_curve > 0 ? std::max(s.stiffness, slope) : s.stiffness * hyperbola * hyperbola; // (2.28)
     if constexpr (thesis) {
-        const double start =
-            t.kept * std::sqrt(path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z);
+        const double start = t.kept * path.size;
         const double loading = std::max(0.0, 1 - 2 * law.half_failure_ratio * start / std::max(s.peak, tiny));
         t.stiffness = law.hyperbolic && path.on_curve > 0 ? s.stiffness * loading * loading : t.stiffness;
     }
@@ -197,7 +206,7 @@ template <bool thesis>
     t.size = std::sqrt(t.x * t.x + t.y * t.y + t.z * t.z);
     t.excess = std::max(0.0, t.size - t.limit0);
     const double part = std::min(1.0, t.excess / std::max(t.stiffness * path.motion, tiny));
-    t.spent = path.motion * (path.on_curve > 0 ? 1 : part);
+    t.spent = path.motion * part;
     // Half of the mobilised roughness angle (2.20); while B is negative there is none.
     double angle = 0.25 * s.ruff * (path.before.roughness + path.after.roughness);
     if constexpr (thesis) {
@@ -216,11 +225,11 @@ struct Rows {
           force_y(b.shear_force[1]), force_z(b.shear_force[2]), normal_stiffness(b.normal_stiffness),
           shear_stiffness(b.shear_stiffness), work(b.frictional_work), closures(b.history[closure]),
           spent_before(b.history[mobilised]), turn_x(b.history[reversal_x]), turn_y(b.history[reversal_y]),
-          turn_z(b.history[reversal_z]), states(b.state) {}
+          turn_z(b.history[reversal_z]), waits(b.history[waiting]), states(b.state) {}
 
     const double *areas, *opening, *shear_x, *shear_y, *shear_z;
     double *normal_force, *force_x, *force_y, *force_z, *normal_stiffness, *shear_stiffness, *work, *closures,
-        *spent_before, *turn_x, *turn_y, *turn_z;
+        *spent_before, *turn_x, *turn_y, *turn_z, *waits;
     uint32_t* states;
 };
 
@@ -252,6 +261,11 @@ template <bool thesis> [[gnu::always_inline]] inline Path path_of(const Rows& r,
     path.swing = turns ? 0 : std::sqrt(since_x * since_x + since_y * since_y + since_z * since_z);
     const double was_on_curve = (r.states[i] & is_unloading) != 0 ? 0 : 1;
     path.on_curve = turns ? 0 : was_on_curve;
+    const double square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
+    path.size = std::sqrt(square);
+    path.waits = r.waits[i];
+    // Without a spring no energy is stored, whatever force was set.
+    path.energy = (path.stiffness > 0 ? 0.5 * square / path.stiffness : 0) + r.waits[i];
 
     // Dilation can keep a joint closed whose sides separate; it cannot close an open one.
     const double closed = r.closures[i], most_closed = closed < path.free_closure ? path.free_closure : closed;
@@ -277,14 +291,11 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
     const double end_x = last.x * scale, end_y = last.y * scale, end_z = last.z * scale;
 
     // Work that is neither stored in the springs nor spent on dilation.
-    const double old_square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
     const double worked = -0.5 * ((path.start_x + end_x) * path.motion_x + (path.start_y + end_y) * path.motion_y +
                                   (path.start_z + end_z) * path.motion_z);
-    // Without a spring no energy is stored, whatever force was set.
-    const double before = path.stiffness, now = strength.stiffness;
-    const double stored_after = now > 0 ? 0.5 * size * size / std::max(now, tiny) : 0;
-    const double stored_before = before > 0 ? 0.5 * old_square / std::max(before, tiny) : 0;
-    const double stored = stored_after - stored_before;
+    const double now = strength.stiffness;
+    const double waits = new_closure > 0 ? last.waiting : 0;
+    const double stored = (now > 0 ? 0.5 * size * size / now : 0) + waits - path.energy;
     const double lifted = 0.5 * (r.normal_force[i] * per_area + strength.stress) * last.dilation * spent;
     r.work[i] += area * (worked - stored - lifted);
 
@@ -303,6 +314,7 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
     const double reaches = last.excess > 0 ? 1 : path.on_curve;
     const double continues = closes > 0 ? reaches : worn;
     const double unloads = closes > 0 ? 1 - continues : 0;
+    r.waits[i] = waits;
     r.turn_x[i] = unloads * last.kept * path.from_x;
     r.turn_y[i] = unloads * last.kept * path.from_y;
     r.turn_z[i] = unloads * last.kept * path.from_z;
