@@ -323,7 +323,7 @@ CommandSpec water() {
     entry.keyword({"normal"}, vector("nx ny nz"), &WaterCommand::normal,
                   "upward normal of the table; 0 0 1 if not given");
     entry.keyword({"density"}, real("d").unit("density").above(0), &WaterCommand::density,
-                  "density of the water; 1000 if not given");
+                  "density of the water; 1000 if not given, which `set units` must have as that of water");
     entry.keyword({"pressure", "pp"}, of_kind(Kind::pressure).then(real("p").unit("stress"), &WaterCommand::pressure),
                   "pressure at the origin of coordinates; where it would be negative it is 0");
     entry.keyword({"gradient"}, vector("gx gy gz").unit("stress/length"), &WaterCommand::gradient,

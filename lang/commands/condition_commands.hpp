@@ -114,7 +114,8 @@ struct WaterCommand {
     enum class Kind { off, table, pressure, ground };
     std::optional<Kind> kind;
     Vec3 origin = Vec3::Zero(), normal = Vec3(0, 0, 1), gradient = Vec3::Zero();
-    double density = 1000, pressure = 0;
+    std::optional<double> density;
+    double pressure = 0;
     std::string file; ///< of the ground surface that is the water table
     Place place;
 };

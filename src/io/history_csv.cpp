@@ -42,12 +42,10 @@ std::string column_title(const History& history) {
     const auto& source = history.source;
     const std::string head = fmt::format("{}:{}", history.number, history.label);
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
-    const Field* field = sampled_field(source);
-    const std::string_view unit = field ? field->unit : "-"; // histories of a joint model have the unit of its table
+    const std::string unit = unit_of(source);
     const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
-    const char* rate = source.rate ? "/time" : "";
-    if (source.kind == Kind::global) return fmt::format("{} [{}{}{}]", head, name, unit, rate);
-    return fmt::format("{} [{}{}{}, {} nearest to {} {} {}]", head, name, unit, rate, info_of(source.kind).noun,
+    if (source.kind == Kind::global) return fmt::format("{} [{}{}]", head, name, unit);
+    return fmt::format("{} [{}{}, {} nearest to {} {} {}]", head, name, unit, info_of(source.kind).noun,
                        source.place.x(), source.place.y(), source.place.z());
 }
 

@@ -349,6 +349,7 @@ private:
     /// slice that it bounds. `part` of the top has no stress that the deck gave: such a stress holds the water's.
     void add_open_water(Slice& slice, double from, double to, const SectionPoint& top, const SectionPoint& base,
                         double part) const {
+        if (!section_.water_is_open) return;
         using Side = SlopeColumns::Side;
         const double left = *columns_.ground_at(from, Side::right), right = *columns_.ground_at(to, Side::left);
         const double on_top = pressure(top), before = slice.rightward;

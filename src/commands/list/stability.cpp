@@ -11,7 +11,9 @@
 #include "model/edit/joined.hpp"
 #include "model/measure/joint_polygons.hpp"
 #include "model/measure/joint_water.hpp"
+#include "mechanics/supports/water.hpp"
 #include "model/measure/measure.hpp"
+#include "model/measure/overlap_rows.hpp"
 #include "model/measure/structure_rows.hpp"
 #include "model/structures/structures.hpp"
 #include "slopes/sliding.hpp"
@@ -55,6 +57,25 @@ struct Held {
         Row contact;
     };
     std::vector<Side> sides;
+    std::vector<Vec3> held; ///< directions in which it is held, unit and at right angles
+
+    /// Holds it in one direction more, or in none.
+    void hold(Vec3 direction) {
+        constexpr double rounding = 1e-6;
+        for (const Vec3& known : held) direction -= known.dot(direction) * known;
+        if (held.size() < 3 && direction.norm() > rounding) held.push_back(direction.normalized());
+    }
+
+    /// Frictionless faces on both sides of the body across each direction in which it is held.
+    void add_guides(std::vector<HeldFace>& faces) const {
+        for (const Vec3& direction : held)
+            for (const double side : {1.0, -1.0}) faces.push_back({side * direction, 0, nullptr});
+    }
+    bool is_pushed_on_guides() const {
+        constexpr double part = 1e-6;
+        return std::ranges::any_of(
+            held, [&](const Vec3& direction) { return std::abs(direction.dot(force)) > part * force.norm(); });
+    }
 
     void push(const Vec3& more, const Vec3& place) {
         force += more;
@@ -66,6 +87,7 @@ class StandingBodies {
 public:
     StandingBodies(Model& model, JointRegistry& laws) : model_(model) {
         find_contacts(model, laws);
+        put_water(model);
         gather();
         const WaterPressure water(model);
         for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact)
@@ -92,7 +114,8 @@ private:
             Held& held = bodies_[body];
             BodyStability& at = held.body;
             at.blocks.push_back(block);
-            at.fixed = at.fixed || is_held(block);
+            hold(block, held);
+            at.fixed = held.held.size() == 3;
             at.volume += model_.blocks.volume[block];
             held.centre += mass_of(block) * model_.blocks.centroid[block];
             held.mass += mass_of(block);
@@ -137,15 +160,19 @@ private:
         });
     }
 
-    /// Whether a velocity is prescribed anywhere on it.
-    bool is_held(Row block) const {
-        if (!model_.blocks.deformable[block])
-            return (model_.blocks.fixed[block] & (fix_x | fix_y | fix_z)) != 0 ||
-                   model_.gridpoints.roller[model_.blocks.gridpoints[block].first] != 0;
-        const Span points = model_.blocks.gridpoints[block];
-        for (Row g = points.first; g < points.end(); ++g)
-            if (model_.gridpoints.fixed[g] != 0 || model_.gridpoints.roller[g] != 0) return true;
-        return false;
+    /// Takes the directions in which a velocity is prescribed anywhere on a block.
+    void hold(Row block, Held& held) const {
+        const auto hold_in = [&](std::uint8_t fixed, Row roller) {
+            for (int k = 0; k < 3; ++k)
+                if (fixed & (1 << k)) held.hold(Vec3::Unit(k));
+            if (roller == 0) return;
+            const Roller& along = model_.rollers[static_cast<std::size_t>(roller)];
+            for (int k = 0; k < along.count; ++k) held.hold(along.direction[static_cast<std::size_t>(k)]);
+        };
+        const auto& points = model_.gridpoints;
+        const Span span = model_.blocks.gridpoints[block];
+        if (!model_.blocks.deformable[block]) return hold_in(model_.blocks.fixed[block], points.roller[span.first]);
+        for (Row g = span.first; g < span.end(); ++g) hold_in(points.fixed[g], points.roller[g]);
     }
 
     void add_contact(Row contact, JointRegistry& laws, const WaterPressure& water) {
@@ -161,11 +188,16 @@ private:
         const Vec3 normal = contacts.normal[contact];
         bodies_[a].sides.push_back({b, {normal, area, strength ? &*strength : nullptr}, contact});
         bodies_[b].sides.push_back({a, {-normal, area, strength ? &*strength : nullptr}, contact});
-        if (model_.settings.water == Water::none) return;
-        push_water(model_, contact, water, [&](double force, const Vec3& place) {
+        const auto push_apart = [&](double force, const Vec3& place) {
             bodies_[a].push(-force * normal, place);
             bodies_[b].push(force * normal, place);
-        });
+        };
+        if (model_.settings.water == Water::points) {
+            const Span span = contacts.sub_contacts[contact];
+            for (Row s = span.first; s < span.end(); ++s)
+                push_apart(model_.sub_contacts.pore_pressure[s] * wet_area(model_, contact, s),
+                           model_.sub_contacts.position[s]);
+        } else if (model_.settings.water != Water::none) push_water(model_, contact, water, push_apart);
     }
 
     /// One that rests without friction where it cannot slide may still roll out.
@@ -187,6 +219,17 @@ private:
         if (answer.factor) answer.mode = SlidingMode::turning;
     }
 
+    /// Between these faces, and along the directions in which it is not held.
+    SlidingAnswer answer_of(const Held& held, const std::vector<char>& gone, std::vector<HeldFace> faces) const {
+        const std::size_t joints = faces.size();
+        held.add_guides(faces);
+        SlidingAnswer answer = slide(held.force, faces);
+        const bool guided = std::erase_if(answer.faces, [&](std::size_t face) { return face >= joints; }) > 0;
+        if (guided) answer.mode = answer.faces.empty() ? SlidingMode::falling : SlidingMode::one_plane;
+        if (answer.mode == SlidingMode::at_rest && !held.is_pushed_on_guides()) check_turning(held, gone, answer);
+        return answer;
+    }
+
     /// Each body against those that stay; when some have been removed, the remaining ones again.
     void assess() {
         std::vector<char> gone(bodies_.size(), 0);
@@ -198,10 +241,10 @@ private:
                 std::vector<HeldFace> faces;
                 for (const Held::Side& side : bodies_[i].sides)
                     if (!gone[side.other]) faces.push_back(side.face);
-                const bool was_held = body.answer.mode == SlidingMode::held;
-                body.answer = slide(bodies_[i].force, faces);
-                if (body.answer.mode == SlidingMode::at_rest) check_turning(bodies_[i], gone, body.answer);
-                if (was_held && body.answer.mode != SlidingMode::held) body.stage = stage;
+                const SlidingAnswer before = body.answer;
+                body.answer = answer_of(bodies_[i], gone, std::move(faces));
+                const bool other = body.answer.mode != before.mode || body.answer.factor != before.factor;
+                if (other && body.answer.mode != SlidingMode::held) body.stage = stage;
                 if (body.answer.factor && *body.answer.factor < 1) leave.push_back(i);
             }
             if (leave.empty()) return;
@@ -236,7 +279,7 @@ std::string list_stability(Session& session, const lang::List& command) {
         ++free;
         const auto& answer = body.answer;
         if (answer.factor && *answer.factor < 1) ++leaving;
-        if (answer.factor) least = std::min(least.value_or(INFINITY), *answer.factor);
+        if (answer.factor && body.stage == 1) least = std::min(least.value_or(INFINITY), *answer.factor);
         if (table.size() < longest_table)
             table.add({std::to_string(model.blocks.number[first]), std::to_string(body.stage),
                        mode_names[static_cast<std::size_t>(answer.mode)], line_text(answer.direction, up),

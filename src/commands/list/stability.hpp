@@ -12,10 +12,10 @@ namespace kaya {
 /// A rigid body; a zoned block counts as rigid.
 struct BodyStability {
     std::vector<Row> blocks;
-    bool fixed = false; ///< a velocity is prescribed on it
+    bool fixed = false; ///< velocities are prescribed on it in three directions
     double volume = 0;
     SlidingAnswer answer;
-    int stage = 0; ///< 0: its neighbours hold it; else the round in which it becomes free
+    int stage = 0; ///< 0: its neighbours hold it; else the round that has this answer
 };
 
 /// All bodies by their first blocks. Each body against those that stay; when some have been removed (factor below 1), the remaining ones

@@ -153,10 +153,9 @@ const History& plotted_history(const Histories& histories, std::int64_t number) 
 
 /// Quantity, and its unit where it is a field.
 std::string axis_name(const History& history) {
-    const auto* field = history.source.kind == HistorySource::Kind::function ? nullptr : sampled_field(history.source);
     std::string name = history.label;
     std::ranges::replace(name, '_', ' ');
-    if (field != nullptr && field->unit != "-") name += fmt::format(" [{}]", field->unit);
+    if (const std::string unit = unit_of(history.source); unit != "-") name += fmt::format(" [{}]", unit);
     return name;
 }
 

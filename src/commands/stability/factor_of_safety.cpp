@@ -72,15 +72,32 @@ Bracket bracket_around(StrengthSearch& search, double guess) {
     return {0, bracket.fails};
 }
 
-/// Initial guess: the factor of the weakest block by block theory, else the last result of `limit equilibrium` or of an earlier search; 0
-/// without either.
-double guessed_factor(Session& session) {
-    constexpr double least = 0.1, most = 10;
-    double guess = INFINITY;
+/// The least factor of a block that can leave its place, by block theory; infinite without one.
+double factor_of_weakest_block(Session& session) {
+    double least = INFINITY;
     for (const BodyStability& body : stability_of(session.engine.model, session.engine.joints))
-        if (!body.fixed && body.answer.factor) guess = std::min(guess, *body.answer.factor);
-    if (!std::isfinite(guess)) guess = session.engine.model.clock.factor_of_safety;
+        if (!body.fixed && body.stage == 1 && body.answer.factor) least = std::min(least, *body.answer.factor);
+    return least;
+}
+
+/// Initial guess: the factor of the weakest block, else the last result of `limit equilibrium` or of an earlier search; 0 without either.
+double guessed_factor(const Session& session, double of_weakest_block) {
+    constexpr double least = 0.1, most = 10;
+    const double guess =
+        std::isfinite(of_weakest_block) ? of_weakest_block : session.engine.model.clock.factor_of_safety;
     return guess >= least && guess <= most ? guess : 0;
+}
+
+/// Contacts that block theory does not have, such as the edge of a block on the face of another one, hold a block that can leave its place.
+void doubt_held_block(Session& session, double factor, double of_weakest_block, const Place& place) {
+    constexpr double noticeable = 1.1;
+    if (!(factor > noticeable * of_weakest_block)) return;
+    session.warn(
+        Diagnostic(fmt::format("the factor is {:.4g}, and a block can leave its place at {:.4g} (list stability)", factor,
+                               of_weakest_block),
+                   "in the model something else holds that block, often one of its edges on a face of another block with "
+                   "zones, whose stiffness follows from the size of the zones: look at `list contacts`")
+            .at(place));
 }
 
 Bracket narrowed(StrengthSearch& search, Bracket bracket, double resolution) {
@@ -167,19 +184,19 @@ std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial
             "no factor of safety on fine zones: sharing their strains does not make them weaker; try a finer mesh");
         return std::nullopt;
     }
-    output.say(
+    output.print(
         fmt::format("factor of safety on fine zones: {:.4g}, between {:.4g} and {:.4g}; {:.4g} with shared strains",
                     fine->factor, fine->factor - fine->error, fine->factor + fine->error, *shared));
     return fine->factor;
 }
 
 /// What moved, how, and in which mesh.
-void say_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
+void print_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
                  FineZones fine) {
-    if (const std::string moving = search.mechanism(); !moving.empty()) output.say(moving);
+    if (const std::string moving = search.mechanism(); !moving.empty()) output.print(moving);
     if (!mode) return;
-    output.say(mode_text(*mode));
-    if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.say(mesh);
+    output.print(mode_text(*mode));
+    if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.print(mesh);
 }
 
 /// What a search finds from the initial state of its bench.
@@ -192,16 +209,16 @@ Bracket searched(StrengthSearch& search, const lang::Solve& command, double gues
 }
 
 /// Prints what the search found; returns the factor, or the nearest one that was tried.
-double say_factor(Output& output, const Bracket& bracket) {
+double print_factor(Output& output, const Bracket& bracket) {
     if (bracket.stands == 0) {
-        output.say(fmt::format("factor of safety: below {:.6g}", bracket.fails));
+        output.print(fmt::format("factor of safety: below {:.6g}", bracket.fails));
         return bracket.fails;
     }
     if (!std::isfinite(bracket.fails)) {
-        output.say(fmt::format("factor of safety: above {:.6g}", bracket.stands));
+        output.print(fmt::format("factor of safety: above {:.6g}", bracket.stands));
         return bracket.stands;
     }
-    output.say(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+    output.print(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
                            middle(bracket), bracket.stands, bracket.fails));
     return middle(bracket);
 }
@@ -217,7 +234,9 @@ RestRatio ratio_of(const Limits& limits) {
 
 void find_factor_of_safety(Session& session, const lang::Solve& command, const Limits& limits) {
     Output& output = session.program.output;
-    const double guess = command.bracket ? 0 : guessed_factor(session);
+    const bool whole = command.included.empty() && command.excluded.empty();
+    const double of_weakest_block = whole || !command.bracket ? factor_of_weakest_block(session) : INFINITY,
+                 guess = command.bracket ? 0 : guessed_factor(session, of_weakest_block);
     if (guess > 0) output.say(fmt::format("the search begins at a factor of {:.4g}", guess));
     double factor = 0;
     {
@@ -245,14 +264,15 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
             bracket = searched(*search, command, guess);
         }
         const auto mode = search->failed() ? search->failed()->mode : std::nullopt;
-        say_failure(output, *search, mode, fine);
-        factor = say_factor(output, bracket);
+        print_failure(output, *search, mode, fine);
+        factor = print_factor(output, bracket);
         if (fine == FineZones::searched && closed(bracket))
             factor = factor_on_fine_zones(from_rest ? *from_rest : bench, model, command, factor,
                                           mode.value_or(FailureMode::Shares{}))
                          .value_or(factor);
     }
     session.engine.model.clock.factor_of_safety = factor;
+    if (whole) doubt_held_block(session, factor, of_weakest_block, command.place);
 }
 
 } // namespace kaya

@@ -1,6 +1,7 @@
 // limit equilibrium: slip surfaces through a section of the model.
 #include "base/counted.hpp"
 #include "commands/plot/pictures.hpp"
+#include "commands/session/fresh_water.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/stability/model_section.hpp"
 #include "slopes/search.hpp"
@@ -111,9 +112,17 @@ public:
         section_.pressure_ratio = command.pressure_ratio;
         const bool has_density =
             session.engine.model.settings.water == Water::table || session.engine.model.settings.water == Water::ground;
-        const double density = has_density ? session.engine.model.settings.water_value : 1000;
+        const bool has_water = command.crack_water > 0 || command.water_table;
+        const double density = has_density ? session.engine.model.settings.water_value
+                               : has_water ? density_of_fresh_water(session, command.place)
+                                           : 0;
         section_.water_weight = density * session.engine.model.settings.gravity.norm();
+        section_.water_is_open = has_density || command.water_table;
         if (command.water_table) add_water_table(session, *command.water_table, section_);
+        else if (session.engine.model.settings.water == Water::points)
+            throw Diagnostic("limit equilibrium has no water pressure of gridpoints (initialize pp, insitu pp)",
+                             "give the water as `water table` or `water pressure`, or as a table: limit equilibrium water-table 1")
+                .at(command.place);
     }
 
     void run() {
@@ -143,16 +152,19 @@ public:
             best_ = found;
             best_method_ = method;
         }
-        session_.program.output.say(table.text());
+        session_.program.output.print(table.text());
         if (!best_)
             throw Diagnostic(
                 "no slip surface has a factor of safety by these methods",
                 "a tension crack often helps (crack d); or entry, exit and depth keep the search where a body can slide",
                 Fault::run);
         session_.engine.model.clock.factor_of_safety = best_->answer.factor;
-        session_.program.output.say(
+        session_.program.output.print(
             fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
         doubt_joints(columns);
+        if (under_open_water(columns))
+            session_.note_once("the water above the ground loads it here, as open water",
+                               "`solve fos` and `list stability` have that load from `bound stress` alone");
         if (25 * best_->answer.pulled > command_.slices && command_.crack == 0)
             session_.note_once("the upper end of the slip surface is in tension",
                                "a tension crack there is nearer to the truth: crack d");
@@ -175,6 +187,12 @@ private:
         for (const auto& [name, length] : lengths)
             parts.push_back(lengths.size() == 1 ? name : fmt::format("{} ({:.0f} %)", name, 100 * length / whole));
         return fmt::format("; through {}", fmt::join(parts, ", "));
+    }
+
+    bool under_open_water(const SlopeColumns& columns) const {
+        return section_.water_is_open && section_.pore_pressure &&
+               std::ranges::any_of(columns.ground(),
+                                   [&](const SectionPoint& at) { return section_.pore_pressure(at) > 0; });
     }
 
     /// Joints that are weaker than the rock around them, under the weight above, may let blocks slide or topple before the body slides.

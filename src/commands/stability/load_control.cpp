@@ -78,10 +78,10 @@ public:
 
     void tell(const std::string& why) const {
         auto& output = session_.program.output;
-        output.say("solve control: stopped by " + why);
+        output.print("solve control: stopped by " + why);
         if (curve_.empty()) return;
         const CurveRow &peak = curve_.peak(), &last = curve_.back();
-        output.say(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
+        output.print(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
                                number_text(peak.displacement), number_text(last.load), number_text(last.displacement)));
         constexpr double much = 0.05;
         if (const double step = curve_.doubt_of_peak(); step > LoadCurve::much_doubt)

@@ -181,6 +181,7 @@ void Cycle::advance() {
     StepSums sums;
     lists_->zones.cells.wanted = unwatched_ > 0;
     begin();
+    const double kick = model_.clock.kick();
     move(sums);
     if (!std::isfinite(sums.motion.kinetic)) throw diverged(model_); // before a joint model is blamed for it
     strain(sums);
@@ -192,7 +193,7 @@ void Cycle::advance() {
     gather(sums);
     close_account(sums);
     limit_step(sums, change, may_grow);
-    record();
+    record(kick);
 }
 
 void Cycle::begin() {
@@ -307,10 +308,10 @@ void Cycle::limit_step(const StepSums& sums, ContactChange change, bool may_grow
     });
 }
 
-void Cycle::record() {
+void Cycle::record(double kick) {
     times_.timed(Phase::scripts, [&] {
         if (samples_zones(model_)) bring_up_to_date();
-        sample_histories(model_, hooks.script_value);
+        sample_histories(model_, kick, hooks.script_value);
     });
     run_hooks(hooks.after_cycle);
 }

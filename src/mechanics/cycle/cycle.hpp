@@ -73,7 +73,7 @@ private:
     void gather(StepSums& sums);
     void close_account(const StepSums& sums);
     void limit_step(const StepSums& sums, ContactChange change, bool may_grow);
-    void record();
+    void record(double kick);
     void run_hooks(const std::vector<std::function<void()>>& list);
 
     Model& model_;

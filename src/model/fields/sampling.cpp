@@ -85,6 +85,15 @@ const Field* sampled_field(const HistorySource& source) {
     return field;
 }
 
+std::string unit_of(const HistorySource& source) {
+    constexpr std::string_view per_time = "/time";
+    const Field* field = sampled_field(source);
+    if (field == nullptr) return "-";
+    const std::string unit(field->unit);
+    if (!source.rate) return unit;
+    return unit.ends_with(per_time) ? unit + "^2" : unit + std::string(per_time);
+}
+
 void locate(const Model& model, HistorySource& source) {
     if (!has_place(source.kind)) return;
     const KindInfo& info = info_of(source.kind);
@@ -150,7 +159,7 @@ bool samples_zones(const Model& model) {
     });
 }
 
-void sample_histories(Model& model, const std::function<double(const std::string&)>& script_value) {
+void sample_histories(Model& model, double kick, const std::function<double(const std::string&)>& script_value) {
     auto& histories = model.histories;
     const bool due = is_due(model);
     if (histories.all.empty() || (!due && !any_rate(histories))) return;
@@ -184,7 +193,7 @@ void sample_histories(Model& model, const std::function<double(const std::string
             continue;
         }
         const double value = value_of(model, source, *field);
-        values.push_back(source.rate ? (value - source.last) / model.clock.time_step : value);
+        values.push_back(source.rate ? (value - source.last) / kick : value);
         source.last = value;
     }
     if (!due) return;

@@ -20,7 +20,7 @@ namespace {
 std::string image_without_trailer() {
     Model model = hand_made_model();
     add_history(model, {HistorySource::Kind::global, "time"});
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     SaveExtras extras;
     extras.decks = {{"a.3dd", "new\n"}};
     return std::string(without_trailer(save_image(model, extras), "x.sav"));

@@ -20,13 +20,13 @@ Model sampled_model() {
     add_history(model, {Kind::function, "sstav"}, "Shear Stress");
     double value = 0.1;
     const auto script = [&value](const std::string&) { return value; };
-    sample_histories(model, script);
+    sample_histories(model, 1, script);
     add_history(model, {Kind::sub_contact, "shear_displacement", Vec3(-1, -1, 0)});
     value = 1.0 / 3.0;
     model.clock.time = 0.25;
     model.clock.cycle = 52;
     model.clock.unbalanced_force = 1e-300;
-    sample_histories(model, script);
+    sample_histories(model, 1, script);
     return model;
 }
 
@@ -69,7 +69,7 @@ TEST(HistoryCsv, EveryBitSurvives) {
     const std::vector<double> values{1.0 / 3, 1e-308, -0.0, 123456789.123456789, 5e-324, 1.7976931348623157e308};
     std::size_t next = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
-        sample_histories(model, [&](const std::string&) { return values[next++]; });
+        sample_histories(model, 1, [&](const std::string&) { return values[next++]; });
     std::istringstream text(history_csv(model.histories, {}, {}));
     std::string line;
     std::getline(text, line);

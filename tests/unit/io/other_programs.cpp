@@ -27,7 +27,7 @@ namespace {
 Model saved_model() {
     Model model = hand_made_model();
     add_history(model, {HistorySource::Kind::global, "unbalanced_force"});
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     return model;
 }
 

@@ -28,7 +28,7 @@ Model saved_model() {
     model.contacts.ids.destroy(model.contacts.ids.create(5));
     add_history(model, {HistorySource::Kind::global, "unbalanced_force"});
     add_history(model, {HistorySource::Kind::sub_contact, "shear_stress", Vec3(-1, -1, 0)}, "Shear, \"tau\"");
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     add_history(model, {HistorySource::Kind::function, "sstav"}, "later");
     return model;
 }

@@ -145,7 +145,7 @@ const std::vector<Damage>& damages() {
 Model right_model() {
     Model model = hand_made_model();
     add_history(model, {HistorySource::Kind::global, "time"});
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     return model;
 }
 

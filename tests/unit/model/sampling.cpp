@@ -109,11 +109,11 @@ TEST(SampleHistories, ValuesTimeAndCycleAreAppended) {
         asked += name;
         return 3.25;
     };
-    sample_histories(model, script);
+    sample_histories(model, 1, script);
     model.clock.time = 0.2;
     model.clock.cycle = 52;
     model.zones.stress[0][2] = -4;
-    sample_histories(model, script);
+    sample_histories(model, 1, script);
     EXPECT_EQ(asked, "areaarea");
     EXPECT_THAT(model.histories.time, ElementsAre(0.1, 0.2));
     EXPECT_THAT(model.histories.cycle, ElementsAre(42, 52));
@@ -125,11 +125,11 @@ TEST(SampleHistories, ValuesTimeAndCycleAreAppended) {
 
 TEST(SampleHistories, OnlyEveryIntervalAndOnlyWhenThereAreHistories) {
     Model model = hand_made_model();
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_TRUE(model.histories.time.empty());
     add_history(model, {Kind::global, "cycle"});
     model.histories.interval = 5;
-    for (model.clock.cycle = 0; model.clock.cycle <= 12; ++model.clock.cycle) sample_histories(model, {});
+    for (model.clock.cycle = 0; model.clock.cycle <= 12; ++model.clock.cycle) sample_histories(model, 1, {});
     EXPECT_THAT(model.histories.all[0].values, ElementsAre(0, 5, 10));
     EXPECT_THAT(model.histories.cycle, ElementsAre(0, 5, 10));
 }
@@ -137,9 +137,9 @@ TEST(SampleHistories, OnlyEveryIntervalAndOnlyWhenThereAreHistories) {
 TEST(SampleHistories, ALaterHistoryKnowsHowManySamplesItMissed) {
     Model model = hand_made_model();
     add_history(model, {Kind::global, "time"});
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     add_history(model, {Kind::global, "cycle"});
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_EQ(model.histories.all[1].first_sample, 1u);
     EXPECT_THAT(model.histories.all[1].values, ElementsAre(42));
     reset_histories(model.histories);
@@ -153,8 +153,8 @@ TEST(SampleHistories, AFailingFunctionLeavesNoHalfSample) {
     add_history(model, {Kind::global, "time"});
     add_history(model, {Kind::function, "bad"});
     const auto fails = [](const std::string&) -> double { throw Diagnostic("division of a number by nil"); };
-    EXPECT_THROW(sample_histories(model, fails), Diagnostic);
-    EXPECT_THROW(sample_histories(model, {}), Diagnostic);
+    EXPECT_THROW(sample_histories(model, 1, fails), Diagnostic);
+    EXPECT_THROW(sample_histories(model, 1, {}), Diagnostic);
     EXPECT_TRUE(model.histories.all[0].values.empty());
     EXPECT_TRUE(model.histories.time.empty());
 }
@@ -165,7 +165,7 @@ TEST(SampleHistories, AnObjectIsFollowedWhenItsRowChanges) {
     auto& sub = model.sub_contacts;
     sub.gather({1, 0});
     for (Row i = 0; i < 2; ++i) sub.ids.move(sub.id[i], i);
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_EQ(model.histories.all[0].source.row, 1);
     EXPECT_THAT(model.histories.all[0].values, ElementsAre(10));
 }
@@ -177,7 +177,7 @@ TEST(SampleHistories, WhenTheObjectIsGoneTheNearestOneIsTaken) {
     sub.ids.destroy(sub.id[0]);
     sub.gather({1});
     sub.ids.move(sub.id[0], 0);
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_THAT(model.histories.all[0].values, ElementsAre(20));
 }
 
@@ -187,7 +187,7 @@ TEST(SampleHistories, WhenNoneOfTheKindIsLeftTheSampleIsNaN) {
     auto& sub = model.sub_contacts;
     for (const auto id : sub.id) sub.ids.destroy(id);
     sub.resize(0);
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_TRUE(std::isnan(model.histories.all[0].values[0]));
 }
 
@@ -199,7 +199,7 @@ TEST(SampleHistories, AGridpointIsFoundAgainAfterItsBlockWasZoned) {
     auto& gridpoints = model.gridpoints;
     gridpoints.gather({0, 1, 2, 3, 4, 4, 5, 6, 7});
     model.blocks.gridpoints[1] = {4, 5};
-    sample_histories(model, {});
+    sample_histories(model, 1, {});
     EXPECT_EQ(model.histories.all[0].source.row, 8);
     EXPECT_THAT(model.histories.all[0].values, ElementsAre(-1));
 }

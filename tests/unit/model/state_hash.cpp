@@ -107,7 +107,7 @@ TEST(StateHash, AddedAndRemovedThingsCount) {
     EXPECT_NE(hash_with([](Model& m) { m.group_names.push_back("more"); }), original);
     EXPECT_NE(hash_with([](Model& m) { m.joint_constitutive[2] = "elastic"; }), original);
     EXPECT_NE(hash_with([](Model& m) { m.blocks.ids.destroy(m.blocks.id[0]); }), original);
-    EXPECT_NE(hash_with([](Model& m) { sample_histories(m, {}); }), original);
+    EXPECT_NE(hash_with([](Model& m) { sample_histories(m, 1, {}); }), original);
 }
 
 TEST(StateHash, HashingChangesNothing) {
