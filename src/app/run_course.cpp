@@ -3,6 +3,7 @@
 #include "app/thinned.hpp"
 
 #include "model/fields/field.hpp"
+#include "model/measure/overlap_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,11 @@ void RunCourse::sample(const Model& model) {
     if (!samples_.empty() && cycle - samples_.back().cycle < interval_) return;
     const auto& sub = model.sub_contacts;
     double area = 0, open = 0, with_state = 0;
-    for (std::size_t i = 0; i < sub.size(); ++i) {
-        area += sub.area[i];
-        if (sub.normal_force[i] <= 0) open += sub.area[i];
-        with_state += sub.state[i] != 0 ? 1 : 0;
+    for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c) {
+        area += common_area(model, c);
+        open += idle_area(model, c);
     }
+    for (std::size_t i = 0; i < sub.size(); ++i) { with_state += sub.state[i] != 0 ? 1 : 0; }
     const double count = std::max<double>(1, static_cast<double>(sub.size()));
     samples_.push_back({cycle, model.clock.average_ratio, global(model, "kinetic_energy"),
                         area > 0 ? 100 * open / area : 0, 100 * with_state / count});

@@ -82,7 +82,9 @@ std::string Units::label(std::string_view quantity) const {
     std::string text;
     for (std::size_t at = 0; at < quantity.size();) {
         std::size_t end = at;
-        while (end < quantity.size() && (std::isalpha(static_cast<unsigned char>(quantity[end])) || quantity[end] == '_')) ++end;
+        while (end < quantity.size() &&
+               (std::isalpha(static_cast<unsigned char>(quantity[end])) || quantity[end] == '_'))
+            ++end;
         const std::string_view word = quantity.substr(at, end - at);
         std::string unit = symbol(*system, word);
         // A product or quotient stays one where it is divided by or raised.

@@ -174,7 +174,8 @@ bool in_waves(const std::vector<double>& values, double negligible) {
         runs += k > 0 && (values[k] > 0) != (values[k - 1] > 0);
     }
     const double n = static_cast<double>(values.size()), pairs = 2 * above * (n - above);
-    if (n < 10 || pairs == 0 || largest < negligible) return false;
+    if (n < 10 || largest < negligible) return false;
+    if (pairs == 0) return true; // all on one side
     const double expected = pairs / n + 1, variance = pairs * (pairs - n) / (n * n * (n - 1));
     return runs < expected - 3.3 * std::sqrt(variance);
 }

@@ -5,6 +5,7 @@
 #include "model/kinds/groups.hpp"
 #include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
+#include "model/measure/overlap_rows.hpp"
 #include "model/whole/state_hash.hpp"
 
 #include <algorithm>
@@ -193,14 +194,16 @@ std::string contact_table(const Model& model) {
     const auto& sub = model.sub_contacts;
     double area = 0, open = 0, normal = 0, shear = 0, slip = 0, opening = 0;
     std::size_t slipping = 0;
+    for (Row c = 0; c < static_cast<Row>(model.contacts.size()); ++c) {
+        area += common_area(model, c);
+        open += idle_area(model, c);
+    }
     for (std::size_t i = 0; i < sub.size(); ++i) {
-        area += sub.area[i];
         normal += sub.normal_force[i];
         const Vec3 force = sub.shear_force[i], moved = sub.shear_displacement[i];
         shear += force.norm();
         slip = std::max(slip, moved.norm());
         opening = std::max(opening, shown_opening(model, static_cast<Row>(i)));
-        if (sub.normal_force[i] <= 0) open += sub.area[i];
         slipping += sub.state[i] != 0;
     }
     return pair_table({{"contacts", fmt::format("{}, with {} sub-contacts", model.contacts.size(), sub.size())},

@@ -46,12 +46,12 @@ struct SlopeSection {
     std::vector<SectionTraction> tractions;                   ///< on the ground, from left to right
     std::vector<SectionForce> forces;                         ///< of point loads and structures, the same
     std::function<double(const SectionPoint&)> pore_pressure; ///< stress; empty: none
-    double pressure_ratio = 0; ///< additional pore pressure, over the weight of the column above
-    double water_weight = 0;   ///< force/length^3, of water in a tension crack
+    double pressure_ratio = 0;  ///< additional pore pressure, over the weight of the column above
+    double water_weight = 0;    ///< force/length^3, of water in a tension crack
     bool water_is_open = false; ///< above the ground it is water that loads it, not the pressure of a field
-    double seismic = 0;        ///< horizontal acceleration over gravity, in the direction of sliding
-    double crack_depth = 0;    ///< depth below the ground at which a slip surface ends
-    double crack_water = 0;    ///< height of water in the crack
+    double seismic = 0;         ///< horizontal acceleration over gravity, in the direction of sliding
+    double crack_depth = 0;     ///< depth below the ground at which a slip surface ends
+    double crack_water = 0;     ///< height of water in the crack
 };
 
 /// The section as columns: between two consecutive corners the vertical order of materials does not change.

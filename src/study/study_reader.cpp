@@ -206,6 +206,10 @@ void read_correlations(TomlSection& in, Study& study) {
         for (const std::size_t i : {c.one, c.other})
             if (!study.factors[i].distribution)
                 in.fail(in.place_of(node), fmt::format("'{}' has no distribution", study.factors[i].name));
+        for (const auto& other : study.design.correlations)
+            if (std::minmax(other.one, other.other) == std::minmax(c.one, c.other))
+                in.fail(in.place_of(node), fmt::format("'{}' and '{}' have a correlation already",
+                                                       study.factors[c.one].name, study.factors[c.other].name));
         study.design.correlations.push_back(c);
     }
 }

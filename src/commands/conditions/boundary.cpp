@@ -223,6 +223,28 @@ std::vector<Row> triangles_in_range(Session& session, const lang::Boundary& comm
     return triangles;
 }
 
+/// A dashpot on a component that is held does nothing.
+void warn_of_held_dashpots(Session& session, const std::vector<Row>& triangles, const Place& place) {
+    const Model& model = session.engine.model;
+    for (const Row t : triangles)
+        for (const Row g : model.triangles.gridpoints[t])
+            for (int axis = 0; axis < 3; ++axis)
+                if ((model.gridpoints.fixed[g] & (1 << axis)) &&
+                    (model.triangles.quiet[t] & ((quiet_x << axis) | quiet_normal | quiet_shear))) {
+                    session.warn(
+                        Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
+                                               model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
+                                   fmt::format(fmt::runtime(session.deck.in_words(
+                                                   "waves come back from it: let it go with `bound {0}reaction`, which "
+                                                   "keeps the force that holds it",
+                                                   "waves come back from it: let it go with `block gridpoint apply "
+                                                   "reaction-{0}`, which keeps the force that holds it")),
+                                               axis_names[axis]))
+                            .at(place));
+                    return;
+                }
+}
+
 /// nvel, and quiet boundaries.
 void put_on_faces(Session& session, const lang::Boundary& command, const std::vector<Row>& triangles) {
     auto& model = session.engine.model;
@@ -234,23 +256,7 @@ void put_on_faces(Session& session, const lang::Boundary& command, const std::ve
     if (command.normal_velocity) hold_normals(model, triangles, *command.normal_velocity);
     if (bits == 0) return;
     make_quiet(model, triangles, bits);
-    for (const Row t : triangles)
-        for (const Row g : model.triangles.gridpoints[t])
-            for (int axis = 0; axis < 3; ++axis)
-                if ((model.gridpoints.fixed[g] & (1 << axis)) &&
-                    (bits & ((quiet_x << axis) | quiet_normal | quiet_shear))) {
-                    session.warn(
-                        Diagnostic(fmt::format("a gridpoint of block {} on the quiet boundary is held in {}",
-                                               model.blocks.number[model.gridpoints.block[g]], axis_names[axis]),
-                                   fmt::format(fmt::runtime(session.deck.in_words(
-                                                   "waves come back from it: let it go with `bound {0}reaction`, which "
-                                                   "keeps the force that holds it",
-                                                   "waves come back from it: let it go with `block gridpoint apply "
-                                                   "reaction-{0}`, which keeps the force that holds it")),
-                                               axis_names[axis]))
-                            .at(command.place));
-                    return;
-                }
+    warn_of_held_dashpots(session, triangles, command.place);
 }
 
 void reset_time(Session& session) { session.engine.model.clock.time = 0; }
@@ -340,6 +346,12 @@ void bound(Session& session, const lang::Boundary& command) {
         if (axes != 0) free_faces(model, bodies.gridpoints, axes);
         if (axes == all_axes) free_directions(model, bodies);
     }
+    if (any(command.velocity) && !on_faces(command)) {
+        std::vector<Row> quiet;
+        for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
+            if (model.triangles.quiet[t] != 0) quiet.push_back(t);
+        warn_of_held_dashpots(session, quiet, command.place);
+    }
     if (!command.directed_velocity.empty()) {
         const Bodies bodies = pick_bodies(session, command.range);
         for (const auto& [speed, direction] : command.directed_velocity)
@@ -359,7 +371,7 @@ void bound(Session& session, const lang::Boundary& command) {
         for (int axis = 0; axis < 3; ++axis)
             if (vector[axis] != 0) add_load(model, points, axis, vector[axis], function);
         session.program.output.say(fmt::format("load {} along {} added at {}", number_text(force),
-                                               place_text(direction.normalized()),
+                                               vector_text(direction.normalized()),
                                                counted(points.size(), "gridpoint")));
     }
     if (command.stress) {

@@ -1,9 +1,11 @@
 #include "commands/list/eigen_modes.hpp"
 
 #include "base/diagnostic.hpp"
-#include "mechanics/contact/contact_stiffness.hpp"
+#include "geometry/polyhedra/kept_part.hpp"
 #include "mechanics/step/step_matrix.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/joint_opening.hpp"
+#include "model/measure/joint_water.hpp"
 #include "model/measure/turn.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -83,6 +85,57 @@ ToPlace motion_of(const BodyFrame& frame, const Vec3& place) {
     return motion;
 }
 
+/// The closed part of a joint that is open in part: where its opening, linear over the joint, is below 0.
+std::vector<std::vector<Vec3>> closed_polygons(const Model& model, Row contact) {
+    const Vec3 n = model.contacts.normal[contact], origin = model.contacts.position[contact];
+    Mat3 second = Mat3::Zero();
+    Vec3 moment = Vec3::Zero();
+    const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
+    const auto of = [&](const Vec3& place) { return Vec3(1, u.dot(place - origin), v.dot(place - origin)); };
+    const Span span = model.contacts.sub_contacts[contact];
+    for (Row s = span.first; s < span.end(); ++s) {
+        if (!has_left_place(model, s)) continue;
+        const Vec3 at = of(place_on_faces(model, s));
+        second += at * at.transpose();
+        moment += opening_on_faces(model, s) * at;
+    }
+    const Eigen::FullPivLU<Mat3> plane(second);
+    auto polygons = joint_polygons(model, contact);
+    if (!plane.isInvertible()) return polygons;
+    const Vec3 opening = plane.solve(moment);
+    for (auto& polygon : polygons)
+        polygon = kept_part(
+            polygon, [&](const Vec3& corner) { return opening.dot(of(corner)); },
+            [](const Vec3& from, const Vec3& to, double part) -> Vec3 { return from + part * (to - from); });
+    return polygons;
+}
+
+/// Calls add(normal stiffness, shear stiffness, place) with the springs of a contact as it is. A joint that is open in part has those of its closed
+/// part; edges and corners have the area of their contact.
+template <class Add> void each_spring(const Model& model, Row contact, const Add& add) {
+    const auto& contacts = model.contacts;
+    const auto& subs = model.sub_contacts;
+    const Span span = contacts.sub_contacts[contact];
+    if (!follows_overlap(model, contact)) {
+        for (Row s = span.first; s < span.end(); ++s)
+            add(subs.normal_stiffness[s] * subs.area[s], subs.shear_stiffness[s] * subs.area[s],
+                Vec3(subs.position[s]));
+        return;
+    }
+    if (!(contacts.depth[contact] > 0)) return;
+    double area = 0;
+    for (const auto& polygon : closed_polygons(model, contact))
+        each_third(polygon, [&](double part, const Vec3& place) {
+            area += part;
+            add(subs.normal_stiffness[span.first] * part, 0.0, place);
+        });
+    for (Row s = span.first; s < span.first + carriers; ++s) {
+        const double normal = area > 0 ? 0 : subs.normal_stiffness[s] * subs.area[s];
+        add(normal, 0.0, Vec3(subs.position[s]));
+        add(0.0, subs.shear_stiffness[s] * subs.area[s], subs.shear_place(s));
+    }
+}
+
 Sparse stiffness_of(const Model& model, const FreeBodies& free) {
     std::vector<Eigen::Triplet<double>> parts;
     const auto add = [&](const FreeBodies::Body& one, const FreeBodies::Body& other, const Mat6& k) {
@@ -97,27 +150,21 @@ Sparse stiffness_of(const Model& model, const FreeBodies& free) {
     for (Row c = 0; c < static_cast<Row>(contacts.size()); ++c) {
         const std::array<int, 2> sides{free.of_block[contacts.block1[c]], free.of_block[contacts.block2[c]]};
         if (sides[0] == sides[1]) continue; // within a body, or between bodies that are held
-        const NormalAreaFactor factor(model, c);
         const Vec3& n = contacts.normal[c];
+        const Mat3 across = n * n.transpose(), along = Mat3::Identity() - across;
         std::array<std::array<Mat6, 2>, 2> sums;
         for (auto& row : sums) row.fill(Mat6::Zero());
-        const Span span = contacts.sub_contacts[c];
-        for (Row s = span.first; s < span.end(); ++s) {
-            const Springs springs = springs_of(model.sub_contacts, s, factor);
-            if (!(springs.stiffer() > 0)) continue;
-            const Mat3 across = n * n.transpose();
-            const auto add_springs = [&](const Mat3& k, const Vec3& place) {
-                std::array<ToPlace, 2> motion;
-                for (std::size_t i = 0; i < 2; ++i)
-                    motion[i] = sides[i] < 0 ? ToPlace(ToPlace::Zero())
-                                             : motion_of(free.bodies[static_cast<std::size_t>(sides[i])].frame, place);
-                for (std::size_t i = 0; i < 2; ++i)
-                    for (std::size_t j = 0; j < 2; ++j)
-                        sums[i][j] += (i == j ? 1 : -1) * motion[i].transpose() * k * motion[j];
-            };
-            add_springs(springs.normal * across, model.sub_contacts.position[s]);
-            add_springs(springs.shear * (Mat3::Identity() - across), model.sub_contacts.shear_place(s));
-        }
+        each_spring(model, c, [&](double normal, double shear, const Vec3& place) {
+            if (!(std::max(normal, shear) > 0)) return;
+            std::array<ToPlace, 2> motion;
+            for (std::size_t i = 0; i < 2; ++i)
+                motion[i] = sides[i] < 0 ? ToPlace(ToPlace::Zero())
+                                         : motion_of(free.bodies[static_cast<std::size_t>(sides[i])].frame, place);
+            const Mat3 k = normal * across + shear * along;
+            for (std::size_t i = 0; i < 2; ++i)
+                for (std::size_t j = 0; j < 2; ++j)
+                    sums[i][j] += (i == j ? 1 : -1) * motion[i].transpose() * k * motion[j];
+        });
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t j = 0; j < 2; ++j)
                 if (sides[i] >= 0 && sides[j] >= 0)

@@ -61,7 +61,7 @@ std::string list_interfaces(Session& session, const lang::List& command) {
         table.add({std::to_string(model.blocks.number[one.first]), std::to_string(model.blocks.number[one.second]),
                    std::to_string(one.contacts.size()), number_text(one.area), number_text(one.normal_force()),
                    number_text(one.shear_force()), loaded ? number_text(angle) : "-", utilisation_text(session, one),
-                   place_text(one.force), loaded ? place_text(one.point_of_action()) : "-"});
+                   vector_text(one.force), loaded ? place_text(one.point_of_action()) : "-"});
     }
     std::string text = table.text();
     if (interfaces.size() > longest_table)
@@ -77,11 +77,11 @@ std::string list_reactions(Session& session, const lang::List& command) {
     if (reactions.groups.empty()) return fmt::format("no supports{}", command.range.place ? " in range" : "");
     TextTable table({"group", "held", "reaction", "own weight"});
     for (const Reaction& one : reactions.groups)
-        table.add({name_of_group(model, one.group), counted(one.held, "block"), place_text(one.force),
-                   place_text(one.weight)});
+        table.add({name_of_group(model, one.group), counted(one.held, "block"), vector_text(one.force),
+                   vector_text(one.weight)});
     return fmt::format("{}\nsum of reactions {}, weights {}, loads {}, unbalanced {}", table.text(),
-                       place_text(reactions.reaction), place_text(reactions.weight), place_text(reactions.load),
-                       place_text(reactions.unbalanced));
+                       vector_text(reactions.reaction), vector_text(reactions.weight), vector_text(reactions.load),
+                       vector_text(reactions.unbalanced));
 }
 
 } // namespace kaya

@@ -21,6 +21,8 @@ ListColumn::Text text_of(const Model& model, ObjectKind kind, const ListColumn& 
     if (column.text) return column.text;
     const Field* field = find_field(kind, column.field);
     if (field == nullptr) throw std::logic_error(fmt::format("{} has no field {}", info_of(kind).name, column.field));
+    if (field->name == "position")
+        return [&model, field](Row row) { return coordinates_text(std::get<Vec3>(field->get(model, row))); };
     return [&model, field](Row row) { return value_text(model, field->get(model, row)); };
 }
 

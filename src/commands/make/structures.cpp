@@ -99,7 +99,9 @@ void run(Session& session, const lang::StructureLiner& command) {
     constexpr double most = 2e6;
     auto& model = session.engine.model;
     const std::vector<Row> faces = session.pick(ObjectKind::face, command.range);
-    const double expected = expected_triangles(model, faces, command.edge);
+    const std::vector<Row> triangles =
+        triangles_to_line(model, faces, session.pick(ObjectKind::gridpoint, command.range));
+    const double expected = expected_triangles(model, triangles, command.edge);
     if (expected > most)
         throw Diagnostic(fmt::format("the liner would have about {:.2g} elements", expected),
                          "give a longer edge, or fewer faces");
@@ -108,10 +110,10 @@ void run(Session& session, const lang::StructureLiner& command) {
                     .axis = command.axis.value_or(Vec3::Zero()),
                     .tolerance = command.tolerance,
                     .grip = grip_of(command.grip)};
-    Lining lining = line_faces(model, faces, command.edge, wanted.tolerance);
+    Lining lining = line_triangles(model, triangles, command.edge, wanted.tolerance);
     if (lining.mesh.triangles.empty())
-        throw Diagnostic(faces.empty() ? "there is no face for the liner"
-                                       : "other blocks cover all faces that the liner would lie on",
+        throw Diagnostic(triangles.empty() ? "there is no face for the liner"
+                                           : "other blocks cover all faces that the liner would lie on",
                          "name faces of an opening or of the outside: structure liner ... range ...");
     wanted.mesh = std::move(lining.mesh);
     const Row member = make_liner(model, wanted);

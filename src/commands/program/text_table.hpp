@@ -27,6 +27,10 @@ private:
 std::string number_text(double value);
 
 /// "(1, 2.5, 0)"
+std::string vector_text(const Vec3& vector);
+/// "1, 2.5, 4000000.25": to thousandths far from the origin, where six digits do not tell neighbours apart.
+std::string coordinates_text(const Vec3& place);
+/// The same in brackets.
 std::string place_text(const Vec3& place);
 
 } // namespace kaya

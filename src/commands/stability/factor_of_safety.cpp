@@ -93,10 +93,11 @@ void doubt_held_block(Session& session, double factor, double of_weakest_block, 
     constexpr double noticeable = 1.1;
     if (!(factor > noticeable * of_weakest_block)) return;
     session.warn(
-        Diagnostic(fmt::format("the factor is {:.4g}, and a block can leave its place at {:.4g} (list stability)", factor,
-                               of_weakest_block),
-                   "in the model something else holds that block, often one of its edges on a face of another block with "
-                   "zones, whose stiffness follows from the size of the zones: look at `list contacts`")
+        Diagnostic(
+            fmt::format("the factor is {:.4g}, and a block can leave its place at {:.4g} (list stability)", factor,
+                        of_weakest_block),
+            "in the model something else holds that block, often one of its edges on a face of another block with "
+            "zones, whose stiffness follows from the size of the zones: look at `list contacts`")
             .at(place));
 }
 
@@ -192,7 +193,7 @@ std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial
 
 /// What moved, how, and in which mesh.
 void print_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
-                 FineZones fine) {
+                   FineZones fine) {
     if (const std::string moving = search.mechanism(); !moving.empty()) output.print(moving);
     if (!mode) return;
     output.print(mode_text(*mode));
@@ -219,7 +220,7 @@ double print_factor(Output& output, const Bracket& bracket) {
         return bracket.stands;
     }
     output.print(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
-                           middle(bracket), bracket.stands, bracket.fails));
+                             middle(bracket), bracket.stands, bracket.fails));
     return middle(bracket);
 }
 

@@ -120,8 +120,9 @@ public:
         section_.water_is_open = has_density || command.water_table;
         if (command.water_table) add_water_table(session, *command.water_table, section_);
         else if (session.engine.model.settings.water == Water::points)
-            throw Diagnostic("limit equilibrium has no water pressure of gridpoints (initialize pp, insitu pp)",
-                             "give the water as `water table` or `water pressure`, or as a table: limit equilibrium water-table 1")
+            throw Diagnostic(
+                "limit equilibrium has no water pressure of gridpoints (initialize pp, insitu pp)",
+                "give the water as `water table` or `water pressure`, or as a table: limit equilibrium water-table 1")
                 .at(command.place);
     }
 
@@ -129,7 +130,7 @@ public:
         const SlopeColumns columns(section_);
         session_.program.output.say(
             fmt::format("limit equilibrium: {} cut through {} along {}, distances from {} to {}",
-                        counted(section_.cells.size(), "block"), place_text(plane_.point), place_text(plane_.along),
+                        counted(section_.cells.size(), "block"), place_text(plane_.point), vector_text(plane_.along),
                         number_text(columns.left()), number_text(columns.right())));
         const bool given = command_.circle || !command_.surface.empty();
         const bool circle =

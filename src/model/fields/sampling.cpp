@@ -54,18 +54,19 @@ bool any_rate(const Histories& histories) {
 
 bool is_due(const Model& model) { return model.clock.cycle % model.histories.interval == 0; }
 
-/// Joints that are open in part have moved their sub-contacts: the opening is that of the place where it was.
-bool is_opening(const Model& model, const HistorySource& source, Row row) {
-    return source.kind == Kind::sub_contact && source.quantity == "normal_displacement" && has_left_place(model, row);
+/// Joints that are open in part have moved their sub-contacts: a history has the values of the place where its own was.
+bool has_moved(const Model& model, const HistorySource& source, Row row) {
+    return source.kind == Kind::sub_contact && has_left_place(model, row);
 }
 
 Vec3 place_of(const Model& model, const HistorySource& source, Row row) {
-    return is_opening(model, source, row) ? place_on_faces(model, row) : info_of(source.kind).place(model, row);
+    return has_moved(model, source, row) ? place_on_faces(model, row) : info_of(source.kind).place(model, row);
 }
 
 double value_of(const Model& model, const HistorySource& source, const Field& field) {
-    return is_opening(model, source, source.row) ? opening_on_faces(model, source.row)
-                                                 : sample(model, field, source.row);
+    if (!has_moved(model, source, source.row)) return sample(model, field, source.row);
+    return source.quantity == "normal_displacement" ? opening_on_faces(model, source.row)
+                                                    : sample(model, field, row_at_place(model, source.row));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "model/kinds/kinds.hpp"
 
+#include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
 #include "model/measure/overlap_rows.hpp"
 #include "model/measure/structure_rows.hpp"
@@ -50,10 +51,15 @@ Row block_of_sub_contact(const Model& model, Row row) { return model.contacts.bl
 Row block_of_corner(const Model& model, Row row) { return block_of_triangle(model, row / 3); }
 Row gridpoint_of_corner(const Model& model, Row row) { return model.triangles.gridpoints[row / 3][row % 3]; }
 std::size_t corner_count(const Model& model) { return 3 * model.triangles.size(); }
-/// Unloaded rows of an overlap count as where its force acts: the nearest sub-contact to a place in a joint carries something.
+/// Unloaded rows of an overlap lie where the joint is open, else with the first row that carries, which comes before them: the nearest sub-contact to a place where the
+/// joint is closed carries something.
 Vec3 place_of_sub_contact(const Model& model, Row row) {
-    const Row contact = model.sub_contacts.contact[row];
-    return is_unloaded(model, contact, row) ? model.contacts.position[contact] : Vec3(model.sub_contacts.position[row]);
+    const auto& subs = model.sub_contacts;
+    const Row contact = subs.contact[row], first = model.contacts.sub_contacts[contact].first;
+    if (!is_unloaded(model, contact, row)) return subs.position[row];
+    const Row place = row - carriers;
+    const bool open = has_left_place(model, place) && opening_on_faces(model, place) > 0;
+    return open ? place_on_faces(model, place) : Vec3(subs.position[first]);
 }
 
 Vec3 place_of_corner(const Model& model, Row row) { return model.gridpoints.position[gridpoint_of_corner(model, row)]; }

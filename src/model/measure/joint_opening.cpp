@@ -24,6 +24,12 @@ double opening_on_faces(const Model& model, Row row) {
     return gap_of_sides(model, row) - contacts.offset[contact] - contacts.offset_tilt[contact].dot(arm);
 }
 
+Row row_at_place(const Model& model, Row row) {
+    const Span span = model.contacts.sub_contacts[model.sub_contacts.contact[row]];
+    if (opening_on_faces(model, row) < 0) return span.first;
+    return row < span.first + carriers && row + carriers < span.end() ? row + carriers : row;
+}
+
 Vec3 shown_place(const Model& model, Row row) {
     const Row place = stands_for(model, row);
     return place == no_row ? Vec3(model.sub_contacts.position[row]) : place_on_faces(model, place);

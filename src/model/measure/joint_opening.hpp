@@ -33,6 +33,10 @@ Vec3 place_on_faces(const Model& model, Row row);
 /// The opening there: the gap less the closure without force. Only where has_left_place.
 double opening_on_faces(const Model& model, Row row);
 
+/// The sub-contact that has the load at that place: where the joint is closed one that carries it, with the greatest pressure of the joint, else an unloaded one.
+/// Only where has_left_place.
+Row row_at_place(const Model& model, Row row);
+
 /// Place and normal displacement of a sub-contact as users see them, opening positive. Carriers of an overlap lie where the force
 /// acts; its unloaded rows stand for the places that the joint had, from the first on.
 Vec3 shown_place(const Model& model, Row row);

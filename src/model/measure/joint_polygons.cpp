@@ -139,9 +139,10 @@ Row nearest_sub_contact(const Model& model, Row contact, const Vec3& place) {
     Row best = span.first;
     double least = std::numeric_limits<double>::infinity();
     for (Row row = span.first; row < span.end(); ++row) {
-        const Vec3 position = shown_place(model, row);
+        const bool moved = has_left_place(model, row);
+        const Vec3 position = moved ? place_on_faces(model, row) : Vec3(model.sub_contacts.position[row]);
         const double distance = (position - place).squaredNorm();
-        if (distance < least) least = distance, best = row;
+        if (distance < least) least = distance, best = moved ? row_at_place(model, row) : row;
     }
     return best;
 }

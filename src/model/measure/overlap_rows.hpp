@@ -53,6 +53,26 @@ inline void put_open_area(Model& model, Row contact) {
             model.sub_contacts.area[s] = open / static_cast<double>(span.count - carriers);
 }
 
+/// The common area of the faces of a joint; of edges and corners the area of their contact.
+inline double common_area(const Model& model, Row contact) {
+    const Contacts& contacts = model.contacts;
+    return follows_overlap(model, contact) ? std::max(contacts.whole_area[contact], contacts.area[contact])
+                                           : contacts.area[contact];
+}
+
+/// The part of it that carries nothing.
+inline double idle_area(const Model& model, Row contact) {
+    const Contacts& contacts = model.contacts;
+    if (follows_overlap(model, contact))
+        return contacts.depth[contact] > 0 ? std::max(0.0, common_area(model, contact) - contacts.shear_area[contact])
+                                           : common_area(model, contact);
+    double area = 0;
+    const Span span = contacts.sub_contacts[contact];
+    for (Row s = span.first; s < span.end(); ++s)
+        if (model.sub_contacts.normal_force[s] <= 0) area += model.sub_contacts.area[s];
+    return area;
+}
+
 /// The area on which the normal force of a sub-contact acts with the greatest pressure of its contact: less than the closed area, which joint
 /// models see, where a joint of rigid blocks is open in part.
 inline double pressed_area(const Model& model, Row row) {

@@ -59,25 +59,30 @@ double extent_of(const std::vector<Corners>& triangles) {
 
 } // namespace
 
-double expected_triangles(const Model& model, const std::vector<Row>& faces, double edge) {
-    double area = 0, rows = 0;
-    for (const Row face : faces) {
-        area += face_area_vector(model, face).norm();
-        rows += model.faces.triangles[face].count;
-    }
-    return std::max(rows, edge > 0 ? 4 * area / (edge * edge) : 0);
+std::vector<Row> triangles_to_line(const Model& model, const std::vector<Row>& faces,
+                                   const std::vector<Row>& gridpoints) {
+    std::vector<Row> rows;
+    const auto named = [&](Row g) { return std::ranges::binary_search(gridpoints, g); };
+    for (Row t = 0; t < static_cast<Row>(model.triangles.size()); ++t)
+        if (std::ranges::binary_search(faces, model.triangles.face[t]) ||
+            std::ranges::all_of(model.triangles.gridpoints[t], named))
+            rows.push_back(t);
+    return rows;
 }
 
-Lining line_faces(const Model& model, const std::vector<Row>& faces, double edge, double& tolerance) {
+double expected_triangles(const Model& model, const std::vector<Row>& rows, double edge) {
+    double area = 0;
+    for (const Row t : rows) area += triangle_area_vector(model, t).norm();
+    return std::max(static_cast<double>(rows.size()), edge > 0 ? 4 * area / (edge * edge) : 0);
+}
+
+Lining line_triangles(const Model& model, const std::vector<Row>& rows, double edge, double& tolerance) {
     Lining lining;
     std::vector<Corners> triangles;
-    for (const Row face : faces) {
-        const Span span = model.faces.triangles[face];
-        for (Row t = span.first; t < span.end(); ++t) {
-            const auto& rows = model.triangles.gridpoints[t];
-            const auto& position = model.gridpoints.position;
-            triangles.push_back({position[rows[0]], position[rows[1]], position[rows[2]]});
-        }
+    for (const Row t : rows) {
+        const auto& corners = model.triangles.gridpoints[t];
+        const auto& position = model.gridpoints.position;
+        triangles.push_back({position[corners[0]], position[corners[1]], position[corners[2]]});
     }
     if (!(tolerance > 0)) tolerance = 1e-4 * extent_of(triangles);
     const Cover cover(model, tolerance);

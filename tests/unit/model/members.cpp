@@ -23,7 +23,7 @@ Model model_with_members() {
     make_beam(model, {.places = {Vec3(0.1, 0.1, 0.1), Vec3(2, 0.1, 0.1)}, .segments = 3, .property = 2});
     double tolerance = 0;
     // The face opposite the origin is the third of each tetrahedron.
-    Lining lining = line_faces(model, {2, 6}, 0.4, tolerance);
+    Lining lining = line_triangles(model, triangles_to_line(model, {2, 6}, {}), 0.4, tolerance);
     make_liner(model, {.mesh = lining.mesh, .property = 3, .tolerance = tolerance});
     make_beam(model, {.places = {Vec3(3, 3, 3), Vec3(3, 3, 4), Vec3(3, 5, 4)}, .segments = 2, .property = 2});
     return model;
