@@ -77,8 +77,12 @@ void Output::message(const Diagnostic& diagnostic) {
 }
 
 void Output::say(std::string_view text) {
+    if (quiet) log_only(text);
+    else conclude(text);
+}
+
+void Output::conclude(std::string_view text) {
     log_only(text);
-    if (quiet) return;
     end_refresh();
     std::fflush(results_);
     print_text(messages_, fmt::format("{}\n", text));

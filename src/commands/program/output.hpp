@@ -35,6 +35,8 @@ public:
 
     /// A progress note; omitted when the session is quiet.
     void say(std::string_view text);
+    /// The end of a search or a test, such as a factor of safety: a message that a quiet session has too.
+    void conclude(std::string_view text);
 
     /// For the log only: the commands.
     void log_only(std::string_view text);

@@ -185,19 +185,19 @@ std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial
             "no factor of safety on fine zones: sharing their strains does not make them weaker; try a finer mesh");
         return std::nullopt;
     }
-    output.print(
+    output.conclude(
         fmt::format("factor of safety on fine zones: {:.4g}, between {:.4g} and {:.4g}; {:.4g} with shared strains",
                     fine->factor, fine->factor - fine->error, fine->factor + fine->error, *shared));
     return fine->factor;
 }
 
 /// What moved, how, and in which mesh.
-void print_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
+void say_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
                    FineZones fine) {
-    if (const std::string moving = search.mechanism(); !moving.empty()) output.print(moving);
+    if (const std::string moving = search.mechanism(); !moving.empty()) output.conclude(moving);
     if (!mode) return;
-    output.print(mode_text(*mode));
-    if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.print(mesh);
+    output.conclude(mode_text(*mode));
+    if (const std::string mesh = mesh_text(*mode, fine); !mesh.empty()) output.conclude(mesh);
 }
 
 /// What a search finds from the initial state of its bench.
@@ -209,17 +209,17 @@ Bracket searched(StrengthSearch& search, const lang::Solve& command, double gues
     return confirmed(search, narrowed(search, bracket, command.resolution), command.resolution);
 }
 
-/// Prints what the search found; returns the factor, or the nearest one that was tried.
-double print_factor(Output& output, const Bracket& bracket) {
+/// Says what the search found; returns the factor, or the nearest one that was tried.
+double say_factor(Output& output, const Bracket& bracket) {
     if (bracket.stands == 0) {
-        output.print(fmt::format("factor of safety: below {:.6g}", bracket.fails));
+        output.conclude(fmt::format("factor of safety: below {:.6g}", bracket.fails));
         return bracket.fails;
     }
     if (!std::isfinite(bracket.fails)) {
-        output.print(fmt::format("factor of safety: above {:.6g}", bracket.stands));
+        output.conclude(fmt::format("factor of safety: above {:.6g}", bracket.stands));
         return bracket.stands;
     }
-    output.print(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+    output.conclude(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
                              middle(bracket), bracket.stands, bracket.fails));
     return middle(bracket);
 }
@@ -265,8 +265,8 @@ void find_factor_of_safety(Session& session, const lang::Solve& command, const L
             bracket = searched(*search, command, guess);
         }
         const auto mode = search->failed() ? search->failed()->mode : std::nullopt;
-        print_failure(output, *search, mode, fine);
-        factor = print_factor(output, bracket);
+        say_failure(output, *search, mode, fine);
+        factor = say_factor(output, bracket);
         if (fine == FineZones::searched && closed(bracket))
             factor = factor_on_fine_zones(from_rest ? *from_rest : bench, model, command, factor,
                                           mode.value_or(FailureMode::Shares{}))

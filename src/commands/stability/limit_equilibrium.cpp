@@ -153,14 +153,14 @@ public:
             best_ = found;
             best_method_ = method;
         }
-        session_.program.output.print(table.text());
+        session_.program.output.conclude(table.text());
         if (!best_)
             throw Diagnostic(
                 "no slip surface has a factor of safety by these methods",
                 "a tension crack often helps (crack d); or entry, exit and depth keep the search where a body can slide",
                 Fault::run);
         session_.engine.model.clock.factor_of_safety = best_->answer.factor;
-        session_.program.output.print(
+        session_.program.output.conclude(
             fmt::format("factor of safety: {:.4f} ({})", best_->answer.factor, name_of(best_method_)));
         doubt_joints(columns);
         if (under_open_water(columns))

@@ -78,10 +78,10 @@ public:
 
     void tell(const std::string& why) const {
         auto& output = session_.program.output;
-        output.print("solve control: stopped by " + why);
+        output.conclude("solve control: stopped by " + why);
         if (curve_.empty()) return;
         const CurveRow &peak = curve_.peak(), &last = curve_.back();
-        output.print(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
+        output.conclude(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
                                  number_text(peak.displacement), number_text(last.load),
                                  number_text(last.displacement)));
         constexpr double much = 0.05;

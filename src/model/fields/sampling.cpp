@@ -189,7 +189,8 @@ void sample_histories(Model& model, double kick, const std::function<double(cons
             }
         }
         if (field == nullptr) {
-            values.push_back(script_value ? script_value(fmt::format("{} of {}", source.quantity, source.row))
+            const Row row = has_moved(model, source, source.row) ? row_at_place(model, source.row) : source.row;
+            values.push_back(script_value ? script_value(fmt::format("{} of {}", source.quantity, row))
                                           : std::numeric_limits<double>::quiet_NaN());
             continue;
         }

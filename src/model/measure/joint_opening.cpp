@@ -25,8 +25,15 @@ double opening_on_faces(const Model& model, Row row) {
 }
 
 Row row_at_place(const Model& model, Row row) {
-    const Span span = model.contacts.sub_contacts[model.sub_contacts.contact[row]];
-    if (opening_on_faces(model, row) < 0) return span.first;
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[subs.contact[row]];
+    if (opening_on_faces(model, row) < 0) {
+        const Vec3 place = place_on_faces(model, row);
+        Row nearest = span.first;
+        for (Row s = span.first + 1; s < span.first + carriers; ++s)
+            if ((subs.position[s] - place).squaredNorm() < (subs.position[nearest] - place).squaredNorm()) nearest = s;
+        return nearest;
+    }
     return row < span.first + carriers && row + carriers < span.end() ? row + carriers : row;
 }
 

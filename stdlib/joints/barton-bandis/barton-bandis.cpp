@@ -63,7 +63,7 @@ constexpr kaya_jproperty properties[] = {
 };
 static_assert(std::size(properties) == property_count);
 
-enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, waiting, history_count };
+enum History { closure, mobilised, reversal_x, reversal_y, reversal_z, built, waiting, history_count };
 
 constexpr kaya_jhistory history[] = {
     {"closure", "length", "closure of the joint; negative: how far it is open"},
@@ -71,6 +71,7 @@ constexpr kaya_jhistory history[] = {
     {"reversal-x", "stress", "shear stress at the last reversal of the motion"},
     {"reversal-y", "stress", "shear stress at the last reversal of the motion"},
     {"reversal-z", "stress", "shear stress at the last reversal of the motion"},
+    {"built", "stress", "shear stress to which the joint returns when the normal stress does"},
     {"waiting", "stress*length", "energy of shear beyond what the strength lets the joint store"},
 };
 static_assert(std::size(history) == history_count);
@@ -153,6 +154,7 @@ struct Path {
     double from_x, from_y, from_z;       ///< stress at the last reversal
     double spent_before;                 ///< displacement spent on the curve
     double size;                         ///< of the shear stress before
+    double built;                        ///< shear stress to which the joint returns when the normal stress does
     double waits;                        ///< energy of shear that the strength did not let the joint store
     double energy;                       ///< of shear, with what waits
     double free_closure;                 ///< closure without dilation
@@ -161,6 +163,7 @@ struct Path {
 /// The elastic trial, and the part of the motion along the mobilised curve.
 struct Trial {
     double kept;    ///< how many times the stress before is left
+    double held;    ///< that stress
     double waiting; ///< energy that the strength does not let the joint store
     double x, y, z, size;
     double stiffness;
@@ -183,13 +186,13 @@ template <bool thesis>
     Trial t;
     t.limit0 = mobilised_strength<thesis>(law, s, path.before, path.fallen);
     t.limit1 = mobilised_strength<thesis>(law, s, path.after, path.fallen);
-    // A change of the normal stress keeps the energy of shear, as far as the strength lets the joint store it.
+    // A change of the normal stress adds no shear stress and keeps the energy of shear. What the strength does not let the joint store waits
+    // until the normal stress comes back.
     const double stored = path.on_curve > 0 ? path.energy : path.energy - path.waits;
-    const double held = path.stiffness > 0 && path.size > 0
-                            ? std::min(std::sqrt(2 * s.stiffness * stored), std::max(t.limit0, 0.0))
-                            : path.size;
-    t.kept = path.size > 0 ? held / path.size : 1;
-    t.waiting = std::max(0.0, path.energy - 0.5 * held * held / std::max(s.stiffness, tiny));
+    const double most = std::min(std::sqrt(2 * s.stiffness * stored), std::max(t.limit0, 0.0));
+    t.held = path.stiffness > 0 && path.size > 0 ? std::min(most, path.built) : path.size;
+    t.kept = path.size > 0 ? t.held / path.size : 1;
+    t.waiting = std::max(0.0, path.energy - 0.5 * t.held * t.held / std::max(s.stiffness, tiny));
     // On the curve the trial is at least as steep as the curve, so that the strength limits it.
     const double slope = (t.limit1 - t.limit0) / std::max(path.motion, tiny);
     const double left = 1 - law.half_failure_ratio * path.swing * t.kept / std::max(s.peak, tiny);
@@ -206,7 +209,7 @@ template <bool thesis>
     t.size = std::sqrt(t.x * t.x + t.y * t.y + t.z * t.z);
     t.excess = std::max(0.0, t.size - t.limit0);
     const double part = std::min(1.0, t.excess / std::max(t.stiffness * path.motion, tiny));
-    t.spent = path.motion * part;
+    t.spent = path.motion * (path.on_curve > 0 ? 1 : part);
     // Half of the mobilised roughness angle (2.20); while B is negative there is none.
     double angle = 0.25 * s.ruff * (path.before.roughness + path.after.roughness);
     if constexpr (thesis) {
@@ -225,11 +228,11 @@ struct Rows {
           force_y(b.shear_force[1]), force_z(b.shear_force[2]), normal_stiffness(b.normal_stiffness),
           shear_stiffness(b.shear_stiffness), work(b.frictional_work), closures(b.history[closure]),
           spent_before(b.history[mobilised]), turn_x(b.history[reversal_x]), turn_y(b.history[reversal_y]),
-          turn_z(b.history[reversal_z]), waits(b.history[waiting]), states(b.state) {}
+          turn_z(b.history[reversal_z]), builds(b.history[built]), waits(b.history[waiting]), states(b.state) {}
 
     const double *areas, *opening, *shear_x, *shear_y, *shear_z;
     double *normal_force, *force_x, *force_y, *force_z, *normal_stiffness, *shear_stiffness, *work, *closures,
-        *spent_before, *turn_x, *turn_y, *turn_z, *waits;
+        *spent_before, *turn_x, *turn_y, *turn_z, *builds, *waits;
     uint32_t* states;
 };
 
@@ -263,6 +266,7 @@ template <bool thesis> [[gnu::always_inline]] inline Path path_of(const Rows& r,
     path.on_curve = turns ? 0 : was_on_curve;
     const double square = path.start_x * path.start_x + path.start_y * path.start_y + path.start_z * path.start_z;
     path.size = std::sqrt(square);
+    path.built = std::max(path.size, r.builds[i]);
     path.waits = r.waits[i];
     // Without a spring no energy is stored, whatever force was set.
     path.energy = (path.stiffness > 0 ? 0.5 * square / path.stiffness : 0) + r.waits[i];
@@ -314,6 +318,7 @@ template <bool thesis> [[gnu::always_inline]] inline void end_row(const Rows& r,
     const double reaches = last.excess > 0 ? 1 : path.on_curve;
     const double continues = closes > 0 ? reaches : worn;
     const double unloads = closes > 0 ? 1 - continues : 0;
+    r.builds[i] = new_closure > 0 ? size + path.built - last.held : 0;
     r.waits[i] = waits;
     r.turn_x[i] = unloads * last.kept * path.from_x;
     r.turn_y[i] = unloads * last.kept * path.from_y;

@@ -88,6 +88,7 @@ TEST(Slices, WhatCannotSlideHasNoFactor) {
 TEST(Slices, ASlopeUnderWaterIsOneOfBuoyantWeight) {
     SlopeSection flooded = slope(), buoyant = slope();
     flooded.pore_pressure = [](const SectionPoint& p) { return 9810 * (15 - p.y()); };
+    flooded.water_is_open = true;
     for (SectionCell& cell : buoyant.cells) cell.unit_weight -= 9810;
     const SlopeColumns wet(flooded), light(buoyant);
     const auto surface = circle_surface(wet, {5, 25}, 25);
