@@ -194,7 +194,7 @@ std::optional<double> factor_on_fine_zones(const TrialBench& bench, ModelOnTrial
 
 /// What moved, how, and in which mesh.
 void say_failure(Output& output, const StrengthSearch& search, const std::optional<FailureMode::Shares>& mode,
-                   FineZones fine) {
+                 FineZones fine) {
     if (const std::string moving = search.mechanism(); !moving.empty()) output.conclude(moving);
     if (!mode) return;
     output.conclude(mode_text(*mode));
@@ -220,8 +220,9 @@ double say_factor(Output& output, const Bracket& bracket) {
         output.conclude(fmt::format("factor of safety: above {:.6g}", bracket.stands));
         return bracket.stands;
     }
-    output.conclude(fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
-                             middle(bracket), bracket.stands, bracket.fails));
+    output.conclude(
+        fmt::format("factor of safety: {:.4g}, between {:.6g}, where it is stable, and {:.6g}, where it fails",
+                    middle(bracket), bracket.stands, bracket.fails));
     return middle(bracket);
 }
 

@@ -82,8 +82,8 @@ public:
         if (curve_.empty()) return;
         const CurveRow &peak = curve_.peak(), &last = curve_.back();
         output.conclude(fmt::format("  peak load {} at displacement {}; at the end {} at {}", number_text(peak.load),
-                                 number_text(peak.displacement), number_text(last.load),
-                                 number_text(last.displacement)));
+                                    number_text(peak.displacement), number_text(last.load),
+                                    number_text(last.displacement)));
         constexpr double much = 0.05;
         if (const double step = curve_.doubt_of_peak(); step > LoadCurve::much_doubt)
             session_.warn(Diagnostic(fmt::format("the peak lies between rows, and may be {:.0f} % higher", 100 * step),
