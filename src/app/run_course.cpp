@@ -31,7 +31,7 @@ void RunCourse::sample(const Model& model) {
         area += common_area(model, c);
         open += idle_area(model, c);
     }
-    for (std::size_t i = 0; i < sub.size(); ++i) { with_state += sub.state[i] != 0 ? 1 : 0; }
+    for (std::size_t i = 0; i < sub.size(); ++i) with_state += sub.state[i] != 0 ? 1 : 0;
     const double count = std::max<double>(1, static_cast<double>(sub.size()));
     samples_.push_back({cycle, model.clock.average_ratio, global(model, "kinetic_energy"),
                         area > 0 ? 100 * open / area : 0, 100 * with_state / count});

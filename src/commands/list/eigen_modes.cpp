@@ -104,9 +104,7 @@ std::vector<std::vector<Vec3>> closed_polygons(const Model& model, Row contact) 
     if (!plane.isInvertible()) return polygons;
     const Vec3 opening = plane.solve(moment);
     for (auto& polygon : polygons)
-        polygon = kept_part(
-            polygon, [&](const Vec3& corner) { return opening.dot(of(corner)); },
-            [](const Vec3& from, const Vec3& to, double part) -> Vec3 { return from + part * (to - from); });
+        polygon = kept_part(polygon, [&](const Vec3& corner) { return opening.dot(of(corner)); });
     return polygons;
 }
 

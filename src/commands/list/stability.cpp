@@ -87,7 +87,7 @@ class StandingBodies {
 public:
     StandingBodies(Model& model, JointRegistry& laws) : model_(model) {
         find_contacts(model, laws);
-        put_water(model);
+        if (model.settings.water == Water::points) put_water(model);
         gather();
         const WaterPressure water(model);
         for (Row contact = 0; contact < static_cast<Row>(model.contacts.size()); ++contact)

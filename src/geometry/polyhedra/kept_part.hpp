@@ -1,6 +1,8 @@
 // The part of a convex polygon on one side of a plane.
 #pragma once
 
+#include "base/vector.hpp"
+
 #include <cstddef>
 #include <vector>
 
@@ -21,6 +23,12 @@ std::vector<Corner> kept_part(const std::vector<Corner>& polygon, Height&& heigh
     }
     if (kept.size() < 3) kept.clear();
     return kept;
+}
+
+/// The same of a polygon of places.
+template <class Height> std::vector<Vec3> kept_part(const std::vector<Vec3>& polygon, const Height& height) {
+    return kept_part(polygon, height,
+                     [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
 }
 
 } // namespace kaya

@@ -147,6 +147,7 @@ void move_to_places_of_loads(Model& model, Row contact) {
         moment += subs.area[s] * subs.pore_pressure[s] * arm;
         second += subs.area[s] * arm * plane.arm(subs.position[s]).transpose();
     }
+    if (moment.isZero(0)) return; // dry
     const Vec3 slope = plane.axes * slope_of(0.5 * (second + second.transpose()), moment);
     for (Row s = span.first; s < span.end(); ++s) subs.pore_pressure[s] += slope.dot(Vec3(subs.load_arm[s]));
 }

@@ -74,9 +74,7 @@ Polygon common_part(const Polygon& a, const Polygon& b, const Vec3& normal) {
     for (std::size_t k = 0; k < b.size() && !polygon.empty(); ++k) {
         Vec3 outward = (b[(k + 1) % b.size()] - b[k]).cross(normal);
         if (outward.dot(b[k] - middle) < 0) outward = -outward;
-        polygon = kept_part(
-            polygon, [&](const Vec3& corner) { return outward.dot(corner - b[k]); },
-            [](const Vec3& from, const Vec3& to, double part) -> Vec3 { return from + part * (to - from); });
+        polygon = kept_part(polygon, [&](const Vec3& corner) { return outward.dot(corner - b[k]); });
     }
     return polygon;
 }

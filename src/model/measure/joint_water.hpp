@@ -24,9 +24,7 @@ template <class Visit> void each_third(const std::vector<Vec3>& polygon, const V
 /// Calls push(force, place) with forces across a part of a joint whose sum, also of their moments, is that of the pressure. Not where gridpoints
 /// have the pressure.
 template <class Push> void push_water(const std::vector<Vec3>& polygon, const WaterPressure& water, const Push& push) {
-    const auto wet = kept_part(
-        polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); },
-        [](const Vec3& a, const Vec3& b, double part) -> Vec3 { return a + part * (b - a); });
+    const auto wet = kept_part(polygon, [&](const Vec3& corner) { return -water.unlimited_at(corner); });
     each_third(wet, [&](double area, const Vec3& place) { push(area * water.unlimited_at(place), place); });
 }
 
