@@ -22,9 +22,11 @@ double Slip::path(const SubContacts& subs, std::size_t row) const {
     return force > 0 && lost > 0 ? lost / force : 0;
 }
 
+bool Slip::follows(const Model& model) const { return std::ranges::equal(model.sub_contacts.id, ids_); }
+
 std::vector<Row> Slip::rows(const Model& model) const {
+    if (!follows(model)) return {};
     const auto& subs = model.sub_contacts;
-    if (!std::ranges::equal(subs.id, ids_)) return {};
     double works = 0, paths = 0; // their quotient is the mean slip, weighed by the work
     for (std::size_t i = 0; i < work_.size(); ++i) {
         const double lost = subs.frictional_work[i] - work_[i];

@@ -14,6 +14,8 @@ class Slip {
 public:
     explicit Slip(const Model& model) : work_(model.sub_contacts.frictional_work), ids_(model.sub_contacts.id) {}
 
+    /// Whether the contacts are those of its construction.
+    bool follows(const Model& model) const;
     /// Sub-contacts between the sliding part and the rest: their slip is at least half the mean of those that slip. None when contacts have
     /// changed.
     std::vector<Row> rows(const Model& model) const;

@@ -208,9 +208,11 @@ std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel
     run.lower(factor);
     bench.session.engine.cycle->prepare();
     const FailureMode mode = run.mode();
-    const Slip slip(run.model());
-    for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()) && run.crushed().empty(); ++i)
+    Slip slip(run.model());
+    for (int i = 0; i < spans_of_sliding && !slip.has_turned_shear(run.model()) && run.crushed().empty(); ++i) {
+        if (!slip.follows(run.model())) slip = Slip(run.model());
         run.run(bench.span, {0});
+    }
     if (!run.crushed().empty() || !slip.has_turned_shear(run.model()) || run.shares(mode).topples())
         return std::nullopt;
     ReducedModel sliding = run.end(factor);
