@@ -419,12 +419,14 @@ ContactChange ContactSearch::search(Model& model, JointRegistry& joints, bool mo
 ContactChange ContactSearch::refresh_slipped(Model& model, JointRegistry& joints) {
     auto& contacts = model.contacts;
     const auto& margin = model.blocks.margin;
-    const bool all_together = model.clock.cycle % slide_interval == 0;
+    const bool all_together = model.clock.cycle % slide_interval == 0, in_place = !model.settings.large_strain;
+    if (in_place && !all_together) return ContactChange::none;
     if (strengths_.size() != model.joint_properties.size()) strengths_ = tensile_strengths(model, joints);
     const auto has_slipped = [&](std::size_t c) {
-        if (contacts.kind[c] == ContactKind::overlap) return all_together && may_close(model, static_cast<Row>(c));
-        if (contacts.slip_since_update[c] * contacts.slip_since_update[c] <=
-            slide_tolerance * slide_tolerance * contacts.area[c]) {
+        if (contacts.kind[c] == ContactKind::overlap)
+            return all_together && !in_place && may_close(model, static_cast<Row>(c));
+        if (in_place || contacts.slip_since_update[c] * contacts.slip_since_update[c] <=
+                            slide_tolerance * slide_tolerance * contacts.area[c]) {
             const double strength = all_together ? strength_of(model, strengths_, static_cast<Row>(c)) : 0;
             return strength > 0 && must_be_finer(model, static_cast<Row>(c), strength);
         }

@@ -142,9 +142,20 @@ bool same_features(const SubContacts& subs, Row s, const ContactPoint& point) {
            (!of_second || subs.side2[s].gridpoints == point.side2.gridpoints);
 }
 
+/// By how much more the sides of a point have moved apart than those of its row, at another place; 0 where that is unknown, since the shape
+/// of a block changed meanwhile.
+double opened_more(const Model& model, Row s, const ContactPoint& point, const Vec3& n, const PlaneMotion& motion) {
+    const auto& subs = model.sub_contacts;
+    const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
+    if (side1 == point.side1 && side2 == point.side2) return 0; // more often than not
+    if (!side1.attached() || !side2.attached()) return 0;
+    const double apart = point.gap - n.dot(attached_position(model, side2) - attached_position(model, side1));
+    return motion.along_normal() ? apart + motion.at(point.position)[0] - motion.at(subs.position[s])[0] : apart;
+}
+
 /// Writes a point to a row that holds the data of its old sub-contact, or is empty.
-void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, bool fresh, bool flat,
-                       Changes& changes) {
+void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec3& n, const PlaneMotion& motion,
+                       bool fresh, bool flat, Changes& changes) {
     auto& subs = model.sub_contacts;
     double area = point.area;
     if (fresh) {
@@ -159,14 +170,8 @@ void write_sub_contact(Model& model, Row s, const ContactPoint& point, const Vec
         subs.normal_force[s] *= scale;
         const Vec3 shear = subs.shear_force[s];
         subs.shear_force.set(s, scale * (shear - shear.dot(n) * n));
-        // The gap differs from that of the old place: the law gets the difference as a displacement. The old place is unknown if the shape
-        // of its block changed meanwhile.
-        const Attachment &side1 = subs.side1[s], &side2 = subs.side2[s];
-        const bool known = side1.attached() && side2.attached();
-        const bool same_places = side1 == point.side1 && side2 == point.side2; // more often than not
-        const double more = known && !same_places
-                                ? point.gap - n.dot(attached_position(model, side2) - attached_position(model, side1))
-                                : 0;
+        // The law gets the difference as a displacement.
+        const double more = opened_more(model, s, point, n, motion);
         if (more != 0 && std::abs(more) > same_gap * std::sqrt(area)) {
             changes.moved[s] = 1;
             subs.normal_displacement_increment[s] = more;
@@ -269,10 +274,11 @@ const JointModel& joint_of(const Model& model, JointRegistry& joints, Row c) {
 }
 
 /// Returns the energy in springs that is lost where joints become overlaps.
-double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts, Changes& changes,
-                        OverlapScratch& scratch) {
+double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<ContactDraft>& drafts,
+                        const std::vector<LoadBefore>& loads, Changes& changes, OverlapScratch& scratch) {
     const auto& blocks = model.blocks;
     double lost = 0;
+    auto before = loads.begin(); // of the next draft with new geometry
     for (const auto& draft : drafts) {
         if (draft.kind == DraftKind::as_it_was) continue;
         if (draft.kind == DraftKind::overlap) {
@@ -283,15 +289,15 @@ double refresh_in_place(Model& model, JointRegistry& joints, const std::vector<C
         const bool from_overlap = closes(model, draft);
         const ClosureOffset offset{model.contacts.offset[draft.old], model.contacts.offset_tilt[draft.old]};
         const Span span = model.contacts.sub_contacts[draft.old];
-        const ContactLoad before = from_overlap ? ContactLoad(model, draft.old) : ContactLoad();
+        const LoadBefore& was = *before++;
         write_contact(model, draft.old, g);
         if (from_overlap) {
-            close_joint(model, joint_of(model, joints, draft.old), draft, draft.old, before, offset, changes.moved);
+            close_joint(model, joint_of(model, joints, draft.old), draft, draft.old, was.load, offset, changes.moved);
             continue;
         }
         for (Row i = 0; i < span.count; ++i)
-            write_sub_contact(model, span.first + i, draft.points[i], g.normal, false, g.type == ContactType::face_face,
-                              changes);
+            write_sub_contact(model, span.first + i, draft.points[i], g.normal, was.motion, false,
+                              g.type == ContactType::face_face, changes);
         // Weights of gridpoints are in the lists.
         if (blocks.deformable[draft.block1] || blocks.deformable[draft.block2]) ModelEdit(model, Change::lists);
     }
@@ -333,9 +339,8 @@ public:
         : model_(model), joints_(joints), from_(from), changes_(changes), sub_kept_(old_subs, 0), moving_(moving),
           scratch_(scratch) {}
 
-    /// `properties` and `material` are those of new contacts; `loads` of contacts that get new geometry.
-    void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material,
-               const std::vector<LoadBefore>& loads) {
+    /// `properties` and `material` are those of new contacts; `before` is there for contacts that get new geometry.
+    void write(const ContactDraft& draft, Row c, Row properties, std::int32_t material, const LoadBefore* before) {
         auto& contacts = model_.contacts;
         const bool was_there = draft.old != no_row;
         contacts.block1[c] = draft.block1;
@@ -363,13 +368,13 @@ public:
             name(s, c);
             if (!is_new || closing) continue;
             if (other_type) clear_sub_contact(model_.sub_contacts, s);
-            write_sub_contact(model_, s, draft.points[i], draft.plane.normal, other_type || from_.subs[s] == no_row,
+            write_sub_contact(model_, s, draft.points[i], draft.plane.normal,
+                              was_there ? before->motion : PlaneMotion(), other_type || from_.subs[s] == no_row,
                               draft.plane.type == ContactType::face_face, changes_);
         }
         if (!was_there && moving_ && draft.kind == DraftKind::new_geometry) begin_found_late(model_, c);
         if (!closing) return;
-        const auto load = std::find_if(loads.begin(), loads.end(), [&](const auto& of) { return of.row == c; });
-        close_joint(model_, joint_of(model_, joints_, c), draft, c, load->load, offset, changes_.moved);
+        close_joint(model_, joint_of(model_, joints_, c), draft, c, before->load, offset, changes_.moved);
     }
     /// Which of the old sub-contacts remain.
     const std::vector<char>& sub_kept() const { return sub_kept_; }
@@ -424,7 +429,7 @@ bool refresh_contacts(Model& model, JointRegistry& joints, const std::vector<Con
     if (!all_keep_places(model, drafts)) return false;
     const auto loads = loads_of(model, drafts);
     Changes changes(model.sub_contacts.size());
-    double lost = refresh_in_place(model, joints, drafts, changes, scratch);
+    double lost = refresh_in_place(model, joints, drafts, loads, changes, scratch);
     tell_joint_models(model, joints, changes, true);
     for (const auto& before : loads) {
         const Row c = drafts[before.row].old;
@@ -460,8 +465,11 @@ ContactChange replace_contacts(Model& model, JointRegistry& joints, const std::v
 
     Changes changes(subs.size());
     ContactWriter writer(model, joints, from, changes, old_sub_ids.size(), moving, scratch);
-    for (std::size_t c = 0; c < drafts.size(); ++c)
-        writer.write(drafts[c], static_cast<Row>(c), properties, material, loads);
+    auto load = loads.begin();
+    for (std::size_t c = 0; c < drafts.size(); ++c) {
+        const bool has_load = load != loads.end() && load->row == static_cast<Row>(c);
+        writer.write(drafts[c], static_cast<Row>(c), properties, material, has_load ? &*load++ : nullptr);
+    }
     for (std::size_t c = 0; c < contact_kept.size(); ++c)
         if (!contact_kept[c]) contacts.ids.destroy(old_contact_ids[c]);
     for (std::size_t s = 0; s < old_sub_ids.size(); ++s)

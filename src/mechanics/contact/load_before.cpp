@@ -73,7 +73,9 @@ double book_change(Model& model, Row c, double work_before) {
 
 LoadBefore::LoadBefore(const Model& model, Row draft, Row old)
     : row(draft), load(model, old), overlap_(model.contacts.kind[old] == ContactKind::overlap),
-      work_(model.settings.energy ? work_of_step(model, old) : 0) {}
+      work_(model.settings.energy ? work_of_step(model, old) : 0) {
+    if (!model.settings.large_strain) motion = PlaneMotion(model, old);
+}
 
 double LoadBefore::settle(Model& model, const JointRegistry& joints, Row c, bool moving) const {
     double lost = 0;

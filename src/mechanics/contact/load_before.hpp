@@ -3,6 +3,7 @@
 
 #include "mechanics/contact/contact_load.hpp"
 #include "mechanics/contact/contact_draft.hpp"
+#include "mechanics/contact/plane_motion.hpp"
 #include "laws/joint_model.hpp"
 
 #include <vector>
@@ -20,6 +21,7 @@ public:
 
     Row row; ///< of the draft
     ContactLoad load;
+    PlaneMotion motion; ///< in small strain, where places do not show it
 
 private:
     bool overlap_; ///< it was one

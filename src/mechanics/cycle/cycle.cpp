@@ -253,9 +253,8 @@ void Cycle::strain(StepSums& sums) {
 ContactChange Cycle::refresh_contacts() {
     Lists& s = *lists_;
     return times_.timed(Phase::search, [&] {
-        if (!model_.settings.large_strain) return ContactChange::none;
         ContactChange change = s.search.refresh_slipped(model_, joints_);
-        const bool far = ContactSearch::due(model_);
+        const bool far = model_.settings.large_strain && ContactSearch::due(model_);
         if (far) change = std::max(change, s.search.search(model_, joints_, true));
         // Blocks that move together keep their contacts, but not their depth in water.
         if (far || change != ContactChange::none) find_ends_of_water(model_);
