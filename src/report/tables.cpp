@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "base/markup_text.hpp"
+#include "base/number_text.hpp"
 #include "model/kinds/groups.hpp"
 #include "model/measure/joint_opening.hpp"
 #include "model/measure/measure.hpp"
@@ -46,7 +47,6 @@ std::string grid_table(const std::vector<std::string>& head, const std::vector<s
 }
 
 std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
-std::string place(const Vec3& p) { return fmt::format("{:.6g}, {:.6g}, {:.6g}", p.x(), p.y(), p.z()); }
 
 /// 1 for a regular tetrahedron, 0 for a flat one: 6 sqrt(2) volume over the cube of its root mean square edge.
 double shape_of(const Model& model, Row zone) {
@@ -78,7 +78,7 @@ std::string run_table(Model& model, const SaveExtras& extras, const ReportOrder&
                   {"time step", number(clock.time_step)},
                   {"unbalanced force", number(clock.unbalanced_force)},
                   {"average ratio of forces", number(clock.average_ratio)},
-                  {"gravity", place(model.settings.gravity)},
+                  {"gravity", coordinates_text(model.settings.gravity)},
                   {"state hash", fmt::format("{:016x}", state_hash(model))}});
     return pair_table(pairs);
 }
@@ -99,15 +99,15 @@ std::string block_table(const Model& model) {
     if (least == no_row) return "<p>There are no blocks.</p>\n";
     const auto of = [&](Row b) {
         return fmt::format("{:.6g} (block {} at {})", blocks.volume[b], blocks.number[b],
-                           place(block_centroid(model, b)));
+                           coordinates_text(block_centroid(model, b)));
     };
     return pair_table({{"blocks", fmt::format("{}, of them {} deformable{}", blocks.size(), deformable,
                                               hidden > 0 ? fmt::format(", {} hidden", hidden) : "")},
                        {"excavated", fmt::format("{}", model.excavated.blocks.size())},
                        {"gridpoints", fmt::format("{}", model.gridpoints.size())},
                        {"faces", fmt::format("{}", model.faces.size())},
-                       {"from", place(low)},
-                       {"to", place(high)},
+                       {"from", coordinates_text(low)},
+                       {"to", coordinates_text(high)},
                        {"volume", number(volume)},
                        {"smallest block", of(least)},
                        {"largest block", of(most)}});
@@ -234,7 +234,7 @@ std::string boundary_table(const Model& model) {
                        {"gridpoints with prescribed velocities", fmt::format("{}", points)},
                        {"gridpoints on rollers", fmt::format("{}", rollers)},
                        {"loaded gridpoints of deformable blocks", fmt::format("{}", loaded)},
-                       {"sum of applied forces", place(load)},
+                       {"sum of applied forces", coordinates_text(load)},
                        {"conditions that change with time", fmt::format("{}", model.boundary_histories.size())}});
 }
 

@@ -3,6 +3,7 @@
 #include "commands/session/long_work.hpp"
 
 #include "base/counted.hpp"
+#include "base/number_text.hpp"
 #include "mechanics/contact/load_before.hpp"
 #include "mechanics/supports/loads_to_zones.hpp"
 #include "model/edit/build.hpp"
@@ -25,9 +26,8 @@ void warn_of_jumps(Session& session, const std::vector<Row>& blocks, const Place
     const std::string where = number(0) == number(1) ? fmt::format("in block {}", number(0))
                                                      : fmt::format("between blocks {} and {}", number(0), number(1));
     session.warn(Diagnostic(fmt::format("the volumes of {} of zones with a common face differ by more than 4 to 1; the "
-                                        "worst by {:.3g} to 1, {} at ({:.6g}, {:.6g}, {:.6g})",
-                                        counted(jumps.count, "pair"), jumps.worst, where, jumps.place.x(),
-                                        jumps.place.y(), jumps.place.z()),
+                                        "worst by {:.3g} to 1, {} at {}",
+                                        counted(jumps.count, "pair"), jumps.worst, where, place_text(jumps.place)),
                             "zones that change slowly are more exact: give edges that are nearer to those of the "
                             "neighbours, or a field with `gen edge f center ...`")
                      .at(place));

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stop_point.hpp"
+#include "base/number_text.hpp"
 #include "geometry/grid/file_formats.hpp"
 #include "geometry/grid/joint_sets.hpp"
 #include "geometry/surface/few_parts.hpp"
@@ -69,8 +70,7 @@ void add_bodies(IncomingFile& file, const std::string& path, const std::vector<B
         }
         Diagnostic& mistake = *made[i].mistake;
         const Vec3& centre = bodies[i].centre;
-        mistake.message = fmt::format("{}, {} near ({:.4g}, {:.4g}, {:.4g}): {}", path, bodies[i].name, centre.x(),
-                                      centre.y(), centre.z(), mistake.message);
+        mistake.message = fmt::format("{}, {} near {}: {}", path, bodies[i].name, place_text(centre), mistake.message);
         file.refused.push_back(std::move(mistake));
     }
 }

@@ -1,5 +1,6 @@
 #include "commands/monitors/rest_monitor.hpp"
 
+#include "base/number_text.hpp"
 #include "commands/program/text_table.hpp"
 #include "model/measure/held.hpp"
 #include "model/measure/measure.hpp"
@@ -52,8 +53,7 @@ std::optional<MovingBody> fastest_body(const Model& model) {
 
 std::string body_text(const Model& model, const MovingBody& body) {
     const Vec3 place = block_centroid(model, body.block);
-    return fmt::format("block {} at ({}, {}, {})", model.blocks.number[body.block], number_text(place.x()),
-                       number_text(place.y()), number_text(place.z()));
+    return fmt::format("block {} at {}", model.blocks.number[body.block], place_text(place));
 }
 
 RestMonitor::RestMonitor(const Model& model) : model_(model) { marks_.push_back(mark()); }

@@ -1,6 +1,7 @@
 #include "commands/world/model_world.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/number_text.hpp"
 #include "model/kinds/groups.hpp"
 #include "model/kinds/nearest.hpp"
 
@@ -218,11 +219,10 @@ Handle ModelWorld::nearest(ObjectKind kind, const Vec3& place) {
         const Row block = block_of(model_, kind, best);
         const double size = block == no_row ? distance : block_size(model_, block);
         if (distance > size)
-            host_.warn_once_here(Diagnostic(
-                fmt::format(
-                    "the nearest {} is {:.6g} away from ({:.6g}, {:.6g}, {:.6g}), and its block is {:.6g} across",
-                    info_of(kind).name, distance, place[0], place[1], place[2], size),
-                "look at the place"));
+            host_.warn_once_here(
+                Diagnostic(fmt::format("the nearest {} is {:.6g} away from {}, and its block is {:.6g} across",
+                                       info_of(kind).name, distance, place_text(place), size),
+                           "look at the place"));
     }
     return handle(kind, best);
 }

@@ -8,7 +8,7 @@
 namespace kaya {
 namespace {
 
-std::string place_text(const Vec3& place) { return fmt::format("{} {} {}", place.x(), place.y(), place.z()); }
+std::string line_text(const Vec3& place) { return fmt::format("{} {} {}", place.x(), place.y(), place.z()); }
 
 std::string discs_text(const std::vector<Fracture>& fractures) {
     std::string text = "x y z dip dip-direction diameter\n";
@@ -16,7 +16,7 @@ std::string discs_text(const std::vector<Fracture>& fractures) {
         if (!fracture.corners.empty())
             throw Diagnostic(fmt::format("fracture {} is a polygon", fracture.id), "write: format polygons");
         const Disc& disc = fracture.disc;
-        text += fmt::format("{} {} {} {}\n", place_text(disc.centre), disc.dip, disc.dip_direction, disc.diameter);
+        text += fmt::format("{} {} {} {}\n", line_text(disc.centre), disc.dip, disc.dip_direction, disc.diameter);
     }
     return text;
 }
@@ -25,7 +25,7 @@ std::string polygons_text(const std::vector<Fracture>& fractures, int sides) {
     std::string text;
     for (const Fracture& fracture : fractures) {
         text += fmt::format("# fracture {}\n", fracture.id);
-        for (const Vec3& corner : outline_of(fracture, sides)) text += place_text(corner) + '\n';
+        for (const Vec3& corner : outline_of(fracture, sides)) text += line_text(corner) + '\n';
         text += '\n';
     }
     return text;
@@ -54,8 +54,8 @@ std::string fracman_text(const std::vector<Fracture>& fractures, int sides) {
         const std::vector<Vec3> outline = outline_of(fracture, sides);
         corners += outline.size();
         lines += fmt::format("{} {} {}\n", ++number, outline.size(), at - sets.begin() + 1);
-        for (std::size_t i = 0; i < outline.size(); ++i) lines += fmt::format("{} {}\n", i + 1, place_text(outline[i]));
-        lines += fmt::format("0 {}\n", place_text(plane_of(fracture).normal));
+        for (std::size_t i = 0; i < outline.size(); ++i) lines += fmt::format("{} {}\n", i + 1, line_text(outline[i]));
+        lines += fmt::format("0 {}\n", line_text(plane_of(fracture).normal));
     }
     std::string names;
     for (std::size_t i = 0; i < sets.size(); ++i) names += fmt::format("Set{} = \"{}\"\n", i + 1, sets[i]);

@@ -1,5 +1,6 @@
 // From a closed surface to convex parts.
 #include "base/diagnostic.hpp"
+#include "base/number_text.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
 #include <algorithm>
@@ -91,9 +92,7 @@ void split_concave(Surface& surface, const Flatness& flatness, Solid& solid) {
         if (!split.crossed_at) return;
         const auto crossings = crossing_faces(flat);
         if (change_diagonals(crossings, flat, diagonals)) continue;
-        if (crossings.empty())
-            throw Diagnostic(fmt::format("the surface crosses itself near ({:g}, {:g}, {:g})", split.crossed_at->x(),
-                                         split.crossed_at->y(), split.crossed_at->z()));
+        if (crossings.empty()) throw Diagnostic("the surface crosses itself near " + place_text(*split.crossed_at));
         const auto [one, other] = first_of(crossings);
         throw Diagnostic(fmt::format("the surface crosses itself: {} cuts through {}", one, other));
     }

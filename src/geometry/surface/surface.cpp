@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "base/number_text.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
@@ -17,8 +18,6 @@
 
 namespace kaya {
 namespace {
-
-std::string text_of(const Vec3& p) { return fmt::format("({:g}, {:g}, {:g})", p.x(), p.y(), p.z()); }
 
 /// Representative of a set that may have been joined to others.
 int root_of(std::vector<int>& parent, int i) {
@@ -297,7 +296,7 @@ void check_faces(Surface& surface) {
         std::sort(sorted.begin(), sorted.end());
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
         if (twice != sorted.end())
-            throw Diagnostic(fmt::format("{} passes twice through {}", face.name, text_of(surface.vertices[*twice])),
+            throw Diagnostic(fmt::format("{} passes twice through {}", face.name, place_text(surface.vertices[*twice])),
                              "give its corners once each, in order around the face");
         const auto [other, fresh] = known.emplace(std::move(sorted), &face);
         if (!fresh)
@@ -327,8 +326,8 @@ int turn_alike(Surface& surface) {
     const auto edges = edges_of(surface);
     for (const auto& [edge, uses] : edges) {
         if (uses.size() % 2 == 0) continue;
-        const std::string where = fmt::format("the edge from {} to {}", text_of(surface.vertices[edge[0]]),
-                                              text_of(surface.vertices[edge[1]]));
+        const std::string where = fmt::format("the edge from {} to {}", place_text(surface.vertices[edge[0]]),
+                                              place_text(surface.vertices[edge[1]]));
         const std::string& name = surface.faces[uses[0].face].name;
         if (uses.size() == 1)
             throw Diagnostic(fmt::format("the surface is open: {} belongs to {} alone", where, name),
@@ -347,7 +346,7 @@ std::vector<std::array<Vec3, 2>> turn_open_alike(Surface& surface) {
         const Vec3 &from = surface.vertices[edge[0]], &to = surface.vertices[edge[1]];
         if (uses.size() > 2)
             throw Diagnostic(fmt::format("{} faces of the open surface meet in the edge from {} to {}", uses.size(),
-                                         text_of(from), text_of(to)),
+                                         place_text(from), place_text(to)),
                              "two faces meet in an edge; put each branch into a separate file");
         if (uses.size() == 1) rim.push_back({from, to});
     }

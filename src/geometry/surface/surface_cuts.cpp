@@ -4,6 +4,7 @@
 #include "geometry/surface/surface_cuts.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/number_text.hpp"
 #include "geometry/polyhedra/box_pairs.hpp"
 #include "geometry/polyhedra/cut.hpp"
 #include "geometry/polyhedra/face_contact.hpp"
@@ -116,8 +117,7 @@ private:
             if (from >= to) continue;
             const Vec3 place = a + (from + to) / 2 * (b - a);
             throw Diagnostic(
-                fmt::format("the surface ends inside of a block, at ({:g}, {:g}, {:g})", place.x(), place.y(),
-                            place.z()),
+                "the surface ends inside of a block, at " + place_text(place),
                 "continue it beyond the blocks, give a range, or use a network of fractures: cut dfn ... limited");
         }
         for (const Fragment& fragment : fragments) {
@@ -126,10 +126,9 @@ private:
             for (std::size_t i = 0; i < surface_.triangles.size(); ++i)
                 if (i != fragment.face) turns += part_of_turn(surface_.triangles[i], place);
             if (std::abs(turns) < 0.5) continue;
-            throw Diagnostic(
-                fmt::format("the surface winds about itself at ({:g}, {:g}, {:g}): its two sides are not distinct",
-                            place.x(), place.y(), place.z()),
-                "give it in parts, in several files");
+            throw Diagnostic("the surface winds about itself at " + place_text(place) +
+                                 ": its two sides are not distinct",
+                             "give it in parts, in several files");
         }
     }
 

@@ -1,6 +1,7 @@
 // Faces that should be flat: merging coplanar pieces, removing small warp, splitting large.
 #include "base/diagnostic.hpp"
 #include "base/stop_point.hpp"
+#include "base/number_text.hpp"
 #include "geometry/surface/surface_checks.hpp"
 
 #include <Eigen/Geometry>
@@ -170,9 +171,8 @@ std::string advice_for(const Surface& surface, const Surface::Face& face) {
     if (outward.dot(mean_point(surface, face) - inside) < 0) outward = -outward;
     const bool first = outward.dot(corner(0) + corner(2)) >= outward.dot(corner(1) + corner(3));
     const Vec3 &from = corner(first ? 0 : 1), &to = corner(first ? 2 : 3);
-    return fmt::format(
-        "correct the corners, or give two triangles, cut from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})",
-        from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+    return fmt::format("correct the corners, or give two triangles, cut from {} to {}", place_text(from),
+                       place_text(to));
 }
 
 } // namespace

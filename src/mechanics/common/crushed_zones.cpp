@@ -1,6 +1,7 @@
 #include "mechanics/common/crushed_zones.hpp"
 
 #include "base/reduce.hpp"
+#include "base/number_text.hpp"
 #include "model/measure/measure.hpp"
 
 #include <Eigen/Geometry>
@@ -66,12 +67,11 @@ Diagnostic of_zone(const Model& model, Row zone, const std::string& what) {
     const Vec3 place = zone_centroid(model, zone);
     Vec3 velocity = Vec3::Zero();
     for (const Row g : model.zones.gridpoints[zone]) velocity += 0.25 * model.gridpoints.velocity[g];
-    Diagnostic d(fmt::format("zone {} of block {} at ({:.6g}, {:.6g}, {:.6g}) {}", zone + 1, model.blocks.number[block],
-                             place.x(), place.y(), place.z(), what),
-                 "look at the velocities and loads that drive the block, or delete what has fallen apart", Fault::run);
+    Diagnostic d(
+        fmt::format("zone {} of block {} at {} {}", zone + 1, model.blocks.number[block], place_text(place), what),
+        "look at the velocities and loads that drive the block, or delete what has fallen apart", Fault::run);
     d.code = zone_crushed;
-    d.add(fmt::format("it moves with ({:.6g}, {:.6g}, {:.6g}); the time step is {:.6g}", velocity.x(), velocity.y(),
-                      velocity.z(), model.clock.time_step));
+    d.add(fmt::format("it moves with {}; the time step is {:.6g}", vector_text(velocity), model.clock.time_step));
     return d;
 }
 

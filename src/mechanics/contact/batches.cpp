@@ -1,4 +1,5 @@
 #include "mechanics/contact/batches.hpp"
+#include "base/number_text.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -136,10 +137,9 @@ Diagnostic joint_failure(const Model& model, const Batch& batch, const BatchFail
                                   : "look at the model's properties and at how fast the joint is loaded",
                  Fault::run);
     d.code = failure.trespass ? "joint-model-trespass" : "joint-model-failed";
-    d.add(fmt::format("sub-contact {} of contact {} between blocks {} and {}, at ({:.6g}, {:.6g}, {:.6g})",
-                      s.number[row], model.contacts.number[contact],
-                      model.blocks.number[model.contacts.block1[contact]],
-                      model.blocks.number[model.contacts.block2[contact]], x.x(), x.y(), x.z()));
+    d.add(fmt::format("sub-contact {} of contact {} between blocks {} and {}, at {}", s.number[row],
+                      model.contacts.number[contact], model.blocks.number[model.contacts.block1[contact]],
+                      model.blocks.number[model.contacts.block2[contact]], place_text(x)));
     d.add(fmt::format("area {:.6g}, normal force {:.6g}, normal displacement {:.6g} (this step {:.6g})", s.area[row],
                       s.normal_force[row], s.normal_displacement[row], s.normal_displacement_increment[row]));
     if (!properties.place.empty()) d.add("properties given at " + properties.place);

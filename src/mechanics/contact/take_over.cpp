@@ -1,5 +1,6 @@
 #include "mechanics/contact/take_over.hpp"
 
+#include "base/number_text.hpp"
 #include "mechanics/contact/batches.hpp"
 #include "mechanics/contact/contact_table.hpp"
 #include "mechanics/contact/contact_work.hpp"
@@ -120,12 +121,11 @@ Diagnostic warning_of(const Model& model, const std::string& name, const Reducti
         fmt::format("joint model '{}' cannot carry the forces that {} sub-contact{} {}: they are cut to its strength",
                     name, r.rows, r.rows == 1 ? "" : "s", r.rows == 1 ? "has" : "have"),
         "the rest is lost; check the strength, or bring the model to rest before the change");
-    d.add(fmt::format(
-        "most of all sub-contact {} of contact {} between blocks {} and {}, at ({:.6g}, {:.6g}, {:.6g}): normal force "
-        "{:.6g} becomes {:.6g}, shear force {:.6g} becomes {:.6g}",
-        subs.number[r.worst], model.contacts.number[c], model.blocks.number[model.contacts.block1[c]],
-        model.blocks.number[model.contacts.block2[c]], x.x(), x.y(), x.z(), r.before.normal, r.after.normal,
-        r.before.shear.norm(), r.after.shear.norm()));
+    d.add(fmt::format("most of all sub-contact {} of contact {} between blocks {} and {}, at {}: normal force "
+                      "{:.6g} becomes {:.6g}, shear force {:.6g} becomes {:.6g}",
+                      subs.number[r.worst], model.contacts.number[c], model.blocks.number[model.contacts.block1[c]],
+                      model.blocks.number[model.contacts.block2[c]], place_text(x), r.before.normal, r.after.normal,
+                      r.before.shear.norm(), r.after.shear.norm()));
     const auto& place = model.joint_properties[static_cast<std::size_t>(model.contacts.properties[c])].place;
     if (!place.empty()) d.add("properties given at " + place);
     d.code = "forces-not-carried";

@@ -1,5 +1,6 @@
 #include "mechanics/step/time_step.hpp"
 
+#include "base/number_text.hpp"
 #include "mechanics/common/remedy.hpp"
 #include "mechanics/step/density_scaling.hpp"
 #include "mechanics/structures/member_lists.hpp"
@@ -224,9 +225,9 @@ std::string TimeStep::report(const Model& model, const Adjacency& adjacency) {
                            model.blocks.number[limit.row]);
     const auto& points = model.gridpoints;
     const Vec3& x = points.position[limit.row];
-    return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at ({:.6g}, {:.6g}, {:.6g}): "
+    return fmt::format("largest stable step {:.6g}, set by the gridpoint of block {} at {}: "
                        "{:.0f} % by its zones, {:.0f} % by joints",
-                       limit.stable, model.blocks.number[points.block[limit.row]], x.x(), x.y(), x.z(),
+                       limit.stable, model.blocks.number[points.block[limit.row]], place_text(x),
                        100 * limit.part_of_zones, 100 * (1 - limit.part_of_zones));
 }
 

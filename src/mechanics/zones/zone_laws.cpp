@@ -1,4 +1,5 @@
 #include "mechanics/zones/tile_rows.hpp"
+#include "base/number_text.hpp"
 #include "mechanics/zones/zone_laws.hpp"
 
 #include "laws/zone_trial.hpp"
@@ -231,8 +232,7 @@ Diagnostic failed_zone(const Model& model, const ZoneLaw& law, Row zone, const Z
                                   : "look at the model's properties and at how fast the zones are loaded",
                  Fault::run);
     d.code = failure.trespass ? "zone-model-trespass" : "zone-model-failed";
-    d.add(fmt::format("zone {} of block {}, at ({:.6g}, {:.6g}, {:.6g})", zone + 1, model.blocks.number[block],
-                      centre.x(), centre.y(), centre.z()));
+    d.add(fmt::format("zone {} of block {}, at {}", zone + 1, model.blocks.number[block], place_text(centre)));
     const auto& place = model.zone_properties[static_cast<std::size_t>(model.blocks.zone_properties[block])].place;
     if (!place.empty()) d.add(fmt::format("zone model '{}' was given at {}", law.model->name, place));
     return d;
