@@ -137,19 +137,23 @@ Bracket bracket_below(StrengthSearch& search, Bracket bracket, double resolution
 }
 
 /// The result must not depend on early ends, nor on the order of trials. The failing factor is tried again, to the end and from the stable one, where its
-/// trial ended early or began with more strength; the stable one is tried again with other beginnings. If either changes, the search continues from there.
+/// trial ended early or began with more strength; the stable one is tried again with other beginnings, and so is the failing one where slip in earlier trials
+/// counts. If either changes, the search continues from there.
 Bracket confirmed(StrengthSearch& search, Bracket bracket, double resolution) {
     if (search.failed() && (search.failed()->goes_on || search.failed()->began < bracket.stands)) {
         search.enter(StrengthSearch::Stage::patient);
         if (search.stands(bracket.fails)) bracket = bracket_above(search, bracket.fails, resolution);
     }
     if (!closed(bracket)) return bracket;
-    if (search.enter_sliding()) {
+    const bool slip_counts = search.slip_counts();
+    if (!slip_counts && search.enter_sliding()) {
         const Bracket below = bracket_below(search, bracket, resolution, fallen_part * bracket.stands);
         if (closed(below)) return below;
     }
     search.enter(StrengthSearch::Stage::from_start);
-    return bracket_below(search, bracket, resolution, 1 / largest);
+    const Bracket below = bracket_below(search, bracket, resolution, 1 / largest);
+    if (below.fails != bracket.fails || !slip_counts || !search.stands(below.fails)) return below;
+    return bracket_above(search, below.fails, resolution);
 }
 
 /// The middle of the bracket when flowing zones share their strains with their neighbours, searched from below the factor of the mesh.

@@ -29,6 +29,9 @@ public:
     /// Enters the stage `sliding`; false where the model cannot slide on without a trace.
     bool enter_sliding();
 
+    /// Whether a trial may fail for what earlier ones have slipped.
+    bool slip_counts() const { return kaya::slip_counts(bench_); }
+
     /// Whether the model comes to rest with its strength divided by the factor.
     bool stands(double factor);
 

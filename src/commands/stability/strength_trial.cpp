@@ -3,6 +3,7 @@
 #include "commands/monitors/failure_monitor.hpp"
 #include "commands/run/run_cycles.hpp"
 #include "commands/stability/slip.hpp"
+#include "laws/property_roles.hpp"
 #include "mechanics/common/crushed_zones.hpp"
 #include "model/kinds/nearest.hpp"
 #include "model/measure/measure.hpp"
@@ -186,6 +187,15 @@ Trial run_trial(const TrialBench& bench, const ReducedModel& start, double facto
     return trial;
 }
 
+bool slip_counts(const TrialBench& bench) {
+    const Model& model = bench.initial.model;
+    return std::ranges::any_of(property_sets_in_use(model), [&](Row row) {
+        const auto& set = model.joint_properties[row];
+        const JointModel& joint = bench.session.engine.joints.get(set.model);
+        return find_role(joint, KAYA_JROLE_STRENGTH_FACTOR) || loses_strength(joint, set.values);
+    });
+}
+
 std::optional<ReducedModel> brought_to_rest(const TrialBench& bench) {
     TrialRun run(bench, bench.initial);
     const double whole = bench.initial.factor;
@@ -199,10 +209,6 @@ std::optional<ReducedModel> brought_to_rest(const TrialBench& bench) {
 
 std::optional<ReducedModel> slide_on(const TrialBench& bench, const ReducedModel& failed) {
     if (bench.initial.model.structures.stand()) return std::nullopt; // bolts take up load during motion
-    for (const Row row : property_sets_in_use(failed.model)) {
-        const auto& set = failed.model.joint_properties[row];
-        if (loses_strength(bench.session.engine.joints.get(set.model), set.values)) return std::nullopt;
-    }
     const double factor = shove * failed.factor;
     TrialRun run(bench, failed);
     run.lower(factor);

@@ -48,6 +48,9 @@ struct Trial {
 /// The strength is lowered in steps from that of `start`, or from 1; a start in motion is stopped at once.
 Trial run_trial(const TrialBench& bench, const ReducedModel& start, double factor, const TrialRule& rule);
 
+/// Whether a joint of the model loses strength as it slips, or divides its own one, which may follow its slip.
+bool slip_counts(const TrialBench& bench);
+
 /// The initial state once it has come to rest with its strength as it is; none where it does not.
 std::optional<ReducedModel> brought_to_rest(const TrialBench& bench);
 

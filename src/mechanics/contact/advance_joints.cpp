@@ -1,6 +1,7 @@
 #include "base/diagnostic.hpp"
 #include "base/reduce.hpp"
 #include "mechanics/contact/contact_kind.hpp"
+#include "mechanics/contact/curved_closure.hpp"
 #include "mechanics/contact/contact_stiffness.hpp"
 #include "mechanics/shape/corner_joints.hpp"
 #include "mechanics/contact/dashpots.hpp"
@@ -230,6 +231,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             turn_kept_vectors(model, c, batch.model->vectors);
             std::construct_at(&carried[i], model, c); // a copy would wait for what it has just written
             carried[i].lies = start.lies;
+            if (model.contacts.curved[c] != 0) hold_shear(model, *batch.model, c, carried[i]);
         } else if (between_rigid(model, c)) {
             move_rigid_contact(model, c, pairs, i % eight, batch.model->vectors, before);
         } else {

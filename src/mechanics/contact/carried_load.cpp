@@ -11,7 +11,7 @@ CarriedLoad::CarriedLoad(const Model& model, Row c) : worn(frictional_work(model
         force += subs.normal_force[s];
         stiffness += subs.normal_stiffness[s] * subs.area[s];
         const auto k = static_cast<std::size_t>(s - first);
-        shear[k] = subs.shear_force[s];
+        shear[k] = held[k] = subs.shear_force[s];
         worn_by_row[k] = subs.frictional_work[s];
         shear_stiffness[k] = subs.shear_stiffness[s];
     }

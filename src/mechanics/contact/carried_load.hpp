@@ -11,11 +11,15 @@ namespace kaya {
 struct CarriedLoad {
     double force = 0, stiffness = 0, worn = 0;
     bool lies = false; ///< see OverlapStart, which gives it
-    std::array<Vec3, carriers> shear;
+    std::array<Vec3, carriers> shear,
+        held; ///< held: what the joint model leaves of them in a step without shear motion
     std::array<double, carriers> worn_by_row{}, shear_stiffness{};
     std::array<double, 2> normal{}, normal_stiffness{};
 
-    CarriedLoad() { shear.fill(Vec3::Zero()); }
+    CarriedLoad() {
+        shear.fill(Vec3::Zero());
+        held = shear;
+    }
     CarriedLoad(const Model& model, Row contact);
 };
 

@@ -63,6 +63,7 @@ public:
         copy_.take(model, joint, s);
     }
     Spring spring() const { return {copy_.normal_force / copy_.area, copy_.normal_stiffness}; }
+    Vec3 shear_force() const { return {copy_.shear_force[0], copy_.shear_force[1], copy_.shear_force[2]}; }
 
     /// Opens it; false when its joint model fails.
     bool open(double by) {
@@ -201,6 +202,15 @@ CarrierRows press(const Model& model, Row c, OverlapPatch& patch, const OverlapS
     patch.centre = pressed.centre;
     patch.twist = pressed.twist;
     return halves.rows(patch.carrying_area(0));
+}
+
+void hold_shear(const Model& model, const JointModel& joint, Row c, CarriedLoad& load) {
+    const Row first = model.contacts.sub_contacts[c].first;
+    for (Row k = 0; k < carriers; ++k) {
+        TriedSpring spring(model, joint, first + k);
+        if (spring.open(model.sub_contacts.normal_displacement_increment[first + k]))
+            load.held[static_cast<std::size_t>(k)] = spring.shear_force();
+    }
 }
 
 double power_at(const ClosedPlace& place, double stiffness) {

@@ -14,6 +14,9 @@ namespace kaya {
 /// area, and the place and direction of that force. Returns the closures of the carriers.
 CarrierRows press(const Model& model, Row contact, OverlapPatch& patch, const OverlapSlopes& slopes);
 
+/// Finds what a joint model leaves of the shear forces of the carriers in a step without shear motion. Its normal displacement increments must be known.
+void hold_shear(const Model& model, const JointModel& joint, Row contact, CarriedLoad& load);
+
 /// After the joint model has run: adds the step to the energies of both halves, and the dilation of the joint model to the offset, and gives
 /// the carriers the force, area and places that follow. `before` is what they carried; `slips`: the joint model has done frictional work.
 void settle_curved(Model& model, Row contact, const OverlapSlopes& slopes, const CarriedLoad& before, bool slips);

@@ -18,6 +18,17 @@ double inverse_mass(const Model& model, Row block) {
     return held || blocks.inertial_mass[block] <= 0 ? 0 : 1 / blocks.inertial_mass[block];
 }
 
+/// By how much more a sub-contact closes in a step than its sides move towards each other; `more`: growth of its normal force. No joint dilates by more than
+/// it slips.
+double dilation_of(const SubContacts& subs, Row s, double more) {
+    constexpr double rounding = 1e-12; // of the closure
+    const double stiffness = subs.normal_stiffness[s] * subs.area[s],
+                 slip = Vec3(subs.shear_displacement_increment[s]).norm();
+    if (!(stiffness > 0)) return 0;
+    const double dilation = more / stiffness + subs.normal_displacement_increment[s];
+    return std::abs(dilation) > rounding * subs.normal_force[s] / stiffness ? std::clamp(dilation, -slip, slip) : 0;
+}
+
 } // namespace
 
 void drop_idle_dashpots(Model& model) {
@@ -83,17 +94,28 @@ double BatchDashpots::finish() {
     const double step = model_.clock.time_step;
     for (const Row c : batch_.contacts) {
         const Beta beta = beta_of(model_, c);
+        const RelativeMotion motion(model_, c);
+        const Vec3 n = model_.contacts.normal[c];
+        const bool overlap = follows_overlap(model_, c);
         const Span span = model_.contacts.sub_contacts[c];
         for (Row row = span.first; row < span.end(); ++row) {
-            const bool open = s.normal_force[row] == 0 && s.shear_force[row].isZero(0);
+            const Vec3 shear = s.shear_force[row], slip = s.shear_displacement_increment[row],
+                       grown = Vec3(s.dashpot_shear[row]) + shear;
+            double more = s.dashpot_normal[row] + s.normal_force[row];
+            const bool open = s.normal_force[row] == 0 && shear.isZero(0);
             // A part that has slipped or broken in this step is not elastic: only friction dissipates there.
             const bool slips = s.frictional_work[row] != friction_[row - batch_.first];
-            const double normal = open ? 0 : beta.normal / step, shear = open || slips ? 0 : beta.shear / step;
-            s.dashpot_normal[row] = normal * (s.dashpot_normal[row] + s.normal_force[row]);
-            for (int k = 0; k < 3; ++k) {
-                double& force = s.dashpot_shear.component[k][row];
-                force = shear * (force + s.shear_force.component[k][row]);
-            }
+            const double dilation = slips ? dilation_of(s, row, more) : 0;
+            // The halves of an overlap close by other distances than its places.
+            if (overlap) more = s.normal_stiffness[row] * s.area[row] * (dilation - n.dot(motion.at(s.position[row])));
+            const double normal = open ? 0 : beta.normal / step * more;
+            s.dashpot_normal[row] = normal;
+            // What dilation does to the dashpot the slip has to pay for.
+            if (open) s.dashpot_shear.set(row, Vec3::Zero());
+            else if (slips)
+                s.dashpot_shear.set(row, dilation == 0 ? Vec3(Vec3::Zero())
+                                                       : Vec3(-normal * dilation / slip.squaredNorm() * slip));
+            else s.dashpot_shear.set(row, beta.shear / step * grown);
         }
     }
     return taken_ - 0.5 * work();

@@ -39,7 +39,7 @@ constexpr double elastic = 1e-9; // of the forces
 
 /// One carrier in one step, before and after its joint model; `whole` is its shear area.
 struct CarrierStep {
-    Vec3 old, now, slip;
+    Vec3 old, held, now, slip; ///< held: what the joint model leaves of the old one without slip
     double stiffness_before, stiffness, area, whole;
 
     /// A row without shear stiffness before, such as an open one, holds no force.
@@ -67,14 +67,16 @@ Stiffened stiffened(const CarrierStep& c) {
     return {stiffer, false};
 }
 
-/// The same for a joint model that has changed its shear stiffness. A falling one takes its part of the force, as in the joint models that ship;
-/// a rising one adds none. What the joint model adds along the displacement is that of its area, of softer springs than it reports as well.
+/// The same for a joint model that has changed its shear stiffness. What it adds along the displacement is that of its area, of softer springs than
+/// it reports as well.
 Stiffened stiffened_by_change(const CarrierStep& c) {
-    const Vec3 kept = std::min(1.0, c.stiffness / c.stiffness_before) * c.old;
-    const Vec3 added = c.now - kept, most = c.area * c.step();
+    const Vec3 added = c.now - c.held, most = c.area * c.step();
     const double square = most.squaredNorm(), part = square > 0 ? std::clamp(added.dot(most) / square, 0.0, 1.0) : 0;
-    if ((added - part * most).norm() <= elastic * c.size()) return {kept + part * c.whole * c.step(), false};
-    return turned(kept + c.whole * c.step(), c.now);
+    const Vec3 more = (c.whole - c.area) * c.step();
+    if ((added - part * most).norm() <= elastic * c.size()) return {c.now + part * more, false};
+    const Vec3 stiffer = c.now + more;
+    const double size = stiffer.norm();
+    return {size > 0 ? Vec3(c.now.norm() / size * stiffer) : c.now, true};
 }
 
 /// A joint model that limits a shear force shows the ratio to the normal force that it grants; one that grants more to another carrier shows that
@@ -105,16 +107,19 @@ double more_friction(const CarrierStep& c, const Vec3& force) {
 } // namespace
 
 void hold_by_grip(Model& model, Row c, const CarrierRows& rows) {
-    // The joint model decides on the rest: closures of curved joints have other forces than straight springs.
+    // The joint model decides on the rest. One that is curved has another stress than straight springs, and keeps it where it dilates.
     constexpr double margin = 2;
     auto& subs = model.sub_contacts;
+    const bool curved = model.contacts.curved[c] != 0;
     const double grip = model.contacts.grip[c], whole = shear_area(model.contacts, c) / carriers;
     const Row first = model.contacts.sub_contacts[c].first;
     for (Row k = 0; grip > 0 && k < carriers; ++k) {
         const Row s = first + k;
         const Vec3 force = subs.shear_force[s];
-        const double most =
-            margin * grip * subs.normal_stiffness[s] * rows.area * rows.closure[static_cast<std::size_t>(k)];
+        const double stress = subs.area[s] > 0 ? subs.normal_force[s] / subs.area[s] : 0, held = margin * grip,
+                     most = curved ? held * stress * rows.area
+                                   : held * subs.normal_stiffness[s] * rows.area *
+                                         rows.closure[static_cast<std::size_t>(k)];
         if (!(force.norm() > most && subs.shear_stiffness[s] > 0)) continue;
         const double scale = most / force.norm();
         subs.frictional_work[s] += (1 - scale * scale) * force.squaredNorm() / (2 * subs.shear_stiffness[s] * whole);
@@ -131,6 +136,7 @@ void stiffen_shear(Model& model, Row c, const CarriedLoad& before) {
         const Row s = first + k;
         const auto i = static_cast<std::size_t>(k);
         const CarrierStep step{before.shear[i],
+                               before.held[i],
                                subs.shear_force[s],
                                subs.shear_displacement_increment[s],
                                before.shear_stiffness[i],
