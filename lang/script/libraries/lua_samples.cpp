@@ -59,7 +59,7 @@ int read_table(lua_State* L) {
         return 1;
     }
     std::vector<double> x, y;
-    for (const auto& point : found->second.points) {
+    for (const auto& point : found->second.points()) {
         x.push_back(point.x);
         y.push_back(point.y);
     }
@@ -98,6 +98,7 @@ int table_value(lua_State* L) {
     const std::int64_t number = integer_argument(L, 1, "tables");
     const auto found = fish_of(L).tables.find(number);
     if (found == fish_of(L).tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
+    found->second.require_sorted(fmt::format("table {}", number));
     lua_pushnumber(L, found->second.at(number_argument(L, 2, "at")));
     return 1;
 }

@@ -35,37 +35,51 @@ Table& existing_table(lua_State* L, const char* function) {
     const std::int64_t number = table_argument(L, function);
     Tables& tables = fish_of(L).tables;
     const auto found = tables.find(number);
-    if (found == tables.end() || found->second.points.empty())
+    if (found == tables.end() || found->second.points().empty())
         throw Diagnostic(fmt::format("table {} holds no point", number), "fill it before it is read", Fault::run);
     return found->second;
 }
 
-TablePoint& existing_point(lua_State* L, const char* function) {
-    Table& table = existing_table(L, function);
+/// The second argument: the i-th of so many points, counted from 0.
+std::size_t point_number(lua_State* L, const char* function, std::size_t count) {
     const std::int64_t i = integer_argument(L, 2, function);
-    const auto size = static_cast<std::int64_t>(table.points.size());
-    if (i < 1 || i > size)
-        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", text_at(L, 1), size, i), {}, Fault::run);
-    return table.points[static_cast<std::size_t>(i - 1)];
+    if (i < 1 || i > static_cast<std::int64_t>(count))
+        throw Diagnostic(fmt::format("table {} has points 1 to {}, not {}", text_at(L, 1), count, i), {}, Fault::run);
+    return static_cast<std::size_t>(i - 1);
 }
 
-/// The i-th point; one after the last makes a new one.
-TablePoint& point_to_write(lua_State* L, const char* function) {
-    Table& table = fish_of(L).tables[table_argument(L, function, true)];
-    const auto next = static_cast<std::int64_t>(table.points.size()) + 1;
-    if (integer_argument(L, 2, function) == next) return table.points.emplace_back();
-    return existing_point(L, function);
+const TablePoint& existing_point(lua_State* L, const char* function) {
+    const auto& points = existing_table(L, function).points();
+    return points[point_number(L, function, points.size())];
+}
+
+/// Changes the i-th point; one after the last makes a new one.
+template <class Change> int change_point(lua_State* L, const char* function, Change change) {
+    const std::int64_t number = table_argument(L, function, true);
+    Table& table = fish_of(L).tables[number];
+    const auto& points = table.points();
+    const bool is_new = integer_argument(L, 2, function) == static_cast<std::int64_t>(points.size()) + 1;
+    if (!is_new) existing_table(L, function);
+    const std::size_t i = is_new ? points.size() : point_number(L, function, points.size());
+    TablePoint point = is_new ? TablePoint{} : points[i];
+    change(point);
+    table.put(i, point);
+    return 0;
 }
 
 int read_table(lua_State* L) {
-    lua_pushnumber(L, existing_table(L, "table").at(number_argument(L, 2, "table")));
+    const Table& table = existing_table(L, "table");
+    table.require_sorted(fmt::format("table {}", text_at(L, 1)));
+    lua_pushnumber(L, table.at(number_argument(L, 2, "table")));
     return 1;
 }
 
 int write_table(lua_State* L) {
     const std::int64_t number = table_argument(L, "table", true);
     const double x = number_argument(L, 2, "table"), y = number_argument(L, 3, "table");
-    fish_of(L).tables[number].set(x, y);
+    Table& table = fish_of(L).tables[number];
+    table.require_sorted(fmt::format("table {}", text_at(L, 1)));
+    table.set(x, y);
     return 0;
 }
 
@@ -76,8 +90,7 @@ int read_x(lua_State* L) {
 
 int write_x(lua_State* L) {
     const double x = number_argument(L, 3, "xtable");
-    point_to_write(L, "xtable").x = x;
-    return 0;
+    return change_point(L, "xtable", [x](TablePoint& point) { point.x = x; });
 }
 
 int read_y(lua_State* L) {
@@ -87,8 +100,7 @@ int read_y(lua_State* L) {
 
 int write_y(lua_State* L) {
     const double y = number_argument(L, 3, "ytable");
-    point_to_write(L, "ytable").y = y;
-    return 0;
+    return change_point(L, "ytable", [y](TablePoint& point) { point.y = y; });
 }
 
 int read_vector(lua_State* L) {
@@ -99,14 +111,13 @@ int read_vector(lua_State* L) {
 
 int write_vector(lua_State* L) {
     const Vec3 v = vector_argument(L, 3, "vtable");
-    point_to_write(L, "vtable") = {v[0], v[1]};
-    return 0;
+    return change_point(L, "vtable", [v](TablePoint& point) { point = {v[0], v[1]}; });
 }
 
 int size(lua_State* L) {
     const Tables& tables = fish_of(L).tables;
     const auto found = tables.find(table_argument(L, "table_size"));
-    lua_pushinteger(L, found == tables.end() ? 0 : static_cast<lua_Integer>(found->second.points.size()));
+    lua_pushinteger(L, found == tables.end() ? 0 : static_cast<lua_Integer>(found->second.points().size()));
     return 1;
 }
 

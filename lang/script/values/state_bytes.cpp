@@ -160,7 +160,7 @@ std::string to_bytes(const ScriptState& state) {
     for (const auto& [number, table] : state.tables) {
         out.number(number);
         out.text(table.name);
-        out.list(table.points, [&](const TablePoint& point) {
+        out.list(table.points(), [&](const TablePoint& point) {
             out.number(point.x);
             out.number(point.y);
         });
@@ -216,7 +216,8 @@ ScriptState from_bytes(const std::string& bytes) {
     for (auto count = taken<std::uint64_t>(in); count > 0; --count) {
         const auto number = taken<std::int64_t>(in);
         in.text(state.tables[number].name);
-        in.list(state.tables[number].points, [&](TablePoint& point) {
+        std::vector<TablePoint> points;
+        in.list(points, [&](TablePoint& point) {
             in.number(point.x);
             in.number(point.y);
         });
@@ -228,3 +229,4 @@ ScriptState from_bytes(const std::string& bytes) {
 }
 
 } // namespace kaya::script
+        state.tables[number].replace(std::move(points));

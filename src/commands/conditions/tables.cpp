@@ -45,15 +45,17 @@ public:
         if (!std::isfinite((count - 1) * step))
             fail(fmt::format("{} values with a step of {} reach x that no number can hold", number_text(count),
                              number_text(step)));
-        script::Table table;
+        std::vector<script::TablePoint> points;
         for (double i = 0; i < count; ++i) {
             const std::string what = fmt::format("value {:.0f} of {:.0f}", i + 1, count);
             const double x = step > 0 ? i * step : number(what);
-            if (!table.points.empty() && x < table.points.back().x)
-                fail(fmt::format("x goes back from {} to {}", number_text(table.points.back().x), number_text(x)));
-            table.points.push_back({x, number(what)});
+            if (!points.empty() && x < points.back().x)
+                fail(fmt::format("x goes back from {} to {}", number_text(points.back().x), number_text(x)));
+            points.push_back({x, number(what)});
         }
         if (!word_.empty()) fail(fmt::format("there is more in the file than the {:.0f} values it speaks of", count));
+        script::Table table;
+        table.replace(std::move(points));
         return table;
     }
 
@@ -153,6 +155,7 @@ void run(Session& session, const lang::TableCommand& command) {
         std::erase_if(tables, [&](const auto& entry) { return equal_ignoring_case(entry.second.name, command.name); });
     if (command.points.empty()) return;
     const std::int64_t number = table_to_fill(tables, command);
+    tables[number].require_sorted(fmt::format("table {}", number));
     for (const auto& [x, y] : command.points) tables[number].insert(x, y);
 }
 
@@ -166,13 +169,9 @@ void check_table(Session& session, std::int64_t number) {
                          known.empty() ? "make it before: table n x y ..., or table n read file"
                                        : fmt::format("tables that are there: {}", fmt::join(known, ", ")));
     }
-    const auto& points = found->second.points;
-    if (points.empty()) throw Diagnostic(fmt::format("table {} holds no pair", number), "fill it before");
-    const auto back = std::ranges::adjacent_find(points, [](const auto& a, const auto& b) { return b.x < a.x; });
-    if (back != points.end())
-        throw Diagnostic(fmt::format("table {} is not sorted: x goes back from {} to {} at pair {}", number,
-                                     number_text(back->x), number_text((back + 1)->x), back - points.begin() + 2),
-                         "fill it in the order of x");
+    if (found->second.points().empty())
+        throw Diagnostic(fmt::format("table {} holds no pair", number), "fill it before");
+    found->second.require_sorted(fmt::format("table {}", number));
 }
 
 void check_symbol(Session& session, const std::string& name) {

@@ -249,7 +249,7 @@ std::string list_tables(Session& session, const lang::List&) {
     if (tables.empty()) return "no tables";
     TextTable rows({"table", "pairs", "first x", "last x", "least y", "greatest y"});
     for (const auto& [number, table] : tables) {
-        const auto& points = table.points;
+        const auto& points = table.points();
         if (points.empty()) {
             rows.add({std::to_string(number), "0", "-", "-", "-", "-"});
             continue;

@@ -247,7 +247,7 @@ Chart chart_of(Session& session, const PlotView& view) {
                 const std::string& given = found->second.name;
                 Curve& curve =
                     chart.curves.emplace_back(Curve{given.empty() ? fmt::format("table {}", number) : given, {}, {}});
-                for (const auto& [x, y] : found->second.points) curve.x.push_back(x), curve.y.push_back(y);
+                for (const auto& [x, y] : found->second.points()) curve.x.push_back(x), curve.y.push_back(y);
             }
         for (std::size_t i = before; i < chart.curves.size(); ++i) chart.curves[i].marks = item.marks;
         if (!item.x_label.empty()) chart.x_label = item.x_label;

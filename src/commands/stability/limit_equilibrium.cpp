@@ -83,9 +83,10 @@ SectionPlane plane_of(const Session& session, const LimitEquilibrium& command) {
 void add_water_table(Session& session, std::int64_t number, SlopeSection& section) {
     const auto& tables = session.engine.scripts->tables();
     const auto found = tables.find(number);
-    if (found == tables.end() || found->second.points.empty())
+    if (found == tables.end() || found->second.points().empty())
         throw Diagnostic(fmt::format("there is no table {} with the height of the water", number),
                          fmt::format("write before it, for example: table {} 0 10 50 14", number));
+    found->second.require_sorted(fmt::format("table {}", number));
     section.pore_pressure = [table = found->second, weight = section.water_weight](const SectionPoint& at) {
         return weight * (table.at(at.x()) - at.y());
     };
@@ -327,9 +328,9 @@ private:
     }
 
     void keep_surface(std::int64_t number) {
-        auto& table = session_.engine.scripts->tables()[number];
-        table.points.clear();
-        for (const SectionPoint& point : best_->surface.points) table.points.push_back({point.x(), point.y()});
+        std::vector<script::TablePoint> points;
+        for (const SectionPoint& point : best_->surface.points) points.push_back({point.x(), point.y()});
+        session_.engine.scripts->tables()[number].replace(std::move(points));
     }
 
     Session& session_;

@@ -67,9 +67,9 @@ double LoadCurve::doubt_of_peak() const {
 
 void LoadCurve::store(Session& session, const lang::SolveControl& command) const {
     if (command.table) {
-        auto& table = session.engine.scripts->tables()[*command.table];
-        table.points.clear();
-        for (const CurveRow& row : rows_) table.points.push_back({row.displacement, row.load});
+        std::vector<script::TablePoint> points;
+        for (const CurveRow& row : rows_) points.push_back({row.displacement, row.load});
+        session.engine.scripts->tables()[*command.table].replace(std::move(points));
     }
     if (command.file.empty()) return;
     std::string text = "displacement,load,time,reaction_x,reaction_y,reaction_z,lost,damped,ratio,stored,zone_work\n";

@@ -19,7 +19,7 @@ bool changes_with_time(const Session& session, const TimeFunction& function) {
     if (function.kind != TimeFunction::Kind::table) return function.duration == 0 || now <= function.duration;
     const auto& tables = session.engine.scripts->tables();
     const auto found = tables.find(function.table);
-    return found != tables.end() && !found->second.points.empty() && now < found->second.points.back().x;
+    return found != tables.end() && !found->second.points().empty() && now < found->second.points().back().x;
 }
 
 /// Of a script: whether its value is another one than 0.

@@ -19,8 +19,9 @@ std::optional<JointTables::Points> table_points(script::Scripts& scripts, const 
     const auto& tables = scripts.tables();
     const auto found = tables.find(number);
     if (found == tables.end()) return std::nullopt;
+    found->second.require_sorted(fmt::format("table {}", number));
     JointTables::Points points;
-    for (const auto& point : found->second.points) {
+    for (const auto& point : found->second.points()) {
         points.x.push_back(point.x);
         points.y.push_back(point.y);
     }
@@ -78,6 +79,7 @@ void Engine::make_cycle() {
         const auto& tables = scripts->tables();
         const auto found = tables.find(number);
         if (found == tables.end()) throw Diagnostic(fmt::format("there is no table {}", number), {}, Fault::run);
+        found->second.require_sorted(fmt::format("table {}", number));
         return found->second.at(x);
     };
     cycle->hooks.script_value = [this](const std::string& expression) {

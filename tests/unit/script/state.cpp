@@ -130,7 +130,7 @@ TEST(ScriptState, AFunctionOutlivesTheModelThatItThrowsAway) {
     EXPECT_FALSE(s.scripts.running());
     EXPECT_EQ(s.scripts.value("n"), Value(std::int64_t{2}));
     EXPECT_EQ(s.scripts.value("x"), Value(std::int64_t{0})); // it belonged to an object of the deleted model
-    EXPECT_EQ(s.scripts.tables().at(3).points.size(), 1u);
+    EXPECT_EQ(s.scripts.tables().at(3).points().size(), 1u);
     // The old pointer has the row of an object in the new model, but is not valid for it.
     const auto old = std::get<Handle>(s.scripts.value("p")), present = std::get<Handle>(s.scripts.value("q"));
     EXPECT_EQ(old.slot, present.slot);

@@ -4,6 +4,7 @@
 #include "lang/script/base/random.hpp"
 #include "lang/script/values/value_text.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace kaya::script {
@@ -16,7 +17,7 @@ TEST(Table, IsLinearBetweenPointsAndConstantOutside) {
     table.set(0, 0);
     table.set(1, 5);
     table.set(1, 10);
-    ASSERT_EQ(table.points.size(), 3);
+    ASSERT_EQ(table.points().size(), 3);
     EXPECT_EQ(table.at(-1), 0);
     EXPECT_EQ(table.at(0.5), 5);
     EXPECT_EQ(table.at(1), 10);
@@ -33,6 +34,34 @@ TEST(Table, AStepIsTwoPointsAtOnePlace) {
     EXPECT_EQ(table.at(0.999), 1);
     EXPECT_EQ(table.at(1), 1);
     EXPECT_EQ(table.at(1.5), 3);
+}
+
+TEST(Table, InterpolatesWhereSortedOnly) {
+    Table table;
+    table.put(0, {2, 0});
+    table.put(1, {1, 10});
+    table.put(2, {0, 20});
+    const auto refused = [](auto action) {
+        try {
+            action();
+        } catch (const Diagnostic& problem) { return problem.message; }
+        return std::string();
+    };
+    const std::string goes_back = "the table is not sorted: x goes back from 2 to 1 at point 2";
+    EXPECT_EQ(refused([&] { table.at(0.5); }), goes_back);
+    EXPECT_EQ(refused([&] { table.set(0.5, 1); }), goes_back);
+    EXPECT_EQ(refused([&] { table.insert(0.5, 1); }), goes_back);
+    ASSERT_EQ(table.points().size(), 3);
+    table.put(0, {0, 20});
+    EXPECT_EQ(refused([&] { table.at(0.5); }), "the table is not sorted: x goes back from 1 to 0 at point 3");
+    table.put(2, {2, 0});
+    EXPECT_EQ(table.at(0.5), 15);
+    table.replace({{0, 0}, {-1, 0}});
+    EXPECT_THROW(table.at(0), Diagnostic);
+    table.replace({{0, 0}, {1, 4}});
+    EXPECT_EQ(table.at(0.25), 1);
+    table.put(1, {std::nan(""), 4});
+    EXPECT_THROW(table.at(0.25), Diagnostic);
 }
 
 TEST(Random, FirstNumbersOfASeedNeverChange) {
