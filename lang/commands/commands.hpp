@@ -161,7 +161,8 @@ struct FishCallback {
     enum class When { before_cycle, after_forces, after_cycle, solve_start, solve_complete };
     std::string function;
     bool remove = false;
-    std::optional<When> when; ///< none: after_forces; to be removed: wherever it runs
+    std::optional<When> when;       ///< none, to be removed: wherever it runs
+    std::optional<double> location; ///< within a cycle: orders the calls of one `when`
     std::int64_t interval = 1;
     Place place;
 };

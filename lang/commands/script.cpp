@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <tuple>
+#include <utility>
 
 namespace kaya::lang {
 
 namespace {
 
-/// The part of a cycle, as later versions number them, that follows the forces.
-constexpr double forces_are_known = 40;
+/// Locations in a cycle, as later versions number them: those below the second one are before the forces.
+constexpr double at_start = 1, forces_are_known = 40;
 
 CommandSpec define(std::vector<Spelling> words, std::vector<Spelling> form) {
     Entry<FishDefinition> entry(std::move(words), std::move(form));
@@ -56,22 +58,21 @@ CommandSpec callback() {
     using When = FishCallback::When;
     const Through location{[](FishCallback& callback, double at) {
                                callback.when = at < forces_are_known ? When::before_cycle : When::after_forces;
+                               callback.location = at;
                            },
-                           [](const FishCallback& callback) -> std::optional<double> {
-                               if (callback.when == When::before_cycle) return 1;
-                               if (callback.when == When::after_forces) return forces_are_known;
-                               return std::nullopt;
-                           }};
+                           [](const FishCallback& callback) { return callback.location; }};
     const auto function = Parts<FishCallback>()
                               .then(text("name").help("name of a function without arguments"), &FishCallback::function)
                               .mark(&FishCallback::place)
                               .maybe(real("location").optional(), location);
     Entry<FishCallback> entry({"fish"}, {"callback"});
     entry.help("runs a FISH function in every cycle, in every n-th, or at an event");
-    entry.keyword({"add"}, function,
-                  "the function; below 40 it runs before the cycle, else when the forces of the cycle are known");
+    entry.keyword(
+        {"add"}, function,
+        "the function; below 40 it runs before the cycle, else (40 if not given) when the forces of the cycle are known; "
+        "smaller locations run first, and at one location in the order in which they were added");
     entry.keyword({"remove"}, Parts<FishCallback>().set(&FishCallback::remove, true).then(function),
-                  "stops running the function, at that place if one is given");
+                  "stops running the function, at that location or event only if one is given");
     const auto name = text("name");
     entry.keyword({"event"},
                   Parts<FishCallback>().argument(name.spec).by(
@@ -91,6 +92,10 @@ CommandSpec callback() {
     entry.action(
         {"dynamic"}, [](FishCallback&) {}, "the only process");
     entry.finish([](const Reader& reader, FishCallback& callback) {
+        if (!callback.remove && !callback.when) {
+            callback.when = When::after_forces;
+            callback.location = forces_are_known;
+        }
         if (callback.function.empty())
             incomplete_line(reader, "fish callback does not say what to do", "write: fish callback add NAME");
         if (callback.when >= FishCallback::When::solve_start && callback.interval > 1)
@@ -113,20 +118,22 @@ CommandSpec fishcall() {
     Entry<FishCallback> entry({"set"}, {Spelling{"fishcall", 5}});
     entry.help("runs a FISH function in every cycle");
     entry.place(&FishCallback::place);
-    entry.argument(integer("n").help("0: before the cycle; 1: when its forces are known; 2: after it"),
-                   Through{[](FishCallback& callback, std::int64_t n) {
-                               using enum FishCallback::When;
-                               static constexpr std::array places{before_cycle, after_forces, after_cycle};
-                               if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
-                                   throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
-                                                    "0: before the cycle, 1: when its forces are known, 2: after it");
-                               callback.when = places[static_cast<std::size_t>(n)];
-                           },
-                           [](const FishCallback& callback) -> std::optional<std::int64_t> {
-                               if (!callback.when) return 0;
-                               const auto place = static_cast<std::int64_t>(*callback.when);
-                               return place <= 2 ? std::optional(place) : std::nullopt;
-                           }});
+    entry.argument(
+        integer("n").help("0: before the cycle; 1: when its forces are known; 2: after it"),
+        Through{[](FishCallback& callback, std::int64_t n) {
+                    using enum FishCallback::When;
+                    static constexpr std::array<std::pair<FishCallback::When, std::optional<double>>, 3> places{
+                        {{before_cycle, at_start}, {after_forces, forces_are_known}, {after_cycle, {}}}};
+                    if (n < 0 || n >= static_cast<std::int64_t>(places.size()))
+                        throw Diagnostic(fmt::format("there is no place {} in a cycle", n),
+                                         "0: before the cycle, 1: when its forces are known, 2: after it");
+                    std::tie(callback.when, callback.location) = places[static_cast<std::size_t>(n)];
+                },
+                [](const FishCallback& callback) -> std::optional<std::int64_t> {
+                    if (!callback.when) return 0;
+                    const auto place = static_cast<std::int64_t>(*callback.when);
+                    return place <= 2 ? std::optional(place) : std::nullopt;
+                }});
     entry.keyword({Spelling{"remove", 6}},
                   Parts<FishCallback>().set(&FishCallback::remove, true).then(text("name"), &FishCallback::function),
                   "stops running the function");
@@ -142,7 +149,9 @@ CommandSpec fishcall() {
     entry.finish([](const Reader& reader, FishCallback& callback) {
         if (callback.function.empty())
             incomplete_line(reader, "set fishcall needs the name of a function", "write: set fishcall 2 NAME");
-        if (callback.remove) callback.when.reset(); // it is removed wherever it runs
+        if (!callback.remove) return;
+        callback.when.reset(); // it is removed wherever it runs
+        callback.location.reset();
     });
     entry.right("set fishcall 2 watch").right("set fishcall 0 remove watch");
     entry.wrong("set fishcall", "a number is missing after 'fishcall'");

@@ -5,7 +5,9 @@
 #include "lang/script/state/owners.hpp"
 #include "lang/script/values/state.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kaya::script {
@@ -16,13 +18,20 @@ struct LuaHook {
     int function = LUA_NOREF;
 };
 
-/// In the order of their registration.
 struct Hooks {
-    std::vector<StoredHook> of_fish;
-    std::vector<LuaHook> of_lua;
+    std::vector<StoredHook> of_fish; ///< those of one moment in the order of their calls
+    std::vector<LuaHook> of_lua;     ///< in the order of their registration
     int lua_histories = 0;
     bool registered = false; ///< a chunk registered a hook or a history: it must be stored
 };
+
+/// Behind the hooks of its moment whose location is not larger.
+inline void add_hook(std::vector<StoredHook>& hooks, StoredHook hook) {
+    const auto after = std::ranges::find_if(hooks, [&hook](const StoredHook& other) {
+        return other.moment == hook.moment && other.location > hook.location;
+    });
+    hooks.insert(after, std::move(hook));
+}
 
 inline Hooks& hooks_of(lua_State* L) { return *owners_of(L).hooks; }
 

@@ -16,6 +16,7 @@
 #include "lang/script/values/value_text.hpp"
 
 #include <atomic>
+#include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -195,7 +196,8 @@ std::vector<std::pair<std::string, std::string>> Scripts::newer_names() const {
 
 fish::Meaning Scripts::meaning_of(const std::string& name) const { return dictionary_of(impl_->L())(name); }
 
-void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place) {
+void Scripts::add_fish_hook(const std::string& function, Moment moment, double location, std::int64_t interval,
+                            const Place& place) {
     const Fish& fish = impl_->parts->fish;
     const std::string name = lower_case(function);
     const auto found = fish.functions.find(name);
@@ -212,16 +214,29 @@ void Scripts::add_fish_hook(const std::string& function, Moment moment, std::int
         throw Diagnostic(fmt::format("'{}' runs in cycles and cannot have arguments", function),
                          "take a function without arguments", Fault::run)
             .at(place);
-    impl_->parts->hooks.of_fish.push_back({name, static_cast<std::uint8_t>(moment), interval, false});
+    add_hook(impl_->parts->hooks.of_fish, {name, static_cast<std::uint8_t>(moment), interval, false, location});
 }
 
-void Scripts::remove_fish_hook(const std::string& function, std::optional<Moment> moment, const Place& place) {
-    const std::string name = lower_case(function);
-    const auto removed = std::erase_if(impl_->parts->hooks.of_fish, [&](const StoredHook& hook) {
-        const bool meant = !moment || static_cast<Moment>(hook.moment) == *moment;
-        return hook.function == name && meant && !hook.whilestepping;
+void Scripts::remove_fish_hook(const std::string& function, std::optional<Moment> moment,
+                               std::optional<double> location, const Place& place) {
+    auto& hooks = impl_->parts->hooks.of_fish;
+    const auto is_callback = [name = lower_case(function)](const StoredHook& hook) {
+        return hook.function == name && !hook.whilestepping;
+    };
+    const auto removed = std::erase_if(hooks, [&](const StoredHook& hook) {
+        const bool in_moment = !moment || static_cast<Moment>(hook.moment) == *moment;
+        return is_callback(hook) && in_moment && (!location || hook.location == *location);
     });
-    if (removed == 0) throw Diagnostic(fmt::format("no callback runs '{}'", function), {}, Fault::run).at(place);
+    if (removed > 0) return;
+    const bool elsewhere = std::ranges::any_of(hooks, is_callback);
+    const std::string at = location ? fmt::format(" at {}", *location) : moment ? " at this event" : "";
+    throw Diagnostic(fmt::format("no callback runs '{}'{}", function, elsewhere ? at : ""),
+                     elsewhere ? fmt::format("without a location or event all its callbacks are removed: fish callback "
+                                             "remove {}",
+                                             function)
+                               : "",
+                     Fault::run)
+        .at(place);
 }
 
 bool Scripts::has_hooks(Moment moment) const {

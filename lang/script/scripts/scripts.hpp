@@ -77,11 +77,15 @@ public:
     fish::Meaning meaning_of(const std::string& name) const;
 
     /// Runs a FISH function without arguments in each cycle whose number is a multiple of `interval`, or at each such event.
-    void add_fish_hook(const std::string& function, Moment moment, std::int64_t interval, const Place& place);
-    /// Removes the hooks of a function, or those of one moment; throws Diagnostic when there is none.
-    void remove_fish_hook(const std::string& function, std::optional<Moment> moment, const Place& place);
+    /// Locations order the hooks of one moment.
+    void add_fish_hook(const std::string& function, Moment moment, double location, std::int64_t interval,
+                       const Place& place);
+    /// Removes the hooks of a function, or those of one moment, or of one location; throws Diagnostic when there is none.
+    void remove_fish_hook(const std::string& function, std::optional<Moment> moment, std::optional<double> location,
+                          const Place& place);
 
-    /// Hooks, in the order in which they were defined. `cycle` decides for hooks with an interval.
+    /// FISH hooks in the order of their locations, then in that of their definition; then those of Lua. `cycle` decides for hooks with an
+    /// interval.
     bool has_hooks(Moment moment) const;
     void run_hooks(Moment moment, std::int64_t cycle);
 

@@ -46,6 +46,7 @@ struct StoredHook {
     std::uint8_t moment = 2;    ///< a script::Moment
     std::int64_t interval = 1;  ///< runs in each cycle whose number is a multiple
     bool whilestepping = false; ///< registered in the function itself: removed when the function is redefined
+    double location = 0;        ///< orders the hooks of one moment
 };
 
 struct ScriptState {
@@ -54,7 +55,7 @@ struct ScriptState {
     std::vector<std::pair<std::string, StoredValue>> extras;       ///< "b_extra" -> object handle -> value
     std::vector<StoredObject> objects;
     std::vector<StoredSource> sources; ///< FISH functions and Lua chunks that define something, in order
-    std::vector<StoredHook> hooks;     ///< of FISH functions, in the order of their registration
+    std::vector<StoredHook> hooks;     ///< of FISH functions; those of one moment in the order of their calls
     Tables tables;
     std::array<std::uint64_t, 4> random{};
     bool automatic_create = true; ///< of FISH variables

@@ -3,6 +3,7 @@
 
 #include "base/diagnostic.hpp"
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace kaya::script {
 namespace {
 
 constexpr std::string_view mark = "KAYASCRIPT";
-constexpr std::uint32_t version = 4, oldest_version = 3;
+constexpr std::uint32_t version = 5, oldest_version = 3;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 /// Every part of the state passes through `io` in one order, for writing and for reading.
@@ -122,6 +123,12 @@ void take(Reader& in, StoredValue& value) {
     }
 }
 
+/// Hooks had no location before version 5: the one of `set fishcall` for before_cycle and after_forces.
+double usual_location(std::uint8_t moment) {
+    constexpr std::array<double, 2> locations{1, 40};
+    return moment < locations.size() ? locations[moment] : 0;
+}
+
 using Named = std::vector<std::pair<std::string, StoredValue>>;
 
 } // namespace
@@ -155,6 +162,7 @@ std::string to_bytes(const ScriptState& state) {
         out.number(hook.moment);
         out.number(hook.interval);
         out.number(static_cast<std::uint8_t>(hook.whilestepping));
+        out.number(hook.location);
     });
     out.number(static_cast<std::uint64_t>(state.tables.size()));
     for (const auto& [number, table] : state.tables) {
@@ -209,6 +217,8 @@ ScriptState from_bytes(const std::string& bytes) {
         in.number(hook.moment);
         in.number(hook.interval);
         hook.whilestepping = taken<std::uint8_t>(in) != 0;
+        if (found > 4) in.number(hook.location);
+        else hook.location = usual_location(hook.moment);
         constexpr std::uint8_t last = 4; // Moment::solve_complete
         if (hook.moment > last || hook.interval < 1)
             throw Diagnostic("the saved scripts hold a hook of an unknown kind", "the file is damaged", Fault::run);
@@ -221,6 +231,7 @@ ScriptState from_bytes(const std::string& bytes) {
             in.number(point.x);
             in.number(point.y);
         });
+        state.tables[number].replace(std::move(points));
     }
     for (auto& word : state.random) in.number(word);
     if (found > oldest_version) state.automatic_create = taken<std::uint8_t>(in) != 0;
@@ -229,4 +240,3 @@ ScriptState from_bytes(const std::string& bytes) {
 }
 
 } // namespace kaya::script
-        state.tables[number].replace(std::move(points));

@@ -48,11 +48,12 @@ void run(Session& session, const lang::FishCallback& command) {
     const auto moment_of = [](When when) {
         return std::ranges::find(moments, when, &std::pair<When, Moment>::first)->second;
     };
-    if (!command.remove)
-        return session.engine.scripts->add_fish_hook(
-            command.function, moment_of(command.when.value_or(When::after_forces)), command.interval, command.place);
     const auto moment = command.when ? std::optional(moment_of(*command.when)) : std::nullopt;
-    session.engine.scripts->remove_fish_hook(command.function, moment, command.place);
+    auto& scripts = *session.engine.scripts;
+    if (command.remove) scripts.remove_fish_hook(command.function, moment, command.location, command.place);
+    else
+        scripts.add_fish_hook(command.function, moment.value(), command.location.value_or(0), command.interval,
+                              command.place);
 }
 
 void run(Session& session, const lang::FishSetting& command) {

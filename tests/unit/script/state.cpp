@@ -149,7 +149,7 @@ TEST(ScriptState, WhatACommandWaitsForCannotChangeTheModel) {
     EXPECT_EQ(message_of([&] { s.scripts.call("f"); }), "no error");
     EXPECT_THAT(message_of([&] { s.scripts.value("f"); }), HasSubstr("'new' cannot be given here"));
     EXPECT_THAT(message_of([&] { s.scripts.number("f"); }), HasSubstr("'new' cannot be given here"));
-    s.scripts.add_fish_hook("f", Moment::after_cycle, 1, {});
+    s.scripts.add_fish_hook("f", Moment::after_cycle, 0, 1, {});
     EXPECT_THAT(message_of([&] { s.scripts.run_hooks(Moment::after_cycle, 1); }),
                 HasSubstr("'new' cannot be given here"));
 }
@@ -191,7 +191,18 @@ TEST(ScriptState, DamagedBytesAreRefusedWhereverTheyEnd) {
     std::string newer = bytes;
     newer[10] = 9;
     EXPECT_THAT(message_of([&] { from_bytes(newer); }),
-                HasSubstr("saved in version 9; this program reads versions 3 to 4"));
+                HasSubstr("saved in version 9; this program reads versions 3 to 5"));
+}
+
+TEST(ScriptState, HooksOfVersion4GetTheLocationOfTheirMoment) {
+    ScriptState state;
+    state.hooks = {{.function = "f", .moment = 0, .location = 20}};
+    std::string bytes = to_bytes(state);
+    EXPECT_EQ(from_bytes(bytes).hooks.at(0).location, 20);
+    // Behind the location come the number of tables, four words of random numbers, and a truth.
+    bytes.erase(bytes.size() - 1 - 4 * 8 - 8 - 8, 8);
+    bytes[10] = 4;
+    EXPECT_EQ(from_bytes(bytes).hooks.at(0).location, 1);
 }
 
 TEST(ScriptState, ChangedBytesEndInAMessageOrAStateNeverInACrash) {
