@@ -26,6 +26,7 @@ public:
     }
 
     std::vector<NameUse> uses;
+    bool gives_back = false; ///< by `return`
 
 private:
     void add(const Node& name, Use use) {
@@ -44,6 +45,7 @@ private:
     void statement(const Statement& s) {
         if (s.kind == StatementKind::evaluate) return line(s);
         if (s.kind == StatementKind::structure) return;
+        if (s.kind == StatementKind::give_back) gives_back = true;
         if (!s.target.text.empty() && s.kind != StatementKind::nothing)
             target(s.target, s.kind == StatementKind::array);
         if (s.declares) add(s.target, Use::declare);
@@ -85,6 +87,14 @@ std::vector<NameUse> name_uses(const Function& function) {
     for (const auto& value : function.tree->defaults) collector.node(value);
     collector.statements(function.tree->body);
     return std::move(collector.uses);
+}
+
+bool gives_value(const Function& function) {
+    UseCollector collector(function.dialect); // which does not know the function: its name is one as others
+    collector.statements(function.tree->body);
+    return collector.gives_back || std::ranges::any_of(collector.uses, [&function](const NameUse& use) {
+               return use.name == function.name && (use.use == Use::set || use.use == Use::element);
+           });
 }
 
 std::vector<NameUse> name_uses(const Expression& expression) {

@@ -30,4 +30,7 @@ struct NameUse {
 std::vector<NameUse> name_uses(const Function& function);
 std::vector<NameUse> name_uses(const Expression& expression);
 
+/// Whether a line of the function gives it a value: one that sets its name, or `return` with a value.
+bool gives_value(const Function& function);
+
 } // namespace kaya::fish

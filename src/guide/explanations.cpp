@@ -47,6 +47,9 @@ constexpr Explanation explanations[] = {
     {"never-set", "a name of FISH that is never set",
      "A variable that is never set is 0. Set it, write 'global NAME' in a function, or correct the name. There is no\n"
      "warning when a restored model, a file that is not known before the run, or Lua may set it."},
+    {"no-value", "a function of FISH that never sets its name",
+     "The value of a function is what a line sets under its name, or what it returns. Without such a line it is 0: a history\n"
+     "records 0, and a load is multiplied by 0. A function that sets other variables runs in cycles by 'fish callback add'."},
     {"never-ended", "a function or a chunk of Lua without its end",
      "A 'def' needs a line with 'end' alone, and 'lua' a line with 'endlua' alone. Inside a function each loop, if,\n"
      "case_of, section and command needs its own closing word."},

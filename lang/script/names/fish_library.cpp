@@ -296,6 +296,30 @@ void adopt_lua_function(lua_State* L, const std::string& name) {
     if (fish_of(L).lua_functions.insert(known_as).second) forget_translations(L, known_as);
 }
 
+bool push_lua_function(lua_State* L, const std::string& name) {
+    const std::string known_as = lower_case(name);
+    if (!fish_of(L).lua_functions.contains(known_as)) return false;
+    const int top = lua_gettop(L);
+    push_anchor(L, state_of(L).environment);
+    push_anchor(L, fish_of(L).called);
+    lua_getfield(L, -1, known_as.c_str());
+    lua_getupvalue(L, -1, 1); // the name as Lua spells it
+    lua_gettable(L, top + 1);
+    lua_insert(L, top + 1);
+    lua_settop(L, top + 1);
+    if (lua_isfunction(L, -1)) return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+Place place_of_function(lua_State* L, int index) {
+    lua_Debug record;
+    lua_pushvalue(L, index);
+    lua_getinfo(L, ">S", &record);
+    const Source* source = state_of(L).sources.find(record.source);
+    return source != nullptr ? line_place(*source, record.linedefined) : Place{};
+}
+
 std::string bare_expression(const std::string& expression) {
     const auto first = expression.find_first_not_of(" \t");
     const auto last = expression.find_last_not_of(" \t\r\n");

@@ -16,6 +16,10 @@ void define_fish_function(lua_State* L, const std::string& text, const Place& pl
 
 /// Leaves the Lua function of the expression on the stack.
 void push_expression(lua_State* L, const std::string& expression, const Place& place);
+/// Leaves the Lua function of that name on the stack as Lua has it, without what makes its value one of FISH; false when there is none.
+bool push_lua_function(lua_State* L, const std::string& name);
+/// Where the function at that index begins in a deck; nowhere when it is not of a deck.
+Place place_of_function(lua_State* L, int index);
 /// `@name(1)` and `[name(1)]` as `name(1)`.
 std::string bare_expression(const std::string& expression);
 

@@ -2,6 +2,7 @@
 
 #include "base/lower_case.hpp"
 #include "lang/fish/lexer.hpp"
+#include "lang/fish/name_uses.hpp"
 #include "lang/script/libraries/families.hpp"
 #include "lang/script/libraries/libraries.hpp"
 #include "lang/script/names/chunks.hpp"
@@ -15,8 +16,8 @@
 #include "lang/script/state/values.hpp"
 #include "lang/script/values/value_text.hpp"
 
-#include <atomic>
 #include <algorithm>
+#include <atomic>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -89,6 +90,15 @@ private:
     int& count_;
 };
 
+/// A Lua function has returned nil: the error stands where it begins.
+Diagnostic no_number(lua_State* L, const std::string& expression) {
+    const StackLevel level(L);
+    const std::string name = bare_expression(expression);
+    Diagnostic error(fmt::format("the function '{}' returned nothing, where a number is needed", name),
+                     "return a number from it; a name that was never set, or is misspelt, is nil in Lua", Fault::run);
+    return push_lua_function(L, name) ? error.at(place_of_function(L, -1)) : error;
+}
+
 /// Errors without a place in a script get that of the command.
 template <class Action> auto placed(const Place& place, Action action) {
     try {
@@ -127,14 +137,17 @@ Value Scripts::value(const std::string& expression, const Place& place) {
     const StackLevel level(L);
     const Awaited awaited(impl_->L());
     return placed(place, [&] {
-        push_expression(impl_->L(), expression, place);
+        const std::string bare = bare_expression(expression);
+        if (!push_lua_function(L, bare)) push_expression(L, expression, place);
         call_protected(L, 0, 1);
-        return value_at(L, -1, fmt::format("'{}'", bare_expression(expression)));
+        if (!lua_isnil(L, -1)) make_fish_value(L); // what FISH reads as 0 is nothing here
+        return value_at(L, -1, fmt::format("'{}'", bare));
     });
 }
 
 double Scripts::number(const std::string& expression, const Place& place) {
     const Value result = value(expression, place);
+    if (std::holds_alternative<std::monostate>(result)) throw no_number(impl_->L(), expression).at(place);
     if (const auto* real = std::get_if<double>(&result)) return *real;
     if (const auto* whole = std::get_if<std::int64_t>(&result)) return static_cast<double>(*whole);
     if (const auto* truth = std::get_if<bool>(&result)) return *truth ? 1 : 0;
@@ -177,6 +190,12 @@ void Scripts::define_structure(const std::string& name, const std::vector<std::s
 }
 
 void Scripts::seed(std::uint64_t seed) { impl_->parts->fish.random.seed(seed); }
+
+bool Scripts::gives_value(const std::string& name) const {
+    const auto& functions = impl_->parts->fish.functions;
+    const auto found = functions.find(lower_case(bare_expression(name)));
+    return found == functions.end() || fish::gives_value(found->second.function);
+}
 
 bool Scripts::knows(const std::string& name) const { return knows_fish_name(impl_->L(), bare_expression(name)); }
 

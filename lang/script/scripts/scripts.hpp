@@ -47,7 +47,7 @@ public:
     /// Value of `name`, `name(a,b)`, or any FISH expression (also an assignment), with or without the
     /// leading `@` or brackets around it. A FISH or Lua function that is named is run.
     Value value(const std::string& expression, const Place& place = {});
-    /// The same as a number, for histories and commands; texts, vectors and pointers are refused. The translated expression is kept, for
+    /// The same as a number, for histories and commands; nothing, texts, vectors and pointers are refused. The translated expression is kept, for
     /// calls in every cycle.
     double number(const std::string& expression, const Place& place = {});
     /// A line that starts with `@`: runs the function. An unknown name is an error.
@@ -62,6 +62,8 @@ public:
     void seed(std::uint64_t seed);
     /// True for a function, a variable that was mentioned, or a built-in name.
     bool knows(const std::string& name) const;
+    /// False for a FISH function that never sets its name and returns nothing: its value is always 0.
+    bool gives_value(const std::string& name) const;
     /// Names of all FISH variables and functions, sorted (for `list fish`, and for "did you mean").
     std::vector<std::string> symbols() const;
 

@@ -59,6 +59,7 @@ struct TimeFunctionOf {
     }
     TimeFunction operator()(const lang::ScriptValue& value) const {
         check_symbol(session, value.symbol);
+        warn_of_no_value(session, value.symbol, {});
         TimeFunction function;
         function.kind = TimeFunction::Kind::script;
         function.script = value.symbol;

@@ -1,4 +1,5 @@
 // hist: adding, labelling, writing.
+#include "commands/conditions/tables.hpp"
 #include "commands/session/handlers.hpp"
 #include "commands/session/new_contacts.hpp"
 #include "commands/world/joint_values.hpp"
@@ -97,6 +98,8 @@ void run(Session& session, const lang::HistoryAdd& command) {
         try {
             const History& history = add_history(session.engine.model, source_of(session, item), label_of(item));
             warn_of_far_place(session, history, item.text);
+            if (history.source.kind == SourceKind::function)
+                warn_of_no_value(session, history.source.quantity, item.text);
         } catch (Diagnostic& mistake) {
             mistake.at(item.text);
             throw;

@@ -182,6 +182,14 @@ void check_symbol(Session& session, const std::string& name) {
                      near.empty() ? "define it before it is used" : fmt::format("did you mean '@{}'?", near));
 }
 
+void warn_of_no_value(Session& session, const std::string& function, const Place& place) {
+    if (session.engine.scripts->gives_value(function)) return;
+    Diagnostic warning(fmt::format("the function '{}' never sets its name: its value is always 0", function),
+                       fmt::format("write {} = ... in it, or return a value", function));
+    warning.code = "no-value";
+    if (session.program.said_once.insert(warning.message).second) session.warn(warning.at(place));
+}
+
 void check_time_functions(Session& session) {
     const std::set<std::int32_t> used(session.engine.model.boundary_histories.function.begin(),
                                       session.engine.model.boundary_histories.function.end());
