@@ -1,7 +1,6 @@
 #include "app/run.hpp"
 
 #include "app/command_line.hpp"
-#include "app/deck_parameters.hpp"
 #include "app/interrupt.hpp"
 #include "app/process_host.hpp"
 #include "app/prompt.hpp"
@@ -9,6 +8,7 @@
 #include "app/sandbox.hpp"
 #include "base/counted.hpp"
 #include "commands/session/autosave.hpp"
+#include "commands/session/given_parameters.hpp"
 #include "commands/session/journal.hpp"
 #include "commands/monitors/progress.hpp"
 #include "model/whole/state_hash.hpp"
@@ -91,14 +91,6 @@ std::string parameter_line(const std::string& given) {
     return fmt::format("param {}{}{} = {}", quoted ? "'" : "", name, quoted ? "'" : "", value);
 }
 
-/// Names mentioned by the decks; none when they are unknown before the run.
-std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks) {
-    DeckWords words;
-    for (const auto& deck : decks)
-        if (!fs::is_regular_file(deck) || !words.take(deck)) return std::nullopt;
-    return words;
-}
-
 void take_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
     for (const auto& given : order.parameters) {
         const std::string line = parameter_line(given);
@@ -107,19 +99,10 @@ void take_parameters(Session& session, const RunOrder& order, const DeckWords* w
     }
 }
 
-/// Reports values of `--set` that the decks did not use.
-void doubt_parameters(Session& session, const RunOrder& order, const DeckWords* words) {
-    for (const auto& name : session.deck.given_properties.unused())
-        session.warn(
-            Diagnostic(fmt::format("no command set '{}'", name), "the value that was given for it was not used"));
-    for (const auto& given : order.parameters) {
-        const std::string name = given.substr(0, given.find('='));
-        const auto value = session.deck.parameters.find(lang::fold(name));
-        if (!words || value == session.deck.parameters.end() || words->declared().contains(lang::fold(name))) continue;
-        if (session.engine.scripts->value(name) != value->second)
-            session.warn(Diagnostic(fmt::format("the deck sets '{}' itself: --set was not used", name),
-                                    fmt::format("write there param {} = VALUE", name)));
-    }
+std::vector<std::string> parameter_names(const RunOrder& order) {
+    std::vector<std::string> names;
+    for (const auto& given : order.parameters) names.push_back(given.substr(0, given.find('=')));
+    return names;
 }
 
 int run_decks(Session& session, const RunOrder& order) {
@@ -143,7 +126,7 @@ int run_decks(Session& session, const RunOrder& order) {
             if (session.run_deck(deck) == lang::Ended::quit) break;
         }
     }
-    doubt_parameters(session, order, words ? &*words : nullptr);
+    warn_of_unused_parameters(session, parameter_names(order), words ? &*words : nullptr);
     if (journal) journal->finish();
     session.autosave->done();
     const auto& clock = session.engine.model.clock;

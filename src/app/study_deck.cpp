@@ -1,6 +1,6 @@
 #include "app/study_deck.hpp"
 
-#include "app/deck_parameters.hpp"
+#include "commands/review/deck_words.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>

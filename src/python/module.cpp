@@ -74,7 +74,7 @@ PYBIND11_MODULE(_kaya, module) {
              py::arg("quiet"), py::arg("trust"), py::arg("progress"), py::arg("joints"), py::arg("own_joints"),
              py::arg("painter"))
         .def("text", &Self::text, py::arg("commands"), py::arg("name"), py::arg("caught"))
-        .def("deck", &Self::deck, py::arg("file"))
+        .def("deck", &Self::deck, py::arg("file"), py::arg("parameters"))
         .def("completions", &completions, py::arg("before"), py::arg("line"))
         .def(
             "count", [](Self& self, const std::string& kind) { return count_objects(self.session(), kind); },

@@ -1,10 +1,12 @@
 #include "python/running.hpp"
 
 #include "commands/session/autosave.hpp"
+#include "commands/session/given_parameters.hpp"
 #include "system/interrupt_signal.hpp"
 
 #include <array>
 #include <atomic>
+#include <fmt/format.h>
 #include <optional>
 
 namespace kaya::python {
@@ -129,8 +131,19 @@ std::string PythonSession::text(const std::string& commands, const std::string& 
     return printed;
 }
 
-void PythonSession::deck(const std::string& file) {
-    run([&](Session& session) { session.run_deck(file); });
+void PythonSession::deck(const std::string& file, const std::map<std::string, std::string>& parameters) {
+    run([&](Session& session) {
+        const auto words = words_of_decks({file});
+        std::vector<std::string> names;
+        for (const auto& [name, value] : parameters) {
+            if (words) words->require(name, Place{});
+            names.push_back(name);
+        }
+        for (const auto& [name, value] : parameters)
+            session.deck.interpreter.run_text(fmt::format("param '{}' = {}", name, value), "python");
+        session.run_deck(file);
+        warn_of_unused_parameters(session, names, words ? &*words : nullptr);
+    });
 }
 
 void PythonSession::call(const py::function& function) {

@@ -6,6 +6,7 @@
 #include "python/streams.hpp"
 
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <pybind11/pybind11.h>
@@ -24,8 +25,8 @@ public:
     /// Runs commands. Returns what they print when `caught`, else "". Throws what the session throws, and the exception of a function of
     /// Python that stopped it; KeyboardInterrupt after Ctrl-C.
     std::string text(const std::string& commands, const std::string& name, bool caught);
-    /// Runs a deck.
-    void deck(const std::string& file);
+    /// Runs a deck with parameters: a name, and the value as `param` reads it. Throws Diagnostic for a name that the deck does not mention.
+    void deck(const std::string& file, const std::map<std::string, std::string>& parameters);
     /// Runs `work` with the session, in the same way.
     void run(const std::function<void(Session&)>& work);
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from pathlib import Path
 
 try:
     import numpy as np
@@ -227,6 +228,32 @@ class Errors(unittest.TestCase):
             except kaya.Error as error:
                 self.assertTrue(error.message)
         self.assertEqual(len(model.blocks), 0)
+
+    def test_parameters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def written(name, text):
+                Path(folder, name).write_text(text)
+                return f"{folder}/{name}"
+
+            inner = written("inner.3dd", "param angle = 3\nparam width = 1\npoly brick 0 @width 0 @angle 0 1\n")
+            outer = written("outer.3dd", "program call 'inner.3dd'\n")
+            own = written("own.3dd", "set @angle = 3\npoly brick 0 1 0 @angle 0 1\n")
+            for deck in inner, outer:
+                np.testing.assert_allclose(kaya.run(deck, Angle=5, width=2).blocks["volume"], [10])
+            model = kaya.Model(messages=lambda text: None)
+            with self.assertRaisesRegex(kaya.Error, "the deck does not mention 'angel'") as caught:
+                model.run(outer, angel=5)
+            self.assertEqual(caught.exception.hint, "did you mean 'angle'?")
+            self.assertEqual(len(model.blocks), 0)
+            model.run(own, angle=5)
+            self.assertEqual(len(model.warnings), 1)
+            self.assertIn("the deck sets 'angle' itself", model.warnings[0])
+
+            yields = written("property.3dd", "prop mat 1 dens 2000\npoly brick 0 1 0 1 0 1\n")
+            model = kaya.Model(messages=lambda text: None)
+            model.run(yields, **{"prop 1 dens": 2500, "prop 2 dens": 2500})
+            self.assertEqual(len(model.warnings), 1)
+            self.assertIn("no command set 'prop 2 dens'", model.warnings[0])
 
     def test_strict(self):
         model = kaya.Model(strict=True)

@@ -49,8 +49,8 @@ class Session:
                  progress: bool, joints: Sequence[PathLike[str]], own_joints: Sequence[PathLike[str]], painter: PathLike[str]) -> None: ...
     def text(self, commands: str, name: str, caught: bool) -> str:
         """Runs commands, called `name` in messages. Returns what they print when `caught`, else ""."""
-    def deck(self, file: str) -> None:
-        """Runs a deck."""
+    def deck(self, file: str, parameters: dict[str, str]) -> None:
+        """Runs a deck with values of `param` lines. Raises Error for a name that the deck does not mention."""
     def completions(self, before: str, line: str) -> tuple[int, list[str]]:
         """How many letters at the end of the line are typed of a word, and the words that fit. `before`: lines of an open function."""
     def count(self, kind: str) -> int:

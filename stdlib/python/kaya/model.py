@@ -74,11 +74,9 @@ class Model(Quantities):
         return self._session.text(text, "python", True)
 
     def run(self, deck: str | os.PathLike[str], **parameters: object) -> "Model":
-        """Runs a deck. Parameters replace those that it sets with `param`."""
-        for name, value in parameters.items():
-            shown = f"'{value}'" if isinstance(value, str) else repr(value)
-            self._session.text(f"param {name} = {shown}", "python", False)
-        self._session.deck(os.fspath(deck))
+        """Runs a deck. Parameters replace those that it sets with `param`. Raises kaya.Error for one that the deck does not mention."""
+        shown = {name: f"'{value}'" if isinstance(value, str) else repr(value) for name, value in parameters.items()}
+        self._session.deck(os.fspath(deck), shown)
         return self
 
     def cycle(self, count: int = 1) -> None:

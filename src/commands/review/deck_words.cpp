@@ -1,7 +1,6 @@
-#include "app/deck_parameters.hpp"
+#include "commands/review/deck_words.hpp"
 
 #include "base/lower_case.hpp"
-#include "study/study.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
@@ -16,6 +15,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_files = 1000;
+
+bool shortens(std::string_view word, std::string_view whole, std::size_t least) {
+    return word.size() >= least && whole.starts_with(word);
+}
 
 } // namespace
 
@@ -42,24 +45,36 @@ bool DeckWords::take_line(const std::string& line, const fs::path& folder) {
         if (begin != at) words_.insert(lower_case(std::string(begin, at)));
     }
     command = lower_case(command);
-    if (command.size() >= 5 && std::string("parameter").starts_with(command)) {
+    if (shortens(command, "program", 4) && shortens(lower_case(name), "call", 3)) {
+        command = "call";
+        name.clear();
+        rest >> name;
+    }
+    if (shortens(command, "parameter", 5)) {
         std::erase_if(name, [](char c) { return c == '@' || c == '\''; });
         declared_.insert(lower_case(name.substr(0, name.find('='))));
     }
-    const bool reads =
-        (command.size() >= 3 && std::string("call").starts_with(command)) || (command == "lua" && !name.empty());
+    const bool reads = shortens(command, "call", 3) || command == "lua";
     if (!reads || name.empty()) return true;
     std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
     return take(fs::path(name).has_extension() ? folder / name : folder / (name + ".3dd"));
 }
 
 void DeckWords::require(const std::string& name, const Place& place) const {
-    if (is_property(name) || words_.contains(lower_case(name))) return;
+    const bool is_property = name.find(' ') != std::string::npos;
+    if (is_property || words_.contains(lower_case(name))) return;
     const auto near = did_you_mean(lower_case(name), std::vector<std::string_view>(words_.begin(), words_.end()));
     throw Diagnostic(fmt::format("the deck does not mention '{}'", name),
                      near.empty() ? fmt::format("write param {} = 30 in the deck, and use @{}", name, name)
                                   : fmt::format("did you mean '{}'?", near))
         .at(place);
+}
+
+std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks) {
+    DeckWords words;
+    for (const auto& deck : decks)
+        if (!fs::is_regular_file(deck) || !words.take(deck)) return std::nullopt;
+    return words;
 }
 
 } // namespace kaya

@@ -1,9 +1,10 @@
-// Parameters that a deck is run with, of `--set` and of studies: whether it uses them.
+// The words of decks: whether they use the parameters that they are run with, of `--set`, of studies and of Python.
 #pragma once
 
 #include "base/diagnostic.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,5 +29,8 @@ private:
     std::set<std::filesystem::path> files_;
     std::set<std::string> words_, declared_;
 };
+
+/// Those of all decks; none when they are unknown before the run.
+std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks);
 
 } // namespace kaya
