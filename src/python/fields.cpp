@@ -125,6 +125,18 @@ void set_field(Session& session, const std::string& kind, const std::string& nam
                   given_value(each ? py::object(values[py::int_(k)]) : values));
 }
 
+script::Handle handle_of(Session& session, const std::string& kind, std::size_t row) {
+    const std::size_t count = count_objects(session, kind);
+    if (row >= count)
+        throw py::index_error("there is no row " + std::to_string(row) + ": there are " + std::to_string(count));
+    return session.engine.world.at(static_cast<std::int32_t>(kind_of(kind)), row);
+}
+
+std::optional<script::Handle> nearest_object(Session& session, const std::string& kind, const Vec3& place) {
+    if (count_objects(session, kind) == 0) return std::nullopt;
+    return session.engine.world.nearest(kind_of(kind), place);
+}
+
 py::object global_value(Session& session, const std::string& name) {
     return as_object(session.engine.model, field_of(ObjectKind::global, name).get(session.engine.model, 0));
 }

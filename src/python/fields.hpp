@@ -3,6 +3,7 @@
 
 #include "commands/session/session.hpp"
 
+#include <optional>
 #include <pybind11/numpy.h>
 #include <string>
 #include <vector>
@@ -29,6 +30,11 @@ pybind11::object field_values(Session& session, const std::string& kind, const s
 /// not allow it; rows before that one are set.
 void set_field(Session& session, const std::string& kind, const std::string& field,
                const pybind11::array_t<std::int64_t>& rows, const pybind11::object& values);
+
+/// An object by its row: it stays the same object while others are made and deleted. Throws IndexError.
+script::Handle handle_of(Session& session, const std::string& kind, std::size_t row);
+/// The object that is nearest to a place, as block.near of FISH; none where there is none.
+std::optional<script::Handle> nearest_object(Session& session, const std::string& kind, const Vec3& place);
 
 /// A quantity of the whole model.
 pybind11::object global_value(Session& session, const std::string& name);

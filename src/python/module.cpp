@@ -14,6 +14,8 @@
 #include "python/values.hpp"
 #include "system/run_record.hpp"
 
+#include <array>
+#include <optional>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -51,6 +53,31 @@ py::tuple completions(PythonSession& self, const std::string& before, const std:
     return py::make_tuple(found.typed, found.words);
 }
 
+/// Objects that stay the same while others are made and deleted.
+void add_objects(py::module_& module, py::class_<PythonSession>& bound) {
+    using Self = PythonSession;
+    py::class_<script::Handle>(module, "Handle");
+    bound
+        .def(
+            "handle",
+            [](Self& self, const std::string& kind, std::size_t row) { return handle_of(self.session(), kind, row); },
+            py::arg("kind"), py::arg("row"))
+        .def(
+            "row",
+            [](Self& self, const script::Handle& object) { return self.session().engine.world.living_row(object); },
+            py::arg("object"))
+        .def(
+            "nearest",
+            [](Self& self, const std::string& kind, const std::array<double, 3>& place) {
+                std::optional<script::Handle> found;
+                self.run([&](Session& session) {
+                    found = nearest_object(session, kind, Vec3(place[0], place[1], place[2]));
+                });
+                return found;
+            },
+            py::arg("kind"), py::arg("place"));
+}
+
 void add_language(py::module_& module) {
     module.def(
         "help", [](const std::string& words) { return help_text(words); }, py::arg("words"));
@@ -69,7 +96,9 @@ PYBIND11_MODULE(_kaya, module) {
     add_errors(module);
     add_language(module);
     using Self = PythonSession;
-    py::class_<Self>(module, "Session")
+    py::class_<Self> bound(module, "Session");
+    add_objects(module, bound);
+    bound
         .def(py::init(&new_session), py::arg("out"), py::arg("messages"), py::arg("threads"), py::arg("strict"),
              py::arg("quiet"), py::arg("trust"), py::arg("progress"), py::arg("joints"), py::arg("own_joints"),
              py::arg("painter"))

@@ -33,6 +33,32 @@ class Driver(unittest.TestCase):
         with self.assertRaises(AttributeError):
             blocks[0].nosuch()
 
+    def test_near_takes_the_block_that_contains_the_place(self):
+        it.use(kaya.Model())
+        it.command("""block create brick 0 10 0 10 0 10
+            block create brick 0 1 0 1 10 11""")
+        self.assertEqual(it.block.near((0.5, 0.5, 9.5)).id(), 1)  # the centroid of block 2 is nearer
+        self.assertEqual(it.block.near((0.5, 0.5, 10.5)).id(), 2)
+        self.assertEqual(it.block.near((9, 9, 10.5)).id(), 1)  # beside block 2: the surface of block 1 is nearer
+        it.use(kaya.Model())
+        self.assertIsNone(it.block.near((0, 0, 0)))
+
+    def test_objects_stay_the_same(self):
+        first, second = it.block.list()
+        it.command("block delete range position-z 0 0.9")
+        self.assertEqual((it.block.count(), second.id()), (1, 2))
+        np.testing.assert_allclose(second.pos(), (0.5, 0.5, 1.5))
+        for use in first.pos, first.id, lambda: first.set_vel((1, 0, 0)):
+            with self.assertRaisesRegex(kaya.Error, "this block no longer exists"):
+                use()
+        self.assertEqual(repr(first), "<block, deleted>")
+        point = it.block.gridpoint.near((0, 0, 2))
+        it.command("block cut joint-set dip 0 origin 0 0 1.5")
+        with self.assertRaisesRegex(kaya.Error, "this gridpoint no longer exists"):
+            point.pos()
+        it.use(kaya.Model())
+        self.assertEqual(second.id(), 2)  # of the model that it was found in
+
     def test_arrays(self):
         self.assertEqual(it.blockarray.pos().shape, (2, 3))
         it.blockarray.set_vel(np.ones((2, 3)))

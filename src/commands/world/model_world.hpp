@@ -59,6 +59,11 @@ public:
     /// Tests of named ranges are cached until a command or a cycle has run.
     void forget_ranges() { range_tests_.clear(); }
 
+    /// The row of an object; throws Diagnostic when it was deleted.
+    Row living_row(const script::Handle& object) const;
+    /// The object nearest to a place, null when there is none; warns where it is far away.
+    script::Handle nearest(ObjectKind kind, const Vec3& place);
+
 private:
     /// The history variable of that name, of the joint model of a sub-contact; null when there is none.
     double* history_value(Row sub_contact, const std::string& name);
@@ -69,10 +74,8 @@ private:
     Row row_of(const script::Handle& object) const; ///< no_row when it was deleted
     /// Parts of a block are identified by the number of the block's shape and an index in it: changes of other blocks do not matter.
     Row block_of_shape(std::uint32_t shape) const;
-    Row living_row(const script::Handle& object) const;
     script::Handle handle(ObjectKind kind, Row row) const;
     script::Value script_value(const FieldValue& value) const;
-    script::Handle nearest(ObjectKind kind, const Vec3& place);
     script::Value object_property(const script::Handle& object, const std::string& name);
     void add_relations();
 

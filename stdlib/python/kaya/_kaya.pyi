@@ -42,6 +42,9 @@ def kinds() -> list[str]:
 def fields(kind: str) -> list[tuple[str, str, str, str, str, bool]]:
     """(name, unit, help, classic FISH, newer FISH, can be set) of each field of a kind, or of "model". Raises KeyError."""
 
+class Handle:
+    """An object of a model: it stays the same object while others are made and deleted."""
+
 class Session:
     """One model with its commands, functions and results."""
 
@@ -59,6 +62,12 @@ class Session:
         """A copy of a field of all objects."""
     def set_values(self, kind: str, field: str, rows: NDArray[np.int64], values: Any) -> None:
         """Sets a field: one value for all rows, or a list with one for each."""
+    def handle(self, kind: str, row: int) -> Handle:
+        """An object by its row. Raises IndexError."""
+    def row(self, object: Handle) -> int:
+        """The row of an object. Raises Error when it was deleted."""
+    def nearest(self, kind: str, place: Sequence[float]) -> Handle | None:
+        """The object nearest to a place, as block.near of FISH; None where there is none."""
     def quantity(self, name: str) -> Any:
         """A quantity of the whole model."""
     def columns(self) -> dict[str, dict[str, tuple[np.dtype[Any], tuple[int, ...]]]]:

@@ -16,6 +16,7 @@ from typing import Any, Iterator, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._kaya import Error, Handle
 from .model import Model
 from .table import Table
 
@@ -71,23 +72,28 @@ def _methods(kind: str) -> dict[str, str]:
 
 
 class Object:
-    """An object of the model by its row; `id()` is its number. Valid until rows change."""
+    """An object of a model; `id()` is its number. It stays the same object while others are made and deleted; methods of a deleted one raise
+    kaya.Error."""
 
-    def __init__(self, kind: str, row: int):
-        self._kind, self._row = kind, row
+    def __init__(self, model: Model, kind: str, handle: Handle):
+        self._table, self._kind, self._handle = Table(model, kind), kind, handle
+        self._session = model._session
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         methods = _methods(self._kind)
         if name in methods:
-            return lambda: _table(self._kind)[methods[name]][self._row]
+            return lambda: self._table[methods[name]][self._session.row(self._handle)]
         if name.startswith("set_") and name[4:] in methods:
-            return lambda value: _table(self._kind).set(methods[name[4:]], value, [self._row])
+            return lambda value: self._table.set(methods[name[4:]], value, [self._session.row(self._handle)])
         raise AttributeError(f"a {self._kind} has no method '{name}': {', '.join(methods)}")
 
     def __repr__(self) -> str:
-        return f"<{self._kind} {self.id()}>"
+        try:
+            return f"<{self._kind} {self.id()}>"
+        except Error:
+            return f"<{self._kind}, deleted>"
 
 
 class _Kind:
@@ -98,18 +104,21 @@ class _Kind:
     def count(self) -> int:
         return len(_table(self._kind))
 
+    def _object(self, row: int) -> Object:
+        return Object(model(), self._kind, model()._session.handle(self._kind, row))
+
     def list(self) -> Iterator[Object]:
-        return (Object(self._kind, row) for row in range(self.count()))
+        return iter([self._object(row) for row in range(self.count())])
 
     def find(self, number: int) -> Object | None:
         """The object with that number; None where there is none."""
         rows = np.flatnonzero(_table(self._kind)["id"] == number)
-        return Object(self._kind, int(rows[0])) if len(rows) else None
+        return self._object(int(rows[0])) if len(rows) else None
 
     def near(self, place: ArrayLike) -> Object | None:
-        """The object that is nearest to a place."""
-        places = _table(self._kind)["position"]
-        return Object(self._kind, int(np.argmin(((places - np.asarray(place)) ** 2).sum(axis=1)))) if len(places) else None
+        """The object that is nearest to a place, as block.near of FISH: the block that contains it, or whose surface is nearest."""
+        found = model()._session.nearest(self._kind, np.asarray(place, dtype=float).tolist())
+        return None if found is None else Object(model(), self._kind, found)
 
 
 class _Array:
