@@ -1,6 +1,7 @@
 #include "commands/review/deck_words.hpp"
 
 #include "base/lower_case.hpp"
+#include "lang/interp/source.hpp"
 #include "system/whole_file.hpp"
 
 #include <algorithm>
@@ -15,6 +16,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_files = 1000;
+
+/// The file that a run would read; none when there is none.
+std::optional<fs::path> file_of_deck(const std::string& name, const std::vector<fs::path>& folders) {
+    try {
+        if (auto file = lang::find_deck(name, folders); fs::is_regular_file(file)) return file;
+    } catch (const Diagnostic&) {} // the run says it
+    return std::nullopt;
+}
 
 bool shortens(std::string_view word, std::string_view whole, std::size_t least) {
     return word.size() >= least && whole.starts_with(word);
@@ -57,7 +66,8 @@ bool DeckWords::take_line(const std::string& line, const fs::path& folder) {
     const bool reads = shortens(command, "call", 3) || command == "lua";
     if (!reads || name.empty()) return true;
     std::erase_if(name, [](char c) { return c == '\'' || c == '"'; });
-    return take(fs::path(name).has_extension() ? folder / name : folder / (name + ".3dd"));
+    const auto file = file_of_deck(name, {folder, "."});
+    return file && take(*file);
 }
 
 void DeckWords::require(const std::string& name, const Place& place) const {
@@ -72,8 +82,10 @@ void DeckWords::require(const std::string& name, const Place& place) const {
 
 std::optional<DeckWords> words_of_decks(const std::vector<std::string>& decks) {
     DeckWords words;
-    for (const auto& deck : decks)
-        if (!fs::is_regular_file(deck) || !words.take(deck)) return std::nullopt;
+    for (const auto& deck : decks) {
+        const auto file = file_of_deck(deck, {"."});
+        if (!file || !words.take(*file)) return std::nullopt;
+    }
     return words;
 }
 
