@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace kaya::lang {
@@ -52,6 +53,9 @@ Vec3 unit_normal(const Vec3& given) {
     return std::abs(length - 1) <= rounding ? given : Vec3(given / length);
 }
 
+/// The distance of a plane that has none.
+constexpr double everywhere = std::numeric_limits<double>::infinity();
+
 /// Parts of a plane: `low` and `high` of its element keep dip and dip direction.
 struct PlaneText {
     double dip = 0, dip_direction = 0;
@@ -59,6 +63,12 @@ struct PlaneText {
     Vec3 origin = Vec3::Zero();
     int side = 0;
     std::optional<double> distance;
+    bool both_sides = false;
+
+    void take(int other) {
+        both_sides = both_sides || side == -other;
+        side = other;
+    }
 };
 
 std::vector<KeywordSpec> plane_words() {
@@ -69,11 +79,11 @@ std::vector<KeywordSpec> plane_words() {
     words.keyword({"origin", "org"}, vector("x y z").unit("length"), &PlaneText::origin, "a point of the plane");
     words.keyword({"normal"}, vector("nx ny nz"), &PlaneText::normal, "normal, in place of dip and dd");
     words.action(
-        {"above"}, [](PlaneText& p) { p.side = 1; }, "the side to which the normal points");
+        {"above"}, [](PlaneText& p) { p.take(1); }, "the side to which the normal points");
     words.action(
-        {"below"}, [](PlaneText& p) { p.side = -1; }, "the other side");
+        {"below"}, [](PlaneText& p) { p.take(-1); }, "the other side");
     words.keyword({"distance"}, real("distance").unit("length").at_least(0), &PlaneText::distance,
-                  "all within this distance of the plane");
+                  "all within this distance of the plane, on the given side if there is one");
     return std::move(words).list();
 }
 
@@ -81,6 +91,9 @@ void read_plane(Reader& reader, const PlaneText& plane, RangeElement& element, c
     if (plane.side == 0 && !plane.distance)
         lacks_part(reader, "plane", words, "the plane does not say which part is meant",
                    "add above, below, or distance d");
+    if (plane.both_sides)
+        incomplete_line(reader, "the plane has both sides, above and below",
+                        "give one of them, or distance d for both");
     element.low = plane.dip;
     element.high = plane.dip_direction;
     element.normal = upward_normal(plane.dip, plane.dip_direction);
@@ -91,7 +104,7 @@ void read_plane(Reader& reader, const PlaneText& plane, RangeElement& element, c
     }
     element.centre = plane.origin;
     element.side = plane.side;
-    element.distance = plane.distance.value_or(0);
+    element.distance = plane.distance.value_or(everywhere);
 }
 
 PlaneText text_of_plane(const RangeElement& e) {
@@ -100,7 +113,7 @@ PlaneText text_of_plane(const RangeElement& e) {
     for (int k = 0; k < 3; ++k)
         if (std::bit_cast<std::uint64_t>(e.normal[k]) != std::bit_cast<std::uint64_t>(of_dip[k]))
             plane.normal = e.normal;
-    if (e.distance != 0 || std::signbit(e.distance) || e.side == 0) plane.distance = e.distance;
+    if (e.distance != everywhere) plane.distance = e.distance;
     return plane;
 }
 

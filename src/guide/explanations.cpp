@@ -1,6 +1,7 @@
 #include "guide/explanations.hpp"
 
 #include "base/diagnostic.hpp"
+#include "base/lower_case.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -198,13 +199,18 @@ constexpr Explanation explanations[] = {
 } // namespace
 
 std::string code_list() {
+    std::size_t longest = 0;
+    for (const auto& entry : explanations) longest = std::max(longest, entry.code.size());
     std::string text;
-    for (const auto& entry : explanations) text += fmt::format("{:24}{}\n", entry.code, entry.title);
+    for (const auto& entry : explanations) text += fmt::format("{:{}}  {}\n", entry.code, longest, entry.title);
     return text;
 }
 
-std::string explanation(std::string_view code) {
-    const auto* const found = std::ranges::find(explanations, code, &Explanation::code);
+std::string explanation(std::string_view words) {
+    // As they are printed after a message, in brackets.
+    const bool in_brackets = words.size() > 2 && words.front() == '[' && words.back() == ']';
+    const std::string code = lower_case(in_brackets ? words.substr(1, words.size() - 2) : words);
+    const auto* const found = std::ranges::find(explanations, std::string_view(code), &Explanation::code);
     if (found != std::end(explanations)) return fmt::format("{}: {}\n\n{}\n", found->code, found->title, found->text);
     std::vector<std::string_view> codes;
     for (const auto& entry : explanations) codes.push_back(entry.code);

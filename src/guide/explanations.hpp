@@ -10,6 +10,6 @@ namespace kaya {
 std::string code_list();
 
 /// The explanation of one code. Throws Diagnostic with the nearest one when there is none of that name.
-std::string explanation(std::string_view code);
+std::string explanation(std::string_view words);
 
 } // namespace kaya

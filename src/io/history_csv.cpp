@@ -43,9 +43,9 @@ std::string column_title(const History& history) {
     const std::string head = fmt::format("{}:{}", history.number, history.label);
     if (source.kind == Kind::function) return fmt::format("{} [script {}]", head, source.quantity);
     const std::string unit = unit_of(source);
-    const std::string name = history.label == source.quantity ? "" : source.quantity + ", ";
-    if (source.kind == Kind::global) return fmt::format("{} [{}{}]", head, name, unit);
-    return fmt::format("{} [{}{}, {} nearest to {} {} {}]", head, name, unit, info_of(source.kind).noun,
+    const std::string name = history.label == source.quantity ? "" : ", " + source.quantity;
+    if (source.kind == Kind::global) return fmt::format("{} [{}{}]", head, unit, name);
+    return fmt::format("{} [{}{}, {} nearest to {} {} {}]", head, unit, name, info_of(source.kind).noun,
                        source.place.x(), source.place.y(), source.place.z());
 }
 

@@ -89,7 +89,14 @@ CsvTable read_csv(const std::filesystem::path& file) {
         if (text.empty() || text.front() == '#') continue;
         if (!style) {
             style.emplace(text);
-            for (const auto cell : cells_of(text, *style)) table.add(column_name(cell), {});
+            for (const auto cell : cells_of(text, *style)) {
+                const std::string name = column_name(cell);
+                if (!name.empty() && table.find(name))
+                    throw Diagnostic(
+                        fmt::format("{}, line {}: two columns are named '{}'", file.string(), number, name),
+                        "give each column its name, or leave one out");
+                table.add(name, {});
+            }
             continue;
         }
         const auto cells = cells_of(text, *style);

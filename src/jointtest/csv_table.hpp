@@ -21,7 +21,7 @@ struct CsvTable {
 
 /// Columns are separated by commas, semicolons or tabs, as in the line of names; with semicolons or tabs a number may have a decimal comma.
 /// Names are converted to lower case, with underscores for blanks. Throws Diagnostic with file and line when a cell is not a number or a
-/// row has another length.
+/// row has another length, and when two columns have one name.
 CsvTable read_csv(const std::filesystem::path& file);
 
 /// With 17 digits, which preserve the bits. Throws Diagnostic (Fault::run) when the file cannot be written.

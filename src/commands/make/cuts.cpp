@@ -8,6 +8,7 @@
 #include "commands/session/plausible.hpp"
 
 #include "base/lower_case.hpp"
+#include "base/number_text.hpp"
 #include "geometry/fractures/fracture_cuts.hpp"
 #include "geometry/grid/file_formats.hpp"
 #include "geometry/read/surface_files.hpp"
@@ -21,6 +22,7 @@
 #include "model/edit/build.hpp"
 #include "model/edit/cut_blocks.hpp"
 #include "model/edit/joined.hpp"
+#include "model/measure/measure.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -311,6 +313,16 @@ void run(Session& session, const lang::CutGround& command) {
         LongWork work(session, "cut ground");
         const SidedBlocks cut = cut_by_ground(shapes, ground, id, thinnest, std::ref(work));
         const auto join = [&](const std::vector<Row>& pieces) { join_sides(model, cut, pieces); };
+        if (!cut.beyond.empty()) {
+            const auto first = static_cast<std::size_t>(cut.beyond.front());
+            session.warn(
+                Diagnostic(
+                    fmt::format(
+                        "the surface ends, or has a hole, inside of {}, the first at {}: the planes of the nearest triangles are continued there",
+                        counted(cut.beyond.size(), "block", "blocks"), place_text(block_centroid(model, rows[first]))),
+                    "give a surface that is larger than the blocks and has no holes, or cut the blocks at its border before")
+                    .at(command.place));
+        }
         const auto pieces = apply(session, rows, cut.blocks, thinnest, fmt::format("ground, joint set {}", id), join);
         if (cut.blocks.parents.empty()) {
             session.warn(Diagnostic("no block was cut by this surface",

@@ -41,9 +41,7 @@ RangeTest by_plane(const RangeElement& e, RangeContext& context) {
     const int side = e.side;
     return on_place(context, [=](const Vec3& p) {
         const double height = normal.dot(p - origin);
-        if (side > 0) return height >= -slack;
-        if (side < 0) return height <= slack;
-        return std::abs(height) <= limit;
+        return side * height >= -slack && std::abs(height) <= limit;
     });
 }
 

@@ -26,6 +26,8 @@ public:
 
     const std::vector<Vec3>& corners() const { return corners_; }
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+    /// The edges of one triangle only: of its border and of its holes.
+    const std::vector<std::array<int, 2>>& rim() const { return rim_; }
     bool empty() const { return triangles_.empty(); }
 
     /// The height of the highest triangle; none outside of the plan.

@@ -73,6 +73,31 @@ public:
         return std::move(pieces_);
     }
 
+    /// Whether the rim of the surface passes through the inside of a block, where its planes are continued.
+    bool ends_within(const Polyhedron& block) const {
+        const Polygon outline = plan_hull(block.vertices);
+        Span z;
+        for (const Vec3& v : block.vertices) z.add(v.z());
+        return std::ranges::any_of(ground_.rim(), [&](const std::array<int, 2>& edge) {
+            const Vec3 &from = ground_.corners()[static_cast<std::size_t>(edge[0])],
+                       &to = ground_.corners()[static_cast<std::size_t>(edge[1])];
+            double first = 0, last = 1; // of the part of the edge inside
+            const auto keep = [&](double at_from, double at_to) {
+                if (at_from <= 0 && at_to <= 0) last = -1;
+                else if (at_from < 0) first = std::max(first, at_from / (at_from - at_to));
+                else if (at_to < 0) last = std::min(last, at_from / (at_from - at_to));
+            };
+            keep(from.z() - z.low - thinnest_, to.z() - z.low - thinnest_);
+            keep(z.high - thinnest_ - from.z(), z.high - thinnest_ - to.z());
+            for (std::size_t k = 0; k < outline.size(); ++k) {
+                const Vec3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+                const double side = thinnest_ * std::hypot(b.x() - a.x(), b.y() - a.y());
+                keep(plan_cross(a, b, from) - side, plan_cross(a, b, to) - side);
+            }
+            return first < last;
+        });
+    }
+
 private:
     std::vector<Patch> patches_over(const Polyhedron& body) const {
         const Polygon outline = plan_hull(body.vertices);
@@ -253,6 +278,7 @@ SidedBlocks cut_by_ground(const std::vector<Polyhedron>& blocks, const Ground& g
         const bool above = pieces.front().above;
         if (std::ranges::all_of(pieces, [above](const auto& piece) { return piece.above == above; })) continue;
         result.blocks.parents.push_back(static_cast<int>(block));
+        if (cutter.ends_within(blocks[block])) result.beyond.push_back(static_cast<int>(block));
         std::stable_partition(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.above; });
         for (auto& piece : pieces) {
             result.blocks.pieces.push_back({std::move(piece.body), static_cast<int>(block)});

@@ -45,6 +45,7 @@ struct SidedBlocks {
     CutBlocks blocks;
     std::vector<bool> inside;   ///< for each piece: within the outline or the body, below the ground
     std::vector<int> swallowed; ///< blocks entirely within, not cut
+    std::vector<int> beyond;    ///< blocks that were cut, and in which the rim of the ground lies
 };
 
 /// Cuts each block by all planes of the set. Which blocks a joint of persistence below 1 leaves whole

@@ -3,6 +3,7 @@
 #include "base/diagnostic.hpp"
 #include "model/edit/build.hpp"
 
+#include <limits>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -121,10 +122,12 @@ TEST_F(RangesTest, BoxSphereCylinderPlane) {
     plane.normal = Vec3(2, 0, 0);
     plane.centre = Vec3(1.5, 0, 0);
     plane.side = 1;
+    plane.distance = std::numeric_limits<double>::infinity();
     EXPECT_THAT(blocks(both({plane})), ElementsAre(1, 2));
     plane.side = -1;
     EXPECT_THAT(blocks(both({plane})), ElementsAre(0, 1));
     plane.side = 0;
+    plane.distance = 0;
     EXPECT_THAT(blocks(both({plane})), ElementsAre(1));
     plane.distance = 1;
     EXPECT_THAT(blocks(both({plane})), ElementsAre(0, 1, 2));

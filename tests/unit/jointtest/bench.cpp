@@ -235,6 +235,7 @@ TEST_F(JointBench, SaysWhatIsWrongWithPathOrValues) {
         {"normal_stress\n1\n", "two points"},
         {"normal_stress,time\n1,1\n1,0\n", "time goes back"},
         {"normal_stress,time\n1,1\n1\n", "line 3: 1 numbers where the first line has 2 names"},
+        {"normal_stress,time,Normal stress\n1,1,2\n1,2,3\n", "line 1: two columns are named 'normal_stress'"},
         {"normal_stress\n1\nmuch\n", "line 3: expected a number, found 'much'"},
         {"normal_stress\n1\n-1\n", "cannot carry a normal stress of"},
     };
