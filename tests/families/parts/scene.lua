@@ -84,7 +84,7 @@ local function velocity(block, point) return block.velocity + block.rotational_v
 
 -- The step of the last motion; model.time_step may already have changed.
 local clock = { cycle = -1 }
-local function last_step()
+function scene.last_step()
     if model.cycle ~= clock.cycle then
         clock.step = clock.cycle == model.cycle - 1 and model.time - clock.time or model.time_step
         clock.cycle, clock.time = model.cycle, model.time
@@ -102,7 +102,7 @@ local function contact_work()
             power = power + (s.normal * normal_force + shear):dot(velocity(s.block2, x) - velocity(s.block1, x))
         end
     end
-    return power * last_step()
+    return power * scene.last_step()
 end
 
 local function account()
@@ -156,7 +156,7 @@ function scene.energy(moving, driven, every)
     result.deepest_potential = 0
     local earlier -- potential half a step before the start, where the first velocities belong
     scene.watch(function()
-        local dt = last_step()
+        local dt = scene.last_step()
         if not earlier then
             earlier = 0
             for i, v in ipairs(first) do earlier = earlier + weight[i]:dot(v) * (0.5 * dt) end
