@@ -107,9 +107,10 @@ std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::strin
 
 std::string deck_file(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
 
-void require_deck(const CLI::App& app, const std::string& deck) {
-    if (const auto misspelt = misspelt_command(app, deck)) throw *misspelt;
-    lang::find_deck(deck, {"."});
+void require_decks(const CLI::App& app, const std::vector<std::string>& decks) {
+    if (decks.empty()) return;
+    if (const auto misspelt = misspelt_command(app, decks.front())) throw *misspelt;
+    for (const auto& deck : decks) lang::find_deck(deck, {"."});
 }
 
 void go_into(const std::string& folder, std::vector<std::string>& decks, std::string& journal) {

@@ -23,8 +23,8 @@ std::optional<Diagnostic> misspelt_command(const CLI::App& app, const std::strin
 /// The file of a deck that the command line names: - is the standard input.
 std::string deck_file(const std::string& name);
 
-/// Throws Diagnostic when the deck does not exist; proposes the command that was meant, or the file.
-void require_deck(const CLI::App& app, const std::string& deck);
+/// Throws Diagnostic when a deck does not exist; proposes the command that was meant, or the file.
+void require_decks(const CLI::App& app, const std::vector<std::string>& decks);
 
 /// Makes the folder if it has to, and works there from now on; decks and journal are named from there. Throws Diagnostic.
 void go_into(const std::string& folder, std::vector<std::string>& decks, std::string& journal);

@@ -193,7 +193,7 @@ Gate::Policy policy_of(const RunOrder& order, const fs::path& program) { return 
 
 void prepare_run(RunOrder& order, const CLI::App& app) {
     for (auto& deck : order.decks) deck = deck_file(deck);
-    if (!order.decks.empty()) require_deck(app, order.decks.front());
+    require_decks(app, order.decks);
     if (!order.into.empty()) go_into(order.into, order.decks, order.journal);
 }
 

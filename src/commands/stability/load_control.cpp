@@ -89,6 +89,12 @@ public:
             session_.warn(Diagnostic(fmt::format("the peak lies between rows, and may be {:.0f} % higher", 100 * step),
                                      "the load rises that fast up to it: go slower, or take `every` below 10")
                               .at(command_.place));
+        if (curve_.swings_at_peak(LoadCurve::much_doubt) > 1)
+            session_.warn(
+                Diagnostic(
+                    "the load falls and rises again by more than 1 % several times near its peak",
+                    "if that is vibration, the peak is too high by as much: add `damp contact 0.1`, or go slower")
+                    .at(command_.place));
         if (const double share = damped_share(); share > much)
             session_.warn(
                 Diagnostic(

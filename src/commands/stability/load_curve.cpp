@@ -5,6 +5,7 @@
 #include "system/whole_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -63,6 +64,24 @@ double LoadCurve::doubt_of_peak() const {
     for (std::size_t row = peak_; row > 0 && row + 2 > peak_; --row)
         step = std::max(step, rows_[row].load - rows_[row - 1].load);
     return 1.5 * step / peak().load; // a mean is half a step below its end, and the next one may have stopped at once
+}
+
+int LoadCurve::swings_at_peak(double part) const {
+    constexpr std::size_t near = 50; // rows before it, and behind it
+    const double least = part * (rows_.empty() ? 0 : peak().load);
+    if (!(least > 0)) return 0;
+    int swings = 0;
+    bool falls = false;
+    double turn = 0; // the highest load, or the lowest while it falls
+    for (std::size_t row = peak_ - std::min(peak_, near); row < std::min(peak_ + near + 1, rows_.size()); ++row) {
+        const double load = rows_[row].load;
+        turn = falls ? std::min(turn, load) : std::max(turn, load);
+        if (std::abs(load - turn) < least) continue;
+        if (falls) ++swings;
+        falls = !falls;
+        turn = load;
+    }
+    return swings;
 }
 
 void LoadCurve::store(Session& session, const lang::SolveControl& command) const {

@@ -2,6 +2,7 @@
 #include "commands/stability/load_curve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -73,6 +74,24 @@ TEST(LoadCurve, LeavesFlatPeaksAndRisingLoads) {
     EXPECT_EQ(curve_of([](double u) { return u; }, 10).size(), 10u);
     EXPECT_EQ(curve_of([](double u) { return 1 - 0.05 * (u - 1) * (u - 1); }, 10).size(), 10u);
     EXPECT_EQ(curve_of([](double) { return 0.5; }, 10).size(), 10u);
+}
+
+TEST(LoadCurve, CountsSwingsNearThePeak) {
+    // Waves on a plateau, that decay or not, with the highest first or last.
+    const auto wave = [](double height, double decay, double phase) {
+        return curve_of(
+            [=](double u) { return std::min(u, 1.0) * (1 + height * std::exp(-decay * u) * std::sin(2 * u - phase)); },
+            40);
+    };
+    EXPECT_EQ(wave(0.02, 0, 0).swings_at_peak(0.01), 2);
+    EXPECT_EQ(wave(0.02, 0, 1).swings_at_peak(0.01), 2);
+    EXPECT_EQ(wave(0.02, 0.1, 1).swings_at_peak(0.01), 2);
+    EXPECT_EQ(wave(0.004, 0, 0).swings_at_peak(0.01), 0);
+    // A peak, and a part that fails before the whole does.
+    EXPECT_EQ(curve_of([](double u) { return 1 - 0.05 * (u - 1) * (u - 1); }, 20).swings_at_peak(0.01), 0);
+    EXPECT_EQ(curve_of(sharp(1), 10).swings_at_peak(0.01), 0);
+    EXPECT_EQ(curve_of([](double u) { return u < 0.8 ? u : u - 0.3; }, 20).swings_at_peak(0.01), 1);
+    EXPECT_EQ(LoadCurve().swings_at_peak(0.01), 0);
 }
 
 TEST(LoadCurve, LeavesRowsWhosePartsMove) {
