@@ -359,6 +359,7 @@ void make_ready(Session& session) {
     doubt_zone_strengths(session);
     doubt_zone_words(session);
     doubt_water_lines(session);
+    doubt_dynamic_damping(session);
 }
 
 constexpr auto most_cycles = std::numeric_limits<std::int64_t>::max();

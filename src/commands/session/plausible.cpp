@@ -8,6 +8,7 @@
 #include "commands/session/session.hpp"
 #include "commands/program/text_table.hpp"
 #include "laws/property_roles.hpp"
+#include "model/measure/time_step_fraction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -191,6 +192,11 @@ void doubt_joints(Session& session) {
             *tension * std::tan(*friction * std::numbers::pi / 180) > beyond * *cohesion)
             say(fmt::format("tension {} is far above the cohesion {}", number_text(*tension), number_text(*cohesion)),
                 "joints have a tensile strength of at most cohesion / tan(friction): are both in the same unit?");
+        if (tension && cohesion && friction && *tension > 0 && *cohesion == 0 && *friction == 0)
+            say(fmt::format(
+                    "tension {} without friction and cohesion: the bond ends with its first slip, however small",
+                    number_text(*tension)),
+                "give it a cohesion");
         // Half of the digits of a place are left for its closure.
         constexpr double least = 1e-12;
         const bool unresolved = stiffness && weight > 0 && weight / *stiffness < least * size;
@@ -220,6 +226,20 @@ void doubt_joints(Session& session) {
                             weight),
                 "are the strengths in MPa and the rest in Pa?");
     }
+}
+
+void doubt_dynamic_damping(Session& session) {
+    const Settings& s = session.engine.model.settings;
+    if (!s.dynamic || !damps_to_rest(s)) return;
+    if (!session.program.said_once.insert("dynamic-damping").second) return;
+    const double left = std::sqrt((1 - s.local_factor) / (1 + s.local_factor));
+    const std::string what = s.damping == Damping::local
+                                 ? fmt::format("damp local {} leaves {:.2g} of an amplitude in each half of a period",
+                                               number_text(s.local_factor), left)
+                                 : "damp global and damp combined bring a model to rest";
+    session.program.show_note(implausible("the run is dynamic, and " + what,
+                                          "damp none, `damp contact 0.1` or a fraction and a frequency let it swing; "
+                                          "set dynamic off for a static solution"));
 }
 
 void doubt_undamped_search(Session& session, const Place& place) {
