@@ -71,8 +71,10 @@ CommandSpec set() {
     const auto units = text("system");
     entry.keyword(
         {"units"}, Parts<Set>().then(units, &Set::units).check([units](Reader& reader, Set& set) {
-            // The units one by one: m kg s Pa.
-            for (int i = 0; i < 3 && Units::begins_with(*set.units); ++i) *set.units += "-" + reader.text(units.spec);
+            // The units one by one, in any order: m kg s Pa.
+            const Word* next = reader.peek();
+            if (next == nullptr || !Units::fit(*set.units + "-" + next->folded)) return;
+            for (int i = 1; i < 4; ++i) *set.units += "-" + reader.text(units.spec);
         }),
         "names the units of lists, pictures, histories and reports and checks values against them; converts nothing");
     entry.keyword({Spelling{"random", 3}},

@@ -7,13 +7,17 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ranges>
+#include <string>
+#include <vector>
 
 namespace kaya {
 
 namespace {
 
 struct System {
-    std::string_view name, also; ///< `also`: length-mass-time-stress
+    std::string_view name, also; ///< `also`: length-mass-time-stress, in any order in a deck
     std::string_view length, time, mass, force, stress;
     double metre, kilogram; ///< of the unit of length, of mass; all have seconds
 };
@@ -29,9 +33,17 @@ constexpr std::array<System, 7> systems{
      {"in-lb", "in-lb-s-psi", "in", "s", "lbf*s^2/in", "lbf", "psi", inch, pound / inch},
      {"ft-lb", "ft-lb-s-psf", "ft", "s", "slug", "lbf", "psf", foot, pound / foot}}};
 
+/// The units that hyphens part, in the order of the alphabet.
+std::vector<std::string> parts(std::string_view text) {
+    std::vector<std::string> all;
+    for (const auto part : std::views::split(text, '-')) all.emplace_back(part.begin(), part.end());
+    std::ranges::sort(all);
+    return all;
+}
+
 const System* system_named(std::string_view name) {
-    const auto found =
-        std::ranges::find_if(systems, [&](const System& system) { return system.name == name || system.also == name; });
+    const auto found = std::ranges::find_if(
+        systems, [&](const System& system) { return system.name == name || parts(system.also) == parts(name); });
     return found == systems.end() ? nullptr : found;
 }
 
@@ -70,10 +82,9 @@ std::vector<std::string_view> Units::names() {
     return all;
 }
 
-bool Units::begins_with(std::string_view units) {
-    const std::string beginning = lower_case(std::string(units)) + "-";
-    return std::ranges::any_of(systems,
-                               [&](const System& s) { return s.also.starts_with(beginning) && s.name != units; });
+bool Units::fit(std::string_view units) {
+    const auto some = parts(lower_case(std::string(units)));
+    return std::ranges::any_of(systems, [&](const System& s) { return std::ranges::includes(parts(s.also), some); });
 }
 
 std::string Units::label(std::string_view quantity) const {

@@ -14,8 +14,8 @@ public:
     /// Throws Diagnostic for an unknown name, with the nearest one.
     explicit Units(std::string_view name);
     static std::vector<std::string_view> names();
-    /// Whether a system can be named by its units one by one, and these are the first of them: "m", "m-kg".
-    static bool begins_with(std::string_view units);
+    /// Whether these are units of one system that can be named by its units one by one, in any order: "m", "kg-m".
+    static bool fit(std::string_view units);
 
     const std::string& name() const { return name_; }
     bool given() const { return !name_.empty(); }

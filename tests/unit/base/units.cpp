@@ -25,6 +25,13 @@ TEST(Units, LabelQuantities) {
     EXPECT_EQ(si.in_brackets("no unit"), "no unit");
 }
 
+TEST(Units, UnitsHaveAnyOrder) {
+    EXPECT_EQ(Units("t mm s MPa").name(), "mm-t-s");
+    EXPECT_EQ(Units("Pa-s-kg-m").name(), "si");
+    for (const char* some : {"mm-t", "s-MPa-m", "m-kg-s-Pa", "psf"}) EXPECT_TRUE(Units::fit(some)) << some;
+    for (const char* other : {"m-lbf", "si", "si-m", "m-m", "mm-t-s-small"}) EXPECT_FALSE(Units::fit(other)) << other;
+}
+
 TEST(Units, UnknownSystemsAreRefused) {
     for (const char* name : {"", "metric", "m-kg", "si si"}) EXPECT_THROW(Units{name}, Diagnostic) << name;
 }
