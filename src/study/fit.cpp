@@ -65,17 +65,14 @@ public:
         Eigen::VectorXd rows(static_cast<Eigen::Index>(fit_.observations.size()));
         for (std::size_t i = 0; i < fit_.observations.size(); ++i) {
             const auto& seen = fit_.observations[i];
-            const double found =
-                outcome.end == Outcome::End::done ? number_of(result_of(outcome, seen.result)) : std::nan("");
-            rows(static_cast<Eigen::Index>(i)) = (found - seen.value) / scale(seen);
+            rows(static_cast<Eigen::Index>(i)) = (known_number(outcome, seen.result) - seen.value) / scale(seen);
         }
         return rows;
     }
 
-    /// Without a deviation the difference is relative to the observation.
+    /// Without a deviation the difference is relative to the observation, which is not 0.
     static double scale(const Fit::Observation& seen) {
-        if (seen.deviation > 0) return seen.deviation;
-        return seen.value != 0 ? std::abs(seen.value) : 1;
+        return seen.deviation > 0 ? seen.deviation : std::abs(seen.value);
     }
 
     /// The sum of squares; for a failed run more than any before.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -77,6 +78,10 @@ StudyValue result_of(const Outcome& outcome, const std::string& name) {
     for (const auto& [own, value] : outcome.results)
         if (own == name) return value;
     return {};
+}
+
+double known_number(const Outcome& outcome, const std::string& name) {
+    return outcome.end == Outcome::End::done ? number_of(result_of(outcome, name)) : std::nan("");
 }
 
 void write_outcome(const std::filesystem::path& file, const Case& one, const Outcome& outcome) {

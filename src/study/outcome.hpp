@@ -33,6 +33,9 @@ const char* name_of(Outcome::End end);
 /// The value of a result; nothing when the run has none.
 StudyValue result_of(const Outcome& outcome, const std::string& name);
 
+/// The number of a result of a run that is done; NaN for others, and for texts and nothing.
+double known_number(const Outcome& outcome, const std::string& name);
+
 /// Whole or not at all. Throws Diagnostic (Fault::run).
 void write_outcome(const std::filesystem::path& file, const Case& one, const Outcome& outcome);
 

@@ -6,6 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -69,18 +70,23 @@ std::vector<Bar> bars_one_at_a_time(const Study& study, const std::vector<Case>&
     std::vector<Bar> bars;
     for (std::size_t j = 0; j < study.factors.size(); ++j) {
         const auto& factor = study.factors[j];
+        // By size where they are numbers, else the first and the last.
+        auto low = factor.values.begin(), high = std::prev(factor.values.end());
+        if (std::ranges::none_of(factor.values, [](const auto& value) { return std::isnan(number_of(value)); })) {
+            const auto [least, most] = std::ranges::minmax_element(factor.values, {}, number_of);
+            low = least, high = most;
+        }
         const auto result_at = [&](const StudyValue& value) {
             for (std::size_t i = 0; i < cases.size(); ++i) {
                 const auto& values = cases[i].values;
                 bool wanted = values[j].second == value;
                 for (std::size_t k = 0; k < study.factors.size() && wanted; ++k)
                     wanted = k == j || values[k].second == *study.factors[k].base;
-                if (wanted) return number_of(result_of(outcomes[i], study.tornado_of));
+                if (wanted) return known_number(outcomes[i], study.tornado_of);
             }
             return unknown;
         };
-        bars.push_back({factor.name, result_at(factor.values.front()), result_at(factor.values.back()),
-                        text_of(factor.values.front()), text_of(factor.values.back())});
+        bars.push_back({factor.name, result_at(*low), result_at(*high), text_of(*low), text_of(*high)});
     }
     return bars;
 }
@@ -141,7 +147,7 @@ Moments moments_of(const std::vector<double>& numbers, const std::vector<double>
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (!std::isnan(numbers[i])) sorted.emplace_back(numbers[i], weights[i]), all += weights[i];
     Moments m;
-    m.count = sorted.size();
+    m.count = sorted.size(), m.missing = numbers.size() - sorted.size();
     if (sorted.empty()) return m;
     std::ranges::sort(sorted);
     for (const auto& [number, weight] : sorted) m.mean += weight * number / all;
@@ -149,7 +155,11 @@ Moments moments_of(const std::vector<double>& numbers, const std::vector<double>
     // Random runs estimate the scatter from n - 1 of them; in a point estimate it is known.
     const bool estimated = std::ranges::any_of(weights, [](double weight) { return weight != 1; });
     const double n = static_cast<double>(sorted.size());
-    m.deviation = std::sqrt(std::max(0.0, m.deviation) * (estimated || n < 2 ? 1 : n / (n - 1)));
+    m.deviation = std::isnan(m.deviation) || (!estimated && n < 2)
+                      ? unknown
+                      : std::sqrt(std::max(0.0, m.deviation) * (estimated ? 1 : n / (n - 1)));
+    // The rule of a point estimate needs each of its runs.
+    if (estimated && m.missing > 0) m.mean = m.deviation = unknown;
     m.least = sorted.front().first, m.most = sorted.back().first;
     const auto at = [&](double part) {
         double below = 0;
@@ -166,23 +176,31 @@ Moments moments_of(const std::vector<double>& numbers, const std::vector<double>
 
 Probability probability_of(const std::vector<double>& truths, const std::vector<double>& weights) {
     Probability p;
-    double all = 0, hits = 0;
+    double all = 0, hits = 0, missing = 0;
     for (std::size_t i = 0; i < truths.size(); ++i) {
-        if (std::isnan(truths[i])) continue;
-        ++p.count, all += weights[i];
+        all += weights[i];
+        if (std::isnan(truths[i])) {
+            ++p.missing, missing += weights[i];
+            continue;
+        }
+        ++p.count;
         if (truths[i] != 0) ++p.hits, hits += weights[i];
+        p.counts_truths = p.counts_truths && (truths[i] == 0 || truths[i] == 1);
     }
-    if (!(all > 0)) {
-        p.value = unknown, p.has_interval = false;
+    if (p.count == 0 || !p.counts_truths) {
+        p.value = p.least = p.most = unknown, p.has_interval = false;
         return p;
     }
-    p.value = hits / all;
+    p.least = hits / all, p.most = (hits + missing) / all;
+    p.value = p.missing == 0 ? p.least : unknown;
     p.has_interval = std::ranges::all_of(weights, [](double weight) { return weight == 1; });
     if (!p.has_interval) return p;
+    // Runs without a value may all be false, or all be true.
     using Binomial = boost::math::binomial_distribution<double>;
-    const auto n = static_cast<double>(p.count), k = static_cast<double>(p.hits);
+    const auto n = static_cast<double>(truths.size()), k = static_cast<double>(p.hits),
+               most = static_cast<double>(p.hits + p.missing);
     p.low = p.hits == 0 ? 0 : Binomial::find_lower_bound_on_p(n, k, 0.025);
-    p.high = p.hits == p.count ? 1 : Binomial::find_upper_bound_on_p(n, k, 0.025);
+    p.high = most == n ? 1 : Binomial::find_upper_bound_on_p(n, most, 0.025);
     return p;
 }
 
@@ -201,7 +219,7 @@ std::vector<Bar> tornado_of(const Study& study, const std::vector<Case>& cases, 
         bars = bars_one_at_a_time(study, cases, outcomes);
     } else {
         std::vector<double> results, weights;
-        for (const auto& outcome : outcomes) results.push_back(number_of(result_of(outcome, study.tornado_of)));
+        for (const auto& outcome : outcomes) results.push_back(known_number(outcome, study.tornado_of));
         for (const auto& one : cases) weights.push_back(one.weight);
         for (const std::size_t j : numeric_columns(cases)) {
             std::vector<double> numbers;
@@ -219,14 +237,14 @@ std::optional<Response> response_of(const std::string& result, const std::vector
     const auto columns = numeric_columns(cases);
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < cases.size(); ++i)
-        if (std::isfinite(number_of(result_of(outcomes[i], result)))) rows.push_back(i);
+        if (std::isfinite(known_number(outcomes[i], result))) rows.push_back(i);
     const std::size_t n = columns.size(), terms = 1 + n + n * (n + 1) / 2;
     if (n == 0 || rows.size() < terms) return std::nullopt;
     Eigen::MatrixXd numbers(rows.size(), n);
     Eigen::VectorXd right(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        right(row) = number_of(result_of(outcomes[rows[i]], result));
+        right(row) = known_number(outcomes[rows[i]], result);
         for (std::size_t j = 0; j < n; ++j)
             numbers(row, static_cast<Eigen::Index>(j)) = number_of(cases[rows[i]].values[columns[j]].second);
     }

@@ -27,7 +27,7 @@ bool is_property(const std::string& name);
 /// A parameter of the deck that varies.
 struct Factor {
     std::string name;
-    std::vector<StudyValue> values;           ///< values of a list or grid; the first and the last are its low and high
+    std::vector<StudyValue> values;           ///< values of a list or grid
     std::optional<Distribution> distribution; ///< how it scatters
     std::optional<StudyValue> base;           ///< its value while another parameter varies
     Place place;

@@ -1,5 +1,7 @@
 #include "study/study_answers.hpp"
 
+#include "base/counted.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,14 +20,14 @@ std::vector<double> weights_of(const std::vector<Case>& cases) {
 
 std::vector<double> numbers_of(const std::vector<Outcome>& outcomes, const std::string& result) {
     std::vector<double> numbers;
-    for (const auto& outcome : outcomes) numbers.push_back(number_of(result_of(outcome, result)));
+    for (const auto& outcome : outcomes) numbers.push_back(known_number(outcome, result));
     return numbers;
 }
 
 std::string ends_text(const std::vector<Outcome>& outcomes) {
     std::array<std::size_t, 5> count{};
     for (const auto& outcome : outcomes) ++count[static_cast<std::size_t>(outcome.end)];
-    std::string text = fmt::format("{} runs: {} done", outcomes.size(), count[0]);
+    std::string text = fmt::format("{}: {} done", counted(outcomes.size(), "run"), count[0]);
     for (std::size_t i = 1; i < count.size(); ++i)
         if (count[i] > 0)
             text += fmt::format(", {} {}", count[i], i == 2 ? "over a limit" : name_of(static_cast<Outcome::End>(i)));
@@ -72,10 +74,15 @@ std::string known_text(double number, const char* form) {
 }
 
 std::string probability_text(const std::string& result, const Probability& p) {
-    if (std::isnan(p.value)) return fmt::format("probability of '{}': unknown, no run has a value\n", result);
-    std::string text = fmt::format("probability of '{}': {:.4g}", result, p.value);
+    std::string text = fmt::format("probability of '{}': ", result);
+    if (!p.counts_truths) return text + "unknown, it has other values than true and false, or 1 and 0\n";
+    if (p.count == 0) return text + "unknown, no run has a value\n";
+    text += p.missing == 0
+                ? fmt::format("{:.4g}", p.value)
+                : fmt::format("{:.4g} to {:.4g}, by {} without a value", p.least, p.most, counted(p.missing, "run"));
     if (p.has_interval)
-        text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", p.hits, p.count, p.low, p.high);
+        text += fmt::format(" ({} of {} runs), between {:.4g} and {:.4g} with 95 %", p.hits, p.count + p.missing, p.low,
+                            p.high);
     return text + '\n';
 }
 
@@ -124,8 +131,10 @@ std::string summary_text(const Study& study, const StudyAnswers& answers) {
     if (answers.fit) text += fit_text(*answers.fit);
     if (!answers.critical && !answers.fit)
         for (const auto& [name, m] : answers.moments)
-            text += fmt::format("{}: mean {:.6g}, deviation {:.4g}, {:.6g} to {:.6g}, median {:.6g}\n", name, m.mean,
-                                m.deviation, m.least, m.most, m.median);
+            text +=
+                fmt::format("{}: mean {}, deviation {}, {:.6g} to {:.6g}, median {:.6g}{}\n", name,
+                            known_text(m.mean, "{:.6g}"), known_text(m.deviation, "{:.4g}"), m.least, m.most, m.median,
+                            m.missing > 0 ? fmt::format(", and {} without a value", counted(m.missing, "run")) : "");
     if (answers.probability) text += probability_text(study.probability_of, *answers.probability);
     if (!answers.tornado.empty()) {
         text += fmt::format("sensitivity of '{}':\n", study.tornado_of);

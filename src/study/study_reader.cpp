@@ -352,6 +352,14 @@ void read_fit(std::optional<TomlSection> found, Study& study) {
     });
     if (fit.unknowns.empty() || fit.observations.empty())
         in.fail(in.place(), "[fit] needs a parameter and an observation");
+    const auto has_deviation = [](const Fit::Observation& seen) { return seen.deviation > 0; };
+    const bool none = std::ranges::none_of(fit.observations, has_deviation);
+    for (const auto& seen : fit.observations)
+        if (!has_deviation(seen) && (!none || seen.value == 0))
+            in.fail(observed->place_of(seen.result),
+                    fmt::format("'{}' needs a deviation, by which its difference is weighed", seen.result),
+                    none ? "differences are parts of the measurement, which is 0 here: give deviations of all"
+                         : "others have one: give it for all measurements, or for none");
     in.finish();
     study.fit = std::move(fit);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace kaya {
@@ -31,6 +32,44 @@ TEST(Statistics, TheIntervalOfAProbability) {
     const auto none = probability_of(std::vector<double>(10, 0.0), std::vector<double>(10, 1.0));
     EXPECT_EQ(none.low, 0);
     EXPECT_NEAR(none.high, 1 - std::pow(0.025, 0.1), 1e-9);
+}
+
+TEST(Statistics, FailedRunsBoundAProbability) {
+    std::vector<double> truths(400, 0.0);
+    const std::vector<double> ones(400, 1.0);
+    for (std::size_t i = 0; i < 124; ++i) truths[i] = i < 61 ? 1 : std::nan("");
+    const auto p = probability_of(truths, ones);
+    EXPECT_TRUE(std::isnan(p.value));
+    EXPECT_DOUBLE_EQ(p.least, 61.0 / 400);
+    EXPECT_DOUBLE_EQ(p.most, 124.0 / 400);
+    EXPECT_EQ(p.missing, 63u);
+    EXPECT_LT(p.low, p.least);
+    EXPECT_GT(p.high, p.most);
+    std::vector<double> all(400, 0.0);
+    std::fill(all.begin(), all.begin() + 124, 1.0);
+    EXPECT_DOUBLE_EQ(p.high, probability_of(all, ones).high);
+    // Of a point estimate: bounds by the weights.
+    const auto corners = probability_of({1, 0, std::nan(""), 0}, {0.25, 0.25, 0.25, 0.25});
+    EXPECT_DOUBLE_EQ(corners.least, 0.25);
+    EXPECT_DOUBLE_EQ(corners.most, 0.5);
+    EXPECT_TRUE(std::isnan(corners.value));
+    EXPECT_FALSE(corners.has_interval);
+}
+
+TEST(Statistics, AProbabilityCountsTruthsAlone) {
+    const auto margins = probability_of({-2, -1}, {1, 1});
+    EXPECT_FALSE(margins.counts_truths);
+    EXPECT_TRUE(std::isnan(margins.value));
+}
+
+TEST(Statistics, MomentsThatAreNotKnown) {
+    EXPECT_TRUE(std::isnan(moments_of({5}, {1}).deviation));
+    EXPECT_EQ(moments_of({5}, {1}).mean, 5);
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(std::isnan(moments_of({-1, infinite, 1}, {1, 1, 1}).deviation));
+    const auto corners = moments_of({1, 2, std::nan(""), 4}, {0.25, 0.25, 0.25, 0.25});
+    EXPECT_TRUE(std::isnan(corners.mean) && std::isnan(corners.deviation));
+    EXPECT_EQ(corners.missing, 1u);
 }
 
 TEST(Statistics, WithoutAResultNothingIsKnown) {
