@@ -2,6 +2,7 @@
 
 #include "commands/session/autosave.hpp"
 #include "commands/session/given_parameters.hpp"
+#include "lang/interp/lexer.hpp"
 #include "system/interrupt_signal.hpp"
 
 #include <array>
@@ -139,10 +140,21 @@ void PythonSession::deck(const std::string& file, const std::map<std::string, st
             if (words) words->require(name, Place{});
             names.push_back(name);
         }
-        for (const auto& [name, value] : parameters)
-            session.deck.interpreter.run_text(fmt::format("param '{}' = {}", name, value), "python");
-        session.run_deck(file);
-        warn_of_unused_parameters(session, names, words ? &*words : nullptr);
+        // They hold for this run: earlier values do not, nor do these for later runs.
+        const auto forget = [&] {
+            for (const auto& name : names) session.deck.parameters.erase(lang::fold(name));
+        };
+        forget();
+        try {
+            for (const auto& [name, value] : parameters)
+                session.deck.interpreter.run_text(fmt::format("param '{}' = {}", name, value), "python");
+            session.run_deck(file);
+            warn_of_unused_parameters(session, names, words ? &*words : nullptr);
+        } catch (...) {
+            forget();
+            throw;
+        }
+        forget();
     });
 }
 

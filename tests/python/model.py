@@ -246,6 +246,17 @@ class Errors(unittest.TestCase):
                     model.run(name, angel=5)
                 self.assertEqual(caught.exception.hint, "did you mean 'angle'?")
             self.assertEqual(len(model.blocks), 0)
+            # They hold for one run: later ones have their own, or those of the deck.
+            sweep = written("sweep.3dd", "param a = 7\nparam n = 3\ndef f\n twice = 2.0*a\n half = n/2\nend\n@f\n")
+            for given, twice in ({"a": 2}, 4), ({"a": 3.0}, 6), ({}, 14), ({"a": np.float32(0.5)}, 1):
+                model.run(sweep, **given)
+                self.assertEqual(model.get("twice"), twice)
+            for seven in 7, np.int64(7):
+                model.run(sweep, n=seven)
+                self.assertEqual(model.get("half"), 3, "an integer of numpy is one of FISH")
+            for wrong in None, float("nan"), [1], np.zeros(2):
+                with self.assertRaisesRegex(TypeError, "the parameter n is"):
+                    model.run(sweep, n=wrong)
             model.run(own, angle=5)
             self.assertEqual(len(model.warnings), 1)
             self.assertIn("the deck sets 'angle' itself", model.warnings[0])

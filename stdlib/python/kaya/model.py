@@ -23,6 +23,21 @@ def _own_joints() -> list[Path]:
     return [folder for folder in folders if folder.is_dir()]
 
 
+def _plain(value: Any) -> Any:
+    """A scalar of numpy as the number or truth of Python that it is; other values as they are."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _parameter(name: str, value: object) -> str:
+    """A value of `param` as a deck writes it. Raises TypeError for what is not a text, a truth or a finite number."""
+    plain = _plain(value)
+    if isinstance(plain, str):
+        return f"'{plain}'"
+    if isinstance(plain, (bool, int)) or (isinstance(plain, float) and np.isfinite(plain)):
+        return repr(plain)
+    raise TypeError(f"the parameter {name} is {value!r}: give a number, True, False or a text")
+
+
 def _painter() -> Path:
     """The program that draws: of a build, or an installed one; empty where there is none."""
     built = Path(__file__).resolve().parents[2] / "kaya-painter"
@@ -74,8 +89,8 @@ class Model(Quantities):
         return self._session.text(text, "python", True)
 
     def run(self, deck: str | os.PathLike[str], **parameters: object) -> "Model":
-        """Runs a deck. Parameters replace those that it sets with `param`. Raises kaya.Error for one that the deck does not mention."""
-        shown = {name: f"'{value}'" if isinstance(value, str) else repr(value) for name, value in parameters.items()}
+        """Runs a deck. Parameters replace those that it sets with `param`, in this run. Raises kaya.Error for one that the deck does not mention, TypeError for one that is not a number, a truth or a text."""
+        shown = {name: _parameter(name, value) for name, value in parameters.items()}
         self._session.deck(os.fspath(deck), shown)
         return self
 
@@ -160,7 +175,7 @@ class Model(Quantities):
 
     def set(self, name: str, value: Any) -> None:
         """Sets a FISH variable."""
-        self._session.set_value(name, value)
+        self._session.set_value(name, _plain(value))
 
     def __repr__(self) -> str:
         return f"<kaya.Model: {len(self.blocks)} blocks, cycle {self.cycle_number}, time {self.time:g}>"
