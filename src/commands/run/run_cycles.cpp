@@ -359,7 +359,6 @@ void make_ready(Session& session) {
     doubt_zone_strengths(session);
     doubt_zone_words(session);
     doubt_water_lines(session);
-    doubt_dynamic_damping(session);
 }
 
 constexpr auto most_cycles = std::numeric_limits<std::int64_t>::max();
@@ -370,6 +369,7 @@ RunEnd advance_until(Session& session, const Limits& limits, RestMonitor* monito
     warn_of_long_step(session);
     const StepsOfTime steps(session, limits);
     if (monitor) note_added_mass(session);
+    if (limits.time) doubt_dynamic_damping(session);
     const Clock start = session.engine.model.clock;
     Target target;
     if (limits.cycles) target.cycle = start.cycle + std::min<std::int64_t>(*limits.cycles, most_cycles - start.cycle);

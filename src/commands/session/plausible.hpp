@@ -37,7 +37,7 @@ void doubt_zone_words(Session& session);
 void doubt_zone_magnitudes(Session& session);
 /// Joints across which the water ends, where sub-contacts miss its force by a part of a block's weight.
 void doubt_water_lines(Session& session);
-/// Damping that brings models to rest, in dynamic runs: a note.
+/// Damping that brings models to rest, in dynamic runs to a time: a note.
 void doubt_dynamic_damping(Session& session);
 /// Undamped motion, which does not end in equilibrium.
 void doubt_undamped_search(Session& session, const Place& place);

@@ -74,6 +74,7 @@ int LoadCurve::swings_at_peak(double part) const {
     bool falls = false;
     double turn = 0; // the highest load, or the lowest while it falls
     for (std::size_t row = peak_ - std::min(peak_, near); row < std::min(peak_ + near + 1, rows_.size()); ++row) {
+        if (peak().at_rest && !rows_[row].at_rest) continue; // a row in motion cannot be the peak
         const double load = rows_[row].load;
         turn = falls ? std::min(turn, load) : std::max(turn, load);
         if (std::abs(load - turn) < least) continue;
@@ -91,11 +92,12 @@ void LoadCurve::store(Session& session, const lang::SolveControl& command) const
         session.engine.scripts->tables()[*command.table].replace(std::move(points));
     }
     if (command.file.empty()) return;
-    std::string text = "displacement,load,time,reaction_x,reaction_y,reaction_z,lost,damped,ratio,stored,zone_work\n";
+    std::string text =
+        "displacement,load,time,reaction_x,reaction_y,reaction_z,lost,damped,ratio,stored,zone_work,at_rest\n";
     for (const CurveRow& row : rows_)
-        text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+        text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:d}\n",
                             row.displacement, row.load, row.time, row.reaction.x(), row.reaction.y(), row.reaction.z(),
-                            row.lost, row.damped, row.ratio, row.stored, row.zone_work);
+                            row.lost, row.damped, row.ratio, row.stored, row.zone_work, row.at_rest);
     write_whole_file(session.program.output_file(command.file), text);
 }
 
