@@ -152,9 +152,10 @@ void note_stiffness(const Model& model, Row c, JointForces& forces) {
 }
 
 /// Whether a joint between rigid blocks becomes an overlap contact.
-bool opens_in_part(const Model& model, Row c) {
+bool opens_in_part(const Model& model, const JointModel& joint, Row c) {
     if (!model.settings.large_strain || !between_rigid(model, c)) return false;
-    return is_partly_open(model, c) && !stands_on_corners(model, model.contacts.block1[c], model.contacts.block2[c]);
+    return is_partly_open(model, joint, c) &&
+           !stands_on_corners(model, model.contacts.block1[c], model.contacts.block2[c]);
 }
 
 /// Geometry that was updated after the last motion has not slid.
@@ -266,7 +267,7 @@ JointSums advance_batch(Model& model, const Batch& batch, std::int64_t number, J
             continue;
         }
         finish_contact(model, c, forces, after);
-        if (opens_in_part(model, c)) {
+        if (opens_in_part(model, *batch.model, c)) {
             follow_as_overlap(model, *batch.model, c, scratch.overlap, after, sums);
             sum_contact(model, c, forces);
             note_stiffness(model, c, forces);

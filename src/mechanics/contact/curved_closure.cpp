@@ -204,6 +204,11 @@ CarrierRows press(const Model& model, Row c, OverlapPatch& patch, const OverlapS
     return halves.rows(patch.carrying_area(0));
 }
 
+bool holds_when_opened(const Model& model, const JointModel& joint, Row sub_contact, double by) {
+    TriedSpring spring(model, joint, sub_contact);
+    return model.sub_contacts.area[sub_contact] > 0 && spring.open(by) && spring.spring().stress < 0;
+}
+
 void hold_shear(const Model& model, const JointModel& joint, Row c, CarriedLoad& load) {
     const Row first = model.contacts.sub_contacts[c].first;
     for (Row k = 0; k < carriers; ++k) {

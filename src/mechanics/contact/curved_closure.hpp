@@ -14,6 +14,9 @@ namespace kaya {
 /// area, and the place and direction of that force. Returns the closures of the carriers.
 CarrierRows press(const Model& model, Row contact, OverlapPatch& patch, const OverlapSlopes& slopes);
 
+/// Whether a sub-contact is in tension once it has opened by a distance: its joint model has a bond. The sub-contact stays as it is.
+bool holds_when_opened(const Model& model, const JointModel& joint, Row sub_contact, double by);
+
 /// Finds what a joint model leaves of the shear forces of the carriers in a step without shear motion. Its normal displacement increments must be known.
 void hold_shear(const Model& model, const JointModel& joint, Row contact, CarriedLoad& load);
 

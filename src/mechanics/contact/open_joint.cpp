@@ -18,9 +18,26 @@
 
 namespace kaya {
 
-bool is_partly_open(const Model& model, Row c) {
-    // Closures in margins: below the first the sign of a force is rounding, below the second it does not tell how a joint is closed.
-    constexpr double none = 1e-9, some = 1e-6;
+namespace {
+
+/// Closures in margins: below the first the sign of a force is rounding, below the second it does not tell how a joint is closed.
+constexpr double none = 1e-9, some = 1e-6;
+
+/// Whether a row without force has a bond: its force passes from pressure to tension, and nothing has opened.
+bool has_bond_without_force(const Model& model, const JointModel& joint, Row c, double margin) {
+    constexpr double beyond_rounding = 4;
+    const auto& subs = model.sub_contacts;
+    const Span span = model.contacts.sub_contacts[c];
+    for (Row s = span.first; s < span.end(); ++s)
+        if (subs.normal_force[s] <= none * subs.normal_stiffness[s] * subs.area[s] * margin &&
+            holds_when_opened(model, joint, s, beyond_rounding * none * margin))
+            return true;
+    return false;
+}
+
+} // namespace
+
+bool is_partly_open(const Model& model, const JointModel& joint, Row c) {
     const auto& subs = model.sub_contacts;
     const auto& contacts = model.contacts;
     const double margin = std::min(model.blocks.margin[contacts.block1[c]], model.blocks.margin[contacts.block2[c]]);
@@ -35,7 +52,7 @@ bool is_partly_open(const Model& model, Row c) {
         open = open || group.any_not_above(force, none * of_margin);
         closed = closed || group.any_below(some * of_margin, force);
     }
-    return open && closed;
+    return open && closed && !has_bond_without_force(model, joint, c, margin);
 }
 
 namespace {

@@ -35,8 +35,8 @@ struct OverlapEnd {
 OverlapEnd finish_overlap_contact(Model& model, Row contact, const CarriedLoad& before, const OverlapSlopes* slopes,
                                   JointWork& work);
 
-/// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension.
-bool is_partly_open(const Model& model, Row contact);
+/// Whether the sub-contacts of a joint are neither all closed nor all open, and none is in tension, or would be once it opens.
+bool is_partly_open(const Model& model, const JointModel& joint, Row contact);
 
 /// Turns a joint into an overlap contact; normal and shear force are kept. Returns the energy lost from its springs.
 double follow_overlap(Model& model, const JointModel& joint, Row contact, OverlapScratch& scratch);
