@@ -7,7 +7,6 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <ranges>
 #include <string>
 #include <vector>

@@ -132,6 +132,28 @@ std::string PythonSession::text(const std::string& commands, const std::string& 
     return printed;
 }
 
+namespace {
+
+/// Parameters of one run: neither earlier values hold in it, nor these in later runs.
+class GivenForOneRun {
+public:
+    GivenForOneRun(Session& session, const std::vector<std::string>& names) : session_(session), names_(names) {
+        forget();
+    }
+    ~GivenForOneRun() { forget(); }
+    GivenForOneRun(const GivenForOneRun&) = delete;
+
+private:
+    void forget() {
+        for (const auto& name : names_) session_.deck.parameters.erase(lang::fold(name));
+    }
+
+    Session& session_;
+    const std::vector<std::string>& names_;
+};
+
+} // namespace
+
 void PythonSession::deck(const std::string& file, const std::map<std::string, std::string>& parameters) {
     run([&](Session& session) {
         const auto words = words_of_decks({file});
@@ -140,21 +162,11 @@ void PythonSession::deck(const std::string& file, const std::map<std::string, st
             if (words) words->require(name, Place{});
             names.push_back(name);
         }
-        // They hold for this run: earlier values do not, nor do these for later runs.
-        const auto forget = [&] {
-            for (const auto& name : names) session.deck.parameters.erase(lang::fold(name));
-        };
-        forget();
-        try {
-            for (const auto& [name, value] : parameters)
-                session.deck.interpreter.run_text(fmt::format("param '{}' = {}", name, value), "python");
-            session.run_deck(file);
-            warn_of_unused_parameters(session, names, words ? &*words : nullptr);
-        } catch (...) {
-            forget();
-            throw;
-        }
-        forget();
+        const GivenForOneRun given(session, names);
+        for (const auto& [name, value] : parameters)
+            session.deck.interpreter.run_text(fmt::format("param '{}' = {}", name, value), "python");
+        session.run_deck(file);
+        warn_of_unused_parameters(session, names, words ? &*words : nullptr);
     });
 }
 

@@ -232,11 +232,12 @@ void doubt_dynamic_damping(Session& session) {
     const Settings& s = session.engine.model.settings;
     if (!s.dynamic || !damps_to_rest(s)) return;
     if (!session.program.said_once.insert("dynamic-damping").second) return;
-    const double left = std::sqrt((1 - s.local_factor) / (1 + s.local_factor));
-    const std::string what = s.damping == Damping::local
-                                 ? fmt::format("damp local {} leaves {:.2g} of an amplitude in each half of a period",
-                                               number_text(s.local_factor), left)
-                                 : "damp global and damp combined bring a model to rest";
+    // Equation (2) of docs/theory/damping.md.
+    const std::string what =
+        s.damping == Damping::local
+            ? fmt::format("damp local {} leaves {:.2g} of an amplitude in each half of a period",
+                          number_text(s.local_factor), std::sqrt((1 - s.local_factor) / (1 + s.local_factor)))
+            : "damp global and damp combined bring a model to rest";
     session.program.show_note(implausible("the run is dynamic, and " + what,
                                           "damp none, `damp contact 0.1` or a fraction and a frequency let it swing; "
                                           "set dynamic off for a static solution"));

@@ -38,8 +38,8 @@ public:
     /// How far, over the peak, the true peak may lie above it, by the larger of the last two steps of the load up to a sharp peak. A flat
     /// one has 0, as one that may still rise.
     double doubt_of_peak() const;
-    /// How often the load falls by `part` of the peak and rises by as much again near the peak, in rows at rest where the peak is. What it does more than once may be vibration,
-    /// and the peak may lie above the load that the model bears at rest.
+    /// How often the load falls by `part` of the peak and rises by as much again near the peak, in rows at rest where the peak is. What it does
+    /// more than once may be vibration, and the peak may lie above the load that the model bears at rest.
     int swings_at_peak(double part) const;
     static constexpr double much_doubt = 0.01;
 

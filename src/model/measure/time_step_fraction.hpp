@@ -1,4 +1,4 @@
-// What the damping is for, and the part of the largest stable time step that a run uses with it.
+// The purpose of the damping, and the part of the largest stable time step that a run uses with it.
 #pragma once
 
 #include "model/tables/settings.hpp"
